@@ -49,14 +49,14 @@ def made(arm: Arm, given: Given, solve: Solve) -> tuple[Slip, ...]:
 def _computed(arm: Arm, given: Given, solve: Solve) -> Iterator[Slip]:
     """What comes of another table or other joint values, where that comes to an end."""
     q = np.array(given["q"])
-    wrong = [(_named(slip), *slips.slipped(arm, q, slip)) for slip in slips.slips(arm)]
+    wrong = [(_named(slip), *slips.apply_slip(arm, q, slip)) for slip in slips.list_slips(arm)]
     degrees = np.where(arm.turning, np.radians(q), q)
     for words, other, there in [*wrong, ("angles taken as degrees", arm, degrees)]:
         with suppress(ArmError, SingularError):
             yield Slip(words, solve(other, {**given, "q": there}))
 
 
-def _named(slip: slips.Slip) -> str:
+def _named(slip: slips.TableSlip) -> str:
     if slip.entry == "q":
         return f"joint {slip.row} counted the other way"
     how = "with the other sign" if slip.value else "left out"

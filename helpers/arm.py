@@ -1,9 +1,9 @@
-"""An arm is a value: an immutable, hashable table of Denavit-Hartenberg rows.
+"""Define `Arm`, an immutable, hashable table of Denavit-Hartenberg rows.
 
 Rows follow the standard ("distal") convention of Spong, Hutchinson and Vidyasagar, *Robot Modeling
-and Control*, section 3.2: ``A = Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)``, joint *i* moving
-about or along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries are symbols to read
-(``a_3``) with values to run, and exact angles (``pi/2``).
+and Control*, section 3.2: ``A = Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)``; joint *i* moves
+about or along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries are symbols such as
+``a_3``, which have values, exact angles such as ``pi/2``, or numbers.
 """
 
 import math
@@ -16,19 +16,26 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.expressions import Entry, entry, evaluate, latex, names
-from helpers.inputs import LARGEST, ArmError, listed, must_be, numbers, shown
+from helpers.expressions import Entry, check_entry, entry_latex, evaluate, symbol_names
+from helpers.inputs import (
+    LARGEST,
+    ArmError,
+    finite_array,
+    require_type,
+    shorten,
+    tuple_of_items,
+)
 from helpers.rows import (
     Body,
     Joint,
     NumericRow,
     Row,
     Values,
-    changed,
+    change_joint,
     cos_sin,
     fixed,
     prismatic,
-    real,
+    real_number,
     revolute,
     warn_of_degrees,
 )
@@ -39,7 +46,7 @@ Array = NDArray[np.float64]
 
 
 class JointValues(NDArrayOperatorsMixin, tuple):
-    """Joint values that are compared and hashed as a tuple and computed with as an array."""
+    """Joint values that compare and hash as a tuple and compute as an array."""
 
     __eq__, __ne__, __hash__ = tuple.__eq__, tuple.__ne__, tuple.__hash__
 
@@ -53,16 +60,24 @@ class Arm:
     """A serial arm in standard Denavit-Hartenberg form.
 
     Args:
-        name: what to call it in messages and figures.
-        rows: one `Row` per link, base to tip.
-        values: a number for every symbol in the rows and bodies (m, rad, kg), read as a dict is:
+        name: The arm's name in messages and figures.
+        rows: One `Row` for each link, from the base to the tip.
+        values: A number for every symbol in the rows and bodies, in m, rad or kg, as in
             ``arm.values["a_3"]``.
-        bodies: one `Body` per row, or none where masses are unknown.
-        home: a joint vector of shape (dof,) to draw and start from; zeros unless given.
-        source: where the numbers come from.
+        bodies: One `Body` for each row, or none where masses are unknown.
+        home: Joint values, shape (dof,), at which the arm is drawn and motions start; zeros by
+            default.
+        source: Where the numbers come from.
 
     Raises:
-        ArmError: an entry is no number or formula, a symbol has no value, or a count does not fit.
+        ArmError: An entry is no number or formula, a symbol has no value, or a count does not fit.
+
+    Example:
+        >>> arm = Arm("two links", [revolute(a="a_1"), revolute(a="a_2")], dict(a_1=0.4, a_2=0.3))
+        >>> arm
+        <Arm two links: 2 rows, RR>
+        >>> arm.values["a_2"]
+        0.3
     """
 
     name: str
@@ -73,17 +88,19 @@ class Arm:
     source: str = ""
 
     def __post_init__(self) -> None:
-        must_be(self.name, str, "an arm's name")
-        self._put(
-            rows=listed(self.rows, f"{self.name}: rows", "one Row or more"),
-            bodies=listed(self.bodies, f"{self.name}: bodies", "one Body for each row"),
+        require_type(self.name, str, "an arm's name")
+        self._set(
+            rows=tuple_of_items(self.rows, f"{self.name}: rows", "one Row or more"),
+            bodies=tuple_of_items(self.bodies, f"{self.name}: bodies", "one Body for each row"),
             values=Values(self.values, self.name),
         )
         if not self.rows or not all(isinstance(row, Row) for row in self.rows):
             raise ArmError(f"{self.name}: rows are {self.rows!r}; expected one Row or more")
-        home = listed(self.home, f"{self.name}: the values of home", f"{self.dof} joint values")
-        home = tuple(real(x, f"{self.name}: home") for x in home)
-        self._put(home=JointValues(home or (0.0,) * self.dof))
+        home = tuple_of_items(
+            self.home, f"{self.name}: the values of home", f"{self.dof} joint values"
+        )
+        home = tuple(real_number(x, f"{self.name}: home") for x in home)
+        self._set(home=JointValues(home or (0.0,) * self.dof))
         self._check_bodies()
         self._check_symbols()
         for formula in self._entries():
@@ -91,7 +108,7 @@ class Arm:
         self._check_masses()
         self.joint_vector(self.home)
 
-    def _put(self, **fields: object) -> None:
+    def _set(self, **fields: object) -> None:
         for name, value in fields.items():
             object.__setattr__(self, name, value)
 
@@ -114,13 +131,13 @@ class Arm:
                 )
 
     def _check_symbols(self) -> None:
-        needed = {name for formula in self._entries() for name in names(formula)}
-        if taken := sorted(needed & set(self.variables)):
+        used = {name for formula in self._entries() for name in symbol_names(formula)}
+        if variables := sorted(used & set(self.variables)):
             raise ArmError(
-                f"{self.name}: {taken[0]} is the variable of a joint; leave it out,"
+                f"{self.name}: {variables[0]} is the variable of a joint; leave it out,"
                 " for a joint's variable is added to its row by itself"
             )
-        if missing := sorted(needed - set(self.values)):
+        if missing := sorted(used - set(self.values)):
             raise ArmError(
                 f"{self.name}: no value for {', '.join(missing)};"
                 f" give values={{{missing[0]!r}: ...}}"
@@ -130,6 +147,7 @@ class Arm:
                 raise ArmError(f"{self.name}: {name} is {value}; expected a finite number")
 
     def _check_finite(self, formula: Entry) -> None:
+        """Raise ArmError for a formula that divides by zero or is larger than `LARGEST`."""
         try:
             fits = abs(self.number(formula)) <= LARGEST
         except ArmError:
@@ -140,51 +158,54 @@ class Arm:
             )
 
     def _entries(self) -> list[Entry]:
+        """Return all entries of the rows and bodies."""
         table = [e for row in self.rows for e in row.entries]
         return table + [e for body in self.bodies for e in (body.mass, *body.com)]
 
-    # What it is
+    # Facts
 
     @cached_property
     def joints(self) -> tuple[int, ...]:
-        """The numbers, counted from 1, of the rows that move."""
+        """The rows that move, counted from 1."""
         return tuple(i for i, row in enumerate(self.rows, 1) if row.joint.kind != "fixed")
 
     @property
     def locked(self) -> dict[int, float]:
-        """The joints that `lock` holds, by their numbers, and where (rad or m)."""
-        held = {i: row.joint.at for i, row in enumerate(self.rows, 1)}
-        return {i: self.number(at) for i, at in held.items() if at is not None}
+        """The joints locked by `lock`: the value (rad or m) of each by its number."""
+        locked_at = {i: row.joint.at for i, row in enumerate(self.rows, 1)}
+        return {i: self.number(at) for i, at in locked_at.items() if at is not None}
 
     @property
     def dof(self) -> int:
-        """How many joints move."""
+        """The number of joints that move."""
         return len(self.joints)
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The joint variables, named by row; with joint 3 locked ``q_1``, ``q_2``, ``q_4``, ..."""
+        """The joint variables, numbered by row: ``q_1``, ``q_2``, ..."""
         return tuple(f"q_{i}" for i in self.joints)
 
     @property
     def turning(self) -> NDArray[np.bool_]:
-        """Which of the joints turn, shape (dof,); the others slide."""
+        """Whether each joint turns, shape (dof,); the others slide."""
         return np.array([self.rows[i - 1].joint.kind == "revolute" for i in self.joints], bool)
 
     @property
     def limits(self) -> tuple[Array, Array]:
-        """Lower and upper joint limits, each of shape (dof,), in rad or m; infinite where
-        unknown."""
+        """The lower and the upper joint limits, each of shape (dof,), in rad or m.
+
+        Unknown limits are infinite.
+        """
         return self._joint_array("lower"), self._joint_array("upper")
 
     @property
     def speed_limits(self) -> Array:
-        """Top joint speeds, shape (dof,), in rad/s or m/s; infinite where unknown."""
+        """The largest joint speeds, shape (dof,), in rad/s or m/s; infinite where unknown."""
         return self._joint_array("speed")
 
     @property
     def effort_limits(self) -> Array:
-        """Top joint torques or forces, shape (dof,), in N m or N; infinite where unknown."""
+        """The largest torques or forces, shape (dof,), in N m or N; infinite where unknown."""
         return self._joint_array("effort")
 
     def _joint_array(self, name: str) -> Array:
@@ -202,26 +223,36 @@ class Arm:
         values: Mapping[str, float] | None = None,
         name: str = "my table",
     ) -> "Arm":
-        """An arm from a table as people hold it: pasted text, rows, parallel lists, ``Link(...)``
-        lines, 4 x 4 matrices.
+        """Read a table as text, rows, parallel lists, ``Link(...)`` lines or 4 x 4 matrices.
+
+        Options that are not given are guessed, and the arm's `source` says how the table was read.
 
         Args:
             source: LaTeX, Markdown, MATLAB, CSV or Python text, or lists; the joint's variable may
                 stand in theta or d.
-            columns: their order, as ``"theta d a alpha"``.
-            lengths: "m", "cm" or "mm".
-            angles: "rad" or "deg".
+            columns: Order of the columns, as ``"theta d a alpha"``.
+            lengths: Unit of lengths: "m", "cm" or "mm".
+            angles: Unit of angles: "rad" or "deg".
             convention: "standard" or "craig" (modified), whose rows hold a_{i-1} and alpha_{i-1}.
-            values: numbers for symbols other than the joints'.
-            name: what to call the arm.
+            values: Numbers for symbols other than those of the joints.
+            name: The arm's name.
 
-        What is not given is guessed, and the arm's `source` tells how the table was taken. Raises
-        ArmError for what is no table, or holds a symbol without a value.
+        Returns:
+            The arm, without limits and masses.
+
+        Raises:
+            ArmError: `source` is no table, or holds a symbol without a value.
+
+        Example:
+            >>> arm = Arm.from_table([["q1", 0.3, 0, "pi/2"], ["q2", 0, 0.4, 0], ["q3", 0, 0.2, 0]])
+            >>> arm.rows[0].entries
+            (0, 'pi/2', 0.3, 0)
         """
-        from helpers.checks.tables import rows_of  # no other arm needs it
+        # Imported here because the reader of tables builds on arms, and starts the judge.
+        from helpers.checks.tables import rows_of
 
-        must_be(name, str, "an arm's name")
-        rows, said = rows_of(
+        require_type(name, str, "an arm's name")
+        rows, notes = rows_of(
             source,
             columns=columns,
             lengths=lengths,
@@ -229,12 +260,24 @@ class Arm:
             convention=convention,
             values=values,
         )
-        return cls(name, rows, source="; ".join(said))
+        return cls(name, rows, source="; ".join(notes))
 
-    # The same arm, changed
+    # Changed copies
 
     def with_values(self, **values: float) -> "Arm":
-        """The same arm with other numbers, as in ``PANDA.with_values(a_3=0.088)``."""
+        """Return the arm with other values for some of its symbols.
+
+        Args:
+            values: New values by symbol, in m, rad or kg.
+
+        Raises:
+            ArmError: The arm has no such symbol.
+
+        Example:
+            >>> from helpers.robots import PANDA
+            >>> PANDA.with_values(a_3=0.088).values["a_3"]
+            0.088
+        """
         unknown = sorted(set(values) - set(self.values))
         if unknown:
             known = ", ".join(self.values) or "none"
@@ -242,140 +285,198 @@ class Arm:
         return replace(self, values={**self.values, **values})
 
     def with_row(self, number: int, **changes: Any) -> "Arm":
-        """The same arm with one row, counted from 1, changed.
+        """Return the arm with one row changed.
 
-        Its entries a, alpha, d and theta, as in ``PANDA.with_row(4, a=0, alpha="-pi/2")``, its
-        joint's `limits` (lower, upper), `speed` and `effort`, or the `mass` that it carries. Raises
-        ArmError for a row that is not there and for what a row has not.
+        Args:
+            number: Number of the row, counted from 1.
+            changes: New entries `a`, `alpha`, `d` and `theta`, new `limits` (lower, upper), `speed`
+                and `effort` of the joint, or a new `mass` of the row's link.
+
+        Raises:
+            ArmError: The arm has no such row, or a row has no such entry.
+
+        Example:
+            >>> from helpers.robots import PANDA
+            >>> PANDA.with_row(4, a=0, alpha="-pi/2").rows[3].entries
+            (0, '-pi/2', 0, 0)
         """
-        every = tuple(range(1, len(self.rows) + 1))
-        row = self._row(number, every, "number is {}; expected one of its rows,")
+        row_numbers = tuple(range(1, len(self.rows) + 1))
+        row = self._row(number, row_numbers, "number is {}; expected one of its rows,")
         mass = ("mass",) if self.bodies else ()
         known = ("a", "alpha", "d", "theta", "limits", "speed", "effort", *mass)
         if unknown := sorted(set(changes) - set(known)):
             raise ArmError(f"{self.name}: a row has no {unknown[0]}; expected {', '.join(known)}")
         warn_of_degrees(changes.get("alpha", 0), changes.get("theta", 0))
-        entries = {name: changes.get(name, entry) for name, entry in _entries(row).items()}
+        entries = {name: changes.get(name, old) for name, old in _entries_by_name(row).items()}
         rows, bodies = [*self.rows], [*self.bodies]
-        rows[number - 1] = Row(**entries, joint=changed(row.joint, changes))
+        rows[number - 1] = Row(**entries, joint=change_joint(row.joint, changes))
         if "mass" in changes:
             bodies[number - 1] = replace(bodies[number - 1], mass=changes["mass"])
         return replace(self, rows=rows, bodies=bodies)
 
     def with_bodies(self, bodies: Iterable[Body], name: str | None = None) -> "Arm":
-        """The same arm with other masses, one `Body` for each row; none takes them off."""
-        bodies = listed(bodies, f"{self.name}: bodies", "one Body for each row")
+        """Return the arm with other bodies.
+
+        Args:
+            bodies: One `Body` for each row, or none for an arm without masses.
+            name: A new name; the old one by default.
+
+        Example:
+            >>> from helpers.robots import PANDA
+            >>> PANDA.with_bodies([], name="Panda without masses").bodies
+            ()
+        """
+        bodies = tuple_of_items(bodies, f"{self.name}: bodies", "one Body for each row")
         return replace(self, name=self.name if name is None else name, bodies=bodies)
 
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
-        """The same arm with a joint, counted from 1, held `at` a value (rad or m): one fewer
-        moves."""
+        """Return the arm with one joint locked at a value; its row becomes a fixed one.
+
+        Args:
+            joint: Number of the joint, counted from 1.
+            at: Value at which it is locked, in rad or m; a number or a formula.
+
+        Returns:
+            The arm, with one joint fewer; `home` loses that joint's value.
+
+        Example:
+            >>> from helpers.robots import PANDA
+            >>> PANDA.lock(3).variables
+            ('q_1', 'q_2', 'q_4', 'q_5', 'q_6', 'q_7')
+        """
         row = self._row(joint, self.joints, "joint {} cannot be locked; its free joints are")
-        at = entry(at, "at")
-        evaluate(at, self.values)  # says what is wrong with it
-        moved = "theta" if row.joint.kind == "revolute" else "d"
-        offset = {**_entries(row), moved: _sum(getattr(row, moved), at)}
-        locked = Row(**offset, joint=Joint("fixed", at=at))
+        at = check_entry(at, "at")
+        evaluate(at, self.values)  # raises ArmError for a symbol without a value
+        column = "theta" if row.joint.kind == "revolute" else "d"
+        entries = {**_entries_by_name(row), column: _add_entries(getattr(row, column), at)}
+        locked = Row(**entries, joint=Joint("fixed", at=at))
         keep = [x for i, x in zip(self.joints, self.home, strict=True) if i != joint]
         rows = (*self.rows[: joint - 1], locked, *self.rows[joint:])
         return replace(self, rows=rows, home=tuple(keep))
 
-    def _row(self, number: object, known: Sequence[int], wrong: str) -> Row:
-        if isinstance(number, int | np.integer) and number in known and number is not True:
+    def _row(self, number: object, allowed: Sequence[int], message: str) -> Row:
+        """Return a row by its number, counted from 1; raise ArmError if that is not allowed."""
+        if isinstance(number, int | np.integer) and number in allowed and number is not True:
             return self.rows[int(number) - 1]
-        listing = ", ".join(map(str, known))
-        raise ArmError(f"{self.name}: {wrong.format(shown(number))} {listing}")
+        listing = ", ".join(map(str, allowed))
+        raise ArmError(f"{self.name}: {message.format(shorten(number))} {listing}")
 
     def to_free(self, q: ArrayLike) -> Array:
-        """`q`, shape (..., dof), as the arm has it whose joints this one locks.
+        """Insert the values of the locked joints.
 
-        The values of the locked joints are put in at their places: shape (..., dof + locked).
+        Args:
+            q: Joint values of this arm, shape (..., dof).
+
+        Returns:
+            Joint values of the arm whose joints this one locks, shape (..., dof + locked).
+
+        Example:
+            >>> from helpers.robots import PANDA
+            >>> PANDA.lock(3, at=0.5).to_free([1, 2, 4, 5, 6, 7])
+            array([1. , 2. , 0.5, 4. , 5. , 6. , 7. ])
         """
         q = self.joint_vector(q)
-        both = sorted([*self.joints, *self.locked])
-        free = np.empty((*q.shape[:-1], len(both)))
-        free[..., [both.index(i) for i in self.joints]] = q
+        numbers = sorted([*self.joints, *self.locked])
+        free = np.empty((*q.shape[:-1], len(numbers)))
+        free[..., [numbers.index(i) for i in self.joints]] = q
         for i, at in self.locked.items():
-            free[..., both.index(i)] = at
+            free[..., numbers.index(i)] = at
         return free
 
     def from_free(self, q: ArrayLike) -> Array:
-        """The values of this arm's joints, shape (..., dof), from those of the arm it was locked
-        from.
+        """Leave out the values of the locked joints; the inverse of `to_free`.
 
-        The inverse of `to_free`; what `q` says of the locked joints is left out.
+        Args:
+            q: Joint values of the arm whose joints this one locks, shape (..., dof + locked).
+
+        Returns:
+            Joint values of this arm, shape (..., dof).
+
+        Example:
+            >>> from helpers.robots import PANDA
+            >>> PANDA.lock(3).from_free([1, 2, 3, 4, 5, 6, 7])
+            array([1., 2., 4., 5., 6., 7.])
         """
-        both = sorted([*self.joints, *self.locked])
-        wanted = f"(..., {len(both)}), one value for each of joints {', '.join(map(str, both))}"
-        free = numbers(q, f"{self.name}: q", wanted, (len(both),), many=True)
-        return free[..., [both.index(i) for i in self.joints]]
+        numbers = sorted([*self.joints, *self.locked])
+        listing = ", ".join(map(str, numbers))
+        expected = f"(..., {len(numbers)}), one value for each of joints {listing}"
+        free = finite_array(q, f"{self.name}: q", expected, (len(numbers),), many=True)
+        return free[..., [numbers.index(i) for i in self.joints]]
 
-    # Ready to compute with
+    # Numbers to compute with
 
-    def joint_vector(self, q: ArrayLike, what: str = "q", many: bool = True) -> Array:
-        """`q` as floats of shape (..., dof), or (dof,) unless `many`; `what` is its name in
-        messages.
+    def joint_vector(self, q: ArrayLike, name: str = "q", many: bool = True) -> Array:
+        """Convert joint values to an array and check its shape.
 
-        Raises ArmError for another length, NaN or infinity.
+        Args:
+            q: Joint values, shape (..., dof), or (dof,) unless `many`.
+            name: What messages call the argument.
+            many: Whether a batch of joint vectors is allowed.
+
+        Raises:
+            ArmError: q has another length, or holds NaN or infinity.
         """
         shape = f"numbers (..., {self.dof})" if many else f"one pose, numbers ({self.dof},)"
-        wanted = f"{shape}, one value for each of {', '.join(self.variables)}"
-        return numbers(q, f"{self.name}: {what}", wanted, (self.dof,), many)
+        expected = f"{shape}, one value for each of {', '.join(self.variables)}"
+        return finite_array(q, f"{self.name}: {name}", expected, (self.dof,), many)
 
     @cached_property
     def numeric(self) -> tuple[NumericRow, ...]:
-        """The rows with their values put in, for the numeric view."""
-        return tuple(self._numeric(row) for row in self.rows)
+        """The rows in numbers."""
+        return tuple(self._numeric_row(row) for row in self.rows)
 
-    def _numeric(self, row: Row) -> NumericRow:
+    def _numeric_row(self, row: Row) -> NumericRow:
         a, alpha, d, theta = map(self.number, row.entries)
         return NumericRow(row.joint.kind, a, d, *cos_sin(alpha), theta, *cos_sin(theta))
 
     @cached_property
     def programs(self) -> dict:
-        """What `helpers.kinematics` has recorded of this arm."""
+        """The programs that `helpers.program` has recorded for this arm."""
         return {}
 
     def number(self, value: Entry) -> float:
-        """The number that an entry of this arm's tables stands for."""
+        """Compute the number that an entry of this arm's rows or bodies stands for."""
         return evaluate(value, self.values)
 
-    # To read
+    # Text
 
     def __repr__(self) -> str:
         letters = "".join(self.rows[i - 1].joint.kind[0].upper() for i in self.joints)
         return f"<Arm {self.name}: {len(self.rows)} rows, {letters or 'no joint'}>"
 
     def _repr_markdown_(self) -> str:
-        head = "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|:-:|:-:|:-:|:-:|:-:|\n"
-        lines = [_markdown(i, row) for i, row in enumerate(self.rows, 1)]
-        used = {name for row in self.rows for e in row.entries for name in names(e)}
-        values = ", ".join(f"${latex(k)} = {v:g}$" for k, v in self.values.items() if k in used)
+        header = "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|:-:|:-:|:-:|:-:|:-:|\n"
+        lines = [_markdown_row(i, row) for i, row in enumerate(self.rows, 1)]
+        used = {name for row in self.rows for e in row.entries for name in symbol_names(e)}
+        values = ", ".join(
+            f"${entry_latex(k)} = {v:g}$" for k, v in self.values.items() if k in used
+        )
         caption = f"{self.name}: {values} (m)" if values else self.name
-        return head + "\n".join(lines) + f"\n\n{caption}"
+        return header + "\n".join(lines) + f"\n\n{caption}"
 
 
-def _entries(row: Row) -> dict[str, Entry]:
+def _entries_by_name(row: Row) -> dict[str, Entry]:
     return dict(zip(("a", "alpha", "d", "theta"), row.entries, strict=True))
 
 
-def _sum(offset: Entry, at: Entry) -> Entry:
-    if offset == 0:
-        return at
-    return offset if at == 0 else f"{offset} + {at}"
+def _add_entries(first: Entry, second: Entry) -> Entry:
+    if first == 0:
+        return second
+    return first if second == 0 else f"{first} + {second}"
 
 
-def _markdown(i: int, row: Row) -> str:
-    d, theta = latex(row.d), latex(row.theta)
+def _markdown_row(i: int, row: Row) -> str:
+    d, theta = entry_latex(row.d), entry_latex(row.theta)
     if row.joint.kind == "revolute":
         theta = _with_variable(i, row.theta)
     if row.joint.kind == "prismatic":
         d = _with_variable(i, row.d)
-    return f"| {i} | ${latex(row.a)}$ | ${latex(row.alpha)}$ | ${d}$ | ${theta}$ |"
+    return f"| {i} | ${entry_latex(row.a)}$ | ${entry_latex(row.alpha)}$ | ${d}$ | ${theta}$ |"
 
 
 def _with_variable(i: int, offset: Entry) -> str:
-    text = latex(offset)
+    """Write a joint's variable plus its offset in LaTeX."""
+    text = entry_latex(offset)
     if offset == 0:
         return f"q_{{{i}}}"
     return f"q_{{{i}}} - {text[1:]}" if text.startswith("-") else f"q_{{{i}}} + {text}"

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError
-from helpers.robots import named
+from helpers.robots import find_arm
 from helpers.urdf import from_urdf
 
 
@@ -24,4 +24,4 @@ def read_arm(text: str, base: str | None = None, tip: str | None = None) -> Arm:
         return found
     if text.endswith((".urdf", ".xml")):
         return from_urdf(text, base, tip)
-    return named(text)
+    return find_arm(text)

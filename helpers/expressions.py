@@ -1,7 +1,7 @@
-"""Table entries: numbers, or short formulas such as ``"-pi/2"`` or ``"d_6 + l_pen"``.
+"""Read table entries: numbers, or short formulas such as ``"-pi/2"`` or ``"d_6 + l_pen"``.
 
-An entry is data, so it is kept as text and only read here: as a float once its symbols have values,
-as LaTeX for a table. The symbolic view hands the same text to SymPy.
+An entry is kept as text and read only here: as a float once its symbols have values, or as LaTeX
+for a table. `helpers.symbolic` hands the same text to SymPy.
 """
 
 import ast
@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable, Mapping
 from functools import cache, lru_cache
 
-from helpers.inputs import ArmError, must_be, shown
+from helpers.inputs import ArmError, require_type, shorten
 
 Entry = str | float
 
@@ -24,92 +24,111 @@ _BINARY: dict[type, Callable[[float, float], float]] = {
 }
 _UNARY: dict[type, Callable[[float], float]] = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
-_PLAIN = 1e15  # a number below is its own float, as nearly every entry is
-_LONGEST = 200  # characters, so that no formula is nested deeper than Python can follow
-# An entry that holds no more than these is in plain signs already.
-_SIGNS = re.compile(r"[A-Za-z0-9_+\-*/(). ]+")
-_SPELLED = re.compile(r"\b\d+_|\b0[xob]|\b(?:deg|rad)\b", re.IGNORECASE)
-_KINDS = {"alpha": ["angle"], "theta": ["angle"], "a": ["length"], "d": ["length"]}
+_EXACT_BELOW = 1e15  # every whole number below is exactly a float
+_LONGEST = 200  # characters; a longer formula could be nested deeper than Python can follow
+# An entry of these characters alone needs no rewriting.
+_PLAIN_CHARACTERS = re.compile(r"[A-Za-z0-9_+\-*/(). ]+")
+# Python would read these as numbers, or as symbols, which they are not meant to be.
+_NOT_PLAIN = re.compile(r"\b\d+_|\b0[xob]|\b(?:deg|rad)\b", re.IGNORECASE)
+_UNIT_KINDS = {"alpha": ["angle"], "theta": ["angle"], "a": ["length"], "d": ["length"]}
 
 
-def entry(value: object, what: str) -> Entry:
-    """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a
-    formula."""
+def check_entry(value: object, name: str) -> Entry:
+    """Convert `value` to a table entry.
+
+    Args:
+        value: A number, a text, or any object whose ``str`` is a formula.
+        name: What messages call the entry; it also says which units may follow a number.
+
+    Raises:
+        ArmError: `value` is no finite number and no formula.
+    """
     if isinstance(value, complex):
-        raise ArmError(f"{what} is {str(value)!r}; expected numbers, symbols, pi and + - * / ( )")
+        raise ArmError(f"{name} is {str(value)!r}; expected numbers, symbols, pi and + - * / ( )")
     if isinstance(value, bool) or value is None:
         raise ArmError(
-            f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
+            f"{name} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
         )
     if isinstance(value, int | float):
         if not abs(value) <= sys.float_info.max:
-            raise ArmError(f"{what} is {shown(value)}; expected a finite number or a formula")
+            raise ArmError(f"{name} is {shorten(value)}; expected a finite number or a formula")
         return value if isinstance(value, int) else float(value)
     text = str(value).strip()
-    names(text, what)
-    return plain(text, what)
+    symbol_names(text, name)
+    return plain_formula(text, name)
 
 
 @cache
-def plain(written: str, what: str = "the entry") -> str:
-    """An entry as it is printed or typed, in plain signs: ``"−π/2"``, ``"0,333"``, ``"333 mm"``.
+def plain_formula(written: str, name: str = "the entry") -> str:
+    """Rewrite an entry such as ``"−π/2"``, ``"0,333"`` or ``"333 mm"`` as a plain formula.
 
-    `what` says which units may follow a number: those of an angle for alpha and theta, of a length
-    for a and d. What is not in plain signs is read by the judge, as the page's fields are.
+    Anything but a plain formula is read by the judge, as the page reads its fields.
+
+    Args:
+        written: The entry as it was typed or printed.
+        name: What messages call the entry. It says which units may follow a number: those of an
+            angle for "alpha" and "theta", of a length for "a" and "d".
     """
-    must_be(written, str, "what is written")
+    require_type(written, str, "what is written")
     if len(written) > _LONGEST:
-        raise ArmError(f"{what} has {len(written)} characters; expected at most {_LONGEST}")
+        raise ArmError(f"{name} has {len(written)} characters; expected at most {_LONGEST}")
     text = written.strip()
     if _tree(text) is not None:
         return text
-    from helpers.checks.engine import asked  # no entry of the catalogue needs it
+    # Imported here because the judge starts slowly, and no arm of the catalogue needs it.
+    from helpers.checks.engine import asked
 
-    found = asked("entry", text=text, kinds=_KINDS.get(what, ["angle", "length"]))
-    if found.get("fault"):
-        raise ArmError(f"{what} is {written!r}, which {found['fault']}")
-    if _tree(found.get("text", "")) is None:
+    answer = asked("entry", text=text, kinds=_UNIT_KINDS.get(name, ["angle", "length"]))
+    if answer.get("fault"):
+        raise ArmError(f"{name} is {written!r}, which {answer['fault']}")
+    if _tree(answer.get("text", "")) is None:
         raise ArmError(
-            f"{what} is {written!r}; expected numbers, symbols, pi and + - * / ( ), such as"
+            f"{name} is {written!r}; expected numbers, symbols, pi and + - * / ( ), such as"
             " '-pi/2' or 'd_6 + l_pen'"
         )
-    return found["text"]
+    return answer["text"]
 
 
-def names(text: Entry, what: str = "the entry") -> frozenset[str]:
-    """The symbols of an entry, `pi` not counted."""
-    text = text if isinstance(text, str) else entry(text, what)
-    return _names(text, what) if isinstance(text, str) else frozenset()
+def symbol_names(text: Entry, name: str = "the entry") -> frozenset[str]:
+    """Return the names of an entry's symbols, without `pi`."""
+    text = text if isinstance(text, str) else check_entry(text, name)
+    return _formula_names(text, name) if isinstance(text, str) else frozenset()
 
 
 @cache
-def _names(text: str, what: str) -> frozenset[str]:
-    return frozenset(n.id for n in ast.walk(_parse(text, what)) if isinstance(n, ast.Name)) - {"pi"}
+def _formula_names(text: str, name: str) -> frozenset[str]:
+    nodes = ast.walk(_parse(text, name))
+    return frozenset(node.id for node in nodes if isinstance(node, ast.Name)) - {"pi"}
 
 
 def evaluate(text: Entry, values: Mapping[str, float]) -> float:
-    """The number an entry stands for, with its symbols taken from `values`.
+    """Compute the number that an entry stands for.
 
-    Raises ArmError where a symbol has no value, or the formula divides by zero or is too large.
+    Args:
+        text: The entry.
+        values: The numbers of its symbols.
+
+    Raises:
+        ArmError: A symbol has no value, or the formula divides by zero or is too large.
     """
-    must_be(values, Mapping, "values")
-    if type(text) in (int, float) and abs(text) < _PLAIN:  # type: ignore[arg-type]
+    require_type(values, Mapping, "values")
+    if type(text) in (int, float) and abs(text) < _EXACT_BELOW:  # type: ignore[arg-type]
         return float(text)
-    text = text if isinstance(text, str) else entry(text, "the entry")
+    text = text if isinstance(text, str) else check_entry(text, "the entry")
     try:
-        found = float(
+        number = float(
             _evaluate(_parse(text, "the entry"), values) if isinstance(text, str) else text
         )
     except ArithmeticError:
-        found = math.nan
-    if not math.isfinite(found):
+        number = math.nan
+    if not math.isfinite(number):
         raise ArmError(f"{text} divides by zero or is too large; expected a finite value")
-    return found
+    return number
 
 
-def latex(text: Entry) -> str:
-    """An entry for a maths table: ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{pen})``."""
-    text = entry(text, "the entry")
+def entry_latex(text: Entry) -> str:
+    """Write an entry in LaTeX: ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{pen})``."""
+    text = check_entry(text, "the entry")
     if not isinstance(text, str):
         return f"{text:g}"
     text = re.sub(r"\bpi\b", r"\\pi", text)
@@ -117,16 +136,16 @@ def latex(text: Entry) -> str:
     return text.replace("*", r"\,")
 
 
-def _parse(text: str, what: str) -> ast.expr:
-    tree = _tree(plain(text, what))
-    assert tree is not None, "what is plain is a formula"
+def _parse(text: str, name: str) -> ast.expr:
+    tree = _tree(plain_formula(text, name))
+    assert tree is not None, "plain_formula returns formulas only"
     return tree
 
 
 @lru_cache(maxsize=1024)
 def _tree(text: str) -> ast.expr | None:
-    """The formula that a text in plain signs is; None for any other."""
-    if not _SIGNS.fullmatch(text) or _SPELLED.search(text):
+    """Parse a plain formula; return None for any other text."""
+    if not _PLAIN_CHARACTERS.fullmatch(text) or _NOT_PLAIN.search(text):
         return None
     try:
         tree = ast.parse(text, mode="eval").body
@@ -156,4 +175,4 @@ def _evaluate(node: ast.expr, values: Mapping[str, float]) -> float:
             return _UNARY[type(op)](_evaluate(operand, values))
         case ast.BinOp(left, op, right):
             return _BINARY[type(op)](_evaluate(left, values), _evaluate(right, values))
-    return node.value  # type: ignore[attr-defined]  # a Constant: the parser lets nothing else in
+    return node.value  # type: ignore[attr-defined]  # _tree lets no other node through

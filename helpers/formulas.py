@@ -1,8 +1,10 @@
-"""Formulas as textbooks write them: c_23 for cos(q_2 + q_3), what terms share taken out, and both
-terms and factors in the arm's order, from the base to the tip.
+"""Write formulas as textbooks do.
 
-A sum is a dictionary from monomials to numbers here, and a monomial a tuple of (place, power,
-atom), sorted: lengths before cosines and sines, and each by their joints.
+c_23 stands for cos(q_2 + q_3), common factors are taken out of sums, and terms and factors stand in
+the arm's order, from the base to the tip.
+
+In this file a sum is a dictionary from monomials to numbers, and a monomial is a sorted tuple of
+(sort key, power, atom): lengths come before cosines and sines, and both are sorted by their joints.
 """
 
 import re
@@ -12,35 +14,35 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from helpers.inputs import ArmError, shown
+from helpers.inputs import ArmError, shorten
 
-Place = tuple[int, int, str, str]  # what sorts an atom: its kind, joint, index and letter
-Factor = tuple[Place, int, sp.Expr]
+SortKey = tuple[int, int, str, str]  # an atom's kind, joint, index and name
+Factor = tuple[SortKey, int, sp.Expr]
 Monomial = tuple[Factor, ...]
 Polynomial = dict[Monomial, sp.Expr]
 
-_TURN = re.compile(r"([cs])_\{?(\d[\d+-]*)\}?")
+_SHORT_NAME = re.compile(r"([cs])_\{?(\d[\d+-]*)\}?")
 _LENGTH, _ANGLE, _MIXED = range(3)
-_LAST = 10**6
+_LAST = 10**6  # a joint number beyond any: such atoms are sorted last
 
 
 class Terms(sp.Add):
-    """A sum that is printed in the order given."""
+    """A sum that is printed in the order of its arguments."""
 
     func = property(lambda _: sp.Add)
 
     def as_ordered_terms(self, order=None, data=False):
-        """The terms as they were given."""
+        """Return the terms in their order."""
         return list(self.args)
 
 
 class Factors(sp.Mul):
-    """A product that is printed in the order given."""
+    """A product that is printed in the order of its arguments."""
 
     func = property(lambda _: sp.Mul)
 
     def _latex(self, printer):
-        """SymPy's own way to write a fraction sorts what stands above the line."""
+        """Write a fraction without sorting its numerator, as SymPy's printer would."""
         number, rest = self.as_coeff_Mul()
         if not number.is_Rational or number.q == 1:
             return printer._print_Mul(self)
@@ -50,38 +52,57 @@ class Factors(sp.Mul):
         return rf"{sign}\frac{{{printer._print(above)}}}{{{number.q}}}"
 
     def as_ordered_factors(self, order=None):
-        """The factors as they were given."""
+        """Return the factors in their order."""
         return list(self.args)
 
 
 def short(expression):
-    """`expression` as textbooks write it, a matrix entry by entry; its value stays the same.
+    """Write an expression, or each entry of a matrix, as textbooks do.
 
-    c_23 is cos(q_2 + q_3), s_1 is sin(q_1). What terms share is taken out, as d_6 + l_pen or c_1.
-    Terms and factors stand in the arm's order, in which SymPy prints them. It is made to be read:
-    what is computed with it is plain SymPy again. Raises ArmError for what is neither an expression
-    of SymPy nor a matrix of them.
+    c_23 is cos(q_2 + q_3), s_1 is sin(q_1). Common factors such as d_6 + l_pen or c_1 are taken
+    out, and terms and factors are printed in the arm's order. The result is for reading: SymPy
+    computes with it as with any other expression.
+
+    Args:
+        expression: An expression of SymPy, or a matrix of them.
+
+    Returns:
+        An expression, or a matrix, of the same value.
+
+    Raises:
+        ArmError: `expression` is neither.
+
+    Example:
+        >>> q_1, q_2, q_3, a_2, a_3 = sp.symbols("q_1 q_2 q_3 a_2 a_3")
+        >>> short((a_2 * sp.cos(q_2) + a_3 * sp.cos(q_2 + q_3)) * sp.cos(q_1))
+        c_1*(a_2*c_2 + a_3*c_23)
     """
-    must_be_expression(expression)
-    named = expression.xreplace(short_names(expression))
-    return named.applyfunc(_written) if isinstance(named, sp.MatrixBase) else _written(named)
+    require_expression(expression)
+    abbreviated = expression.xreplace(short_names(expression))
+    if isinstance(abbreviated, sp.MatrixBase):
+        return abbreviated.applyfunc(_arrange)
+    return _arrange(abbreviated)
 
 
-def must_be_expression(given: object) -> None:
-    """Raise ArmError for what is neither an expression of SymPy nor a matrix of them."""
-    if not isinstance(given, sp.Basic | sp.MatrixBase):
-        raise ArmError(f"expression is {shown(given)}; expected one of SymPy, or a matrix of them")
+def require_expression(expression: object) -> None:
+    """Raise ArmError unless the argument is an expression of SymPy or a matrix of them."""
+    if not isinstance(expression, sp.Basic | sp.MatrixBase):
+        raise ArmError(
+            f"expression is {shorten(expression)}; expected one of SymPy, or a matrix of them"
+        )
 
 
 def short_names(expression) -> dict[sp.Expr, sp.Symbol]:
-    """The letters of `short` for the cosines and sines of an expression or matrix."""
-    found = {f: _index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
-    return {f: sp.Symbol(f"{f.func.__name__[0]}_{i}") for f, i in found.items() if i}
+    """Return a symbol such as c_23 for each cosine and sine of an expression or matrix."""
+    indices = {f: _short_index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
+    return {f: sp.Symbol(f"{f.func.__name__[0]}_{i}") for f, i in indices.items() if i}
 
 
-def _index(angle: sp.Expr) -> str:
-    """The index of a short name: ``23`` for q_2 + q_3, ``{2-3+4}`` where signs differ, nothing if
-    it is no sum, or beyond joint 9, where 12 would be two joints or one."""
+def _short_index(angle: sp.Expr) -> str:
+    """Return the index of a short name: ``23`` for q_2 + q_3, ``{2-3+4}`` where signs differ.
+
+    Return "" where the angle is no sum of joints 1 to 9; c_12 could be joint 12 or joints 1 and 2.
+    """
     terms = [term.as_coeff_Mul() for term in sp.Add.make_args(angle)]
     if not all(c in (1, -1) and re.fullmatch(r"q_\d", str(s)) for c, s in terms):
         return ""
@@ -90,45 +111,51 @@ def _index(angle: sp.Expr) -> str:
     return index.replace("+", "") if "-" not in index else f"{{{index.removeprefix('+')}}}"
 
 
-# Into TeX
+# LaTeX
 
 
 @lru_cache(maxsize=4096)
-def tex(formula: sp.Expr) -> str:
-    """A formula in which a line may be broken within parentheses."""
+def formula_latex(formula: sp.Expr) -> str:
+    """Write a formula in LaTeX, with plain parentheses, within which a line may be broken."""
     text = sp.latex(formula).replace(r"\left(", "(").replace(r"\right)", ")")
     return text.replace(" )", ")")
 
 
-def seen(text: str) -> int:
-    """About how many letters and signs of TeX are seen."""
+def visible_length(text: str) -> int:
+    """Estimate how many characters of a LaTeX text a reader sees."""
     return len(re.sub(r"\\[a-z]+|[\s{}_^~]", "", text))
 
 
-def lines(formula: sp.Expr, width: int) -> list[str]:
-    """A formula in TeX, broken between terms into lines of so many letters and signs, not within
-    short brackets."""
-    whole = re.sub(r"\([^()]{,60}\)", lambda short: short[0].replace(" ", "~"), tex(formula))
-    found = [""]
-    for piece in re.split(r" (?=[+-] )", whole):
-        inside = found[-1].count("{") != found[-1].count("}")
-        if inside or seen(found[-1] + piece) <= width:
-            found[-1] = f"{found[-1]} {piece}".strip()
+def break_lines(formula: sp.Expr, width: int) -> list[str]:
+    """Write a formula in LaTeX, broken between terms into lines of `width` visible characters.
+
+    Lines are not broken within braces or within parentheses of up to 60 characters.
+    """
+    text = formula_latex(formula)
+    unbroken = re.sub(r"\([^()]{,60}\)", lambda bracket: bracket[0].replace(" ", "~"), text)
+    lines = [""]
+    for piece in re.split(r" (?=[+-] )", unbroken):
+        in_braces = lines[-1].count("{") != lines[-1].count("}")
+        if in_braces or visible_length(lines[-1] + piece) <= width:
+            lines[-1] = f"{lines[-1]} {piece}".strip()
         else:
-            found.append(piece)
-    return [line.replace("~", " ") for line in found]
+            lines.append(piece)
+    return [line.replace("~", " ") for line in lines]
 
 
-# Into monomials
+# Monomials
 
 
 @cache
-def _place(atom: sp.Expr) -> Place:
-    """Lengths and masses by the number in their index, those without an index first and l_pen last;
-    then cosines and sines by their joints, and rates."""
+def _sort_key(atom: sp.Expr) -> SortKey:
+    """Return the key by which atoms are sorted.
+
+    Lengths and masses come first, by the number in their index: those without an index lead, and
+    names such as l_pen close. Then come cosines and sines by their joints, and at last rates.
+    """
     name = str(atom)
-    if turn := _TURN.fullmatch(name):
-        return _ANGLE, int(turn[2][0]), turn[2], turn[1]
+    if match := _SHORT_NAME.fullmatch(name):
+        return _ANGLE, int(match[2][0]), match[2], match[1]
     if atom.has(sp.cos, sp.sin) or "dot" in name:
         return _ANGLE, _LAST, "", name
     _, index, rest = name.partition("_")
@@ -137,88 +164,95 @@ def _place(atom: sp.Expr) -> Place:
 
 
 def _polynomial(expression: sp.Expr) -> Polynomial:
+    """Return an expression as a dictionary from monomials to numbers."""
     if any(factor.has(sp.Add) for term in expression.args for factor in term.args):
         expression = sp.expand_mul(expression)
-    found: Polynomial = {}
+    polynomial: Polynomial = {}
     for term in sp.Add.make_args(expression):
         number, rest = term.as_coeff_Mul()
         factors = [_factor(f) for f in sp.Mul.make_args(rest) if f != 1]
-        monomial = tuple(sorted(factors, key=_by_place))
-        found[monomial] = found.get(monomial, sp.S.Zero) + number
-    return {monomial: number for monomial, number in found.items() if number}
+        monomial = tuple(sorted(factors, key=_key_and_power))
+        polynomial[monomial] = polynomial.get(monomial, sp.S.Zero) + number
+    return {monomial: number for monomial, number in polynomial.items() if number}
 
 
 def _factor(factor: sp.Expr) -> Factor:
     base, power = factor.as_base_exp()
     if power.is_Integer and power > 0:
-        return _place(base), int(power), base
-    return _place(factor), 1, factor
+        return _sort_key(base), int(power), base
+    return _sort_key(factor), 1, factor
 
 
-def _by_place(factor: Factor) -> tuple[Place, int]:
+def _key_and_power(factor: Factor) -> tuple[SortKey, int]:
     return factor[:2]
 
 
-# What is shared, taken out
+# Common factors
 
 
 class _Part(NamedTuple):
-    """A part of a formula as it will be printed: what sorts it, how many letters it has, whether a
-    minus stands first."""
+    """A part of a formula as it will be printed.
 
-    place: tuple
-    letters: int
-    minus: bool
+    Attributes:
+        key: What sorts it among other parts.
+        symbols: How many symbols it has.
+        has_minus: Whether a minus stands first.
+        formula: The expression.
+    """
+
+    key: tuple
+    symbols: int
+    has_minus: bool
     formula: sp.Expr
 
 
-def _written(expression: sp.Expr) -> sp.Expr:
-    """An expression in its short form; what is a product already stays one."""
+def _arrange(expression: sp.Expr) -> sp.Expr:
+    """Return an expression in its short form; a product stays a product."""
     if isinstance(expression, sp.Add):
-        return _sum(_terms(_polynomial(expression))).formula
+        return _sum_part(_sum_terms(_polynomial(expression))).formula
     number, rest = expression.as_coeff_Mul()
     parts = []
     for factor in sp.Mul.make_args(rest):
         base, power = factor.as_base_exp()
         if isinstance(base, sp.Add) and power.is_Integer and power > 0:
-            sign, taken = _taken_out(_polynomial(base))
+            sign, shared = _factor_out(_polynomial(base))
             number *= sign**power
-            parts += [_power(part, power) for part in taken]
+            parts += [_power_part(part, power) for part in shared]
         elif factor != 1:
-            parts.append(_atom(_factor(factor)))
-    return _product(number, parts).formula
+            parts.append(_atom_part(_factor(factor)))
+    return _product_part(number, parts).formula
 
 
-def _atom(factor: Factor) -> _Part:
-    place, power, atom = factor
-    return _Part((place[0], (place, power)), power, False, sp.Pow(atom, power))
+def _atom_part(factor: Factor) -> _Part:
+    key, power, atom = factor
+    return _Part((key[0], (key, power)), power, False, sp.Pow(atom, power))
 
 
-def _power(part: _Part, power: sp.Integer) -> _Part:
+def _power_part(part: _Part, power: sp.Integer) -> _Part:
     return part._replace(formula=sp.Pow(part.formula, power, evaluate=False)) if power > 1 else part
 
 
-def _product(number: sp.Expr, parts: list[_Part]) -> _Part:
-    """Lengths, then what turns, then sums of both."""
-    parts = sorted(parts, key=lambda part: part.place)
-    written = [part.formula for part in parts]
+def _product_part(number: sp.Expr, parts: list[_Part]) -> _Part:
+    """Multiply parts in this order: number, lengths, cosines and sines, sums of both."""
+    parts = sorted(parts, key=lambda part: part.key)
+    factors = [part.formula for part in parts]
     if number != 1 or not parts:
-        written.insert(0, number)
-    place = _first_place(parts) if parts else ()
-    letters = sum(part.letters for part in parts)
-    return _Part(place, letters, number < 0, Factors._from_args(written))
+        factors.insert(0, number)
+    key = _joint_key(parts) if parts else ()
+    symbols = sum(part.symbols for part in parts)
+    return _Part(key, symbols, number < 0, Factors._from_args(factors))
 
 
-def _first_place(parts: Iterable[_Part]) -> tuple:
-    """The kind of all parts, and the place of the first."""
-    places = [part.place for part in parts if part.place]
-    kinds = {kind for kind, *_ in places}
-    return kinds.pop() if len(kinds) == 1 else _MIXED, *(p for _, *rest in places for p in rest)
+def _joint_key(parts: Iterable[_Part]) -> tuple:
+    """Return the key of several parts: their common kind, or mixed, and then their keys in turn."""
+    keys = [part.key for part in parts if part.key]
+    kinds = {kind for kind, *_ in keys}
+    return kinds.pop() if len(kinds) == 1 else _MIXED, *(k for _, *rest in keys for k in rest)
 
 
-def _taken_out(poly: Polynomial) -> tuple[sp.Expr, list[_Part]]:
-    """A sum as a number and its factors, of which none has a minus first."""
-    number = _unit(poly)
+def _factor_out(poly: Polynomial) -> tuple[sp.Expr, list[_Part]]:
+    """Return a sum as a number and its factors, none of which begins with a minus."""
+    number = _leading_number(poly)
     powers = [{factor[::2]: factor[1] for factor in monomial} for monomial in poly]
     common = {key: min(p.get(key, 0) for p in powers) for key in powers[0]}
     rest = {
@@ -226,36 +260,37 @@ def _taken_out(poly: Polynomial) -> tuple[sp.Expr, list[_Part]]:
         / number
         for monomial, value in poly.items()
     }
-    parts = [_atom((place, n, atom)) for (place, atom), n in common.items() if n]
+    parts = [_atom_part((key, n, atom)) for (key, atom), n in common.items() if n]
     if len(rest) == 1:
         return number, parts
-    for pairs in (_gathered(rest, *cut) for cut in _cuts(rest)):
+    for pairs in (_group(rest, *cut) for cut in _cuts(rest)):
         if len(pairs) == 1 and min(map(len, pairs[0])) > 1:
-            (sign, first), (other, second) = map(_taken_out, pairs[0])
+            (sign, first), (other, second) = map(_factor_out, pairs[0])
             return number * sign * other, [*parts, *first, *second]
-    part = _sum(_best(_frozen(rest)))
-    if part.minus:
-        number, part = -number, _sum(_best(_frozen({m: -n for m, n in rest.items()})))
+    part = _sum_part(_shortest(_frozen(rest)))
+    if part.has_minus:
+        negated = {m: -n for m, n in rest.items()}
+        number, part = -number, _sum_part(_shortest(_frozen(negated)))
     return number, [*parts, part]
 
 
-def _terms(poly: Polynomial) -> tuple[_Part, ...]:
-    """A sum as a product, where its terms share something, or else as its terms."""
-    number, parts = _taken_out(poly)
+def _sum_terms(poly: Polynomial) -> tuple[_Part, ...]:
+    """Return a sum as one product where its terms have a common factor, else as its terms."""
+    number, parts = _factor_out(poly)
     if len(poly) > 1 and len(parts) == 1 and abs(number) == 1:
-        return _best(_frozen(poly))
-    return (_product(number, parts),)
+        return _shortest(_frozen(poly))
+    return (_product_part(number, parts),)
 
 
-def _unit(poly: Polynomial) -> sp.Expr:
-    """The sign of its first term, with the number before it where all have the same."""
+def _leading_number(poly: Polynomial) -> sp.Expr:
+    """Return the first term's sign, times the number before it where all terms have the same."""
     sizes = {abs(number) for number in poly.values()}
-    sign = sp.sign(poly[min(poly, key=_by_places)])
+    sign = sp.sign(poly[min(poly, key=_keys_and_powers)])
     return sign * sizes.pop() if len(sizes) == 1 else sign
 
 
-def _by_places(monomial: Monomial) -> tuple:
-    return tuple(map(_by_place, monomial))
+def _keys_and_powers(monomial: Monomial) -> tuple:
+    return tuple(map(_key_and_power, monomial))
 
 
 def _frozen(poly: Polynomial) -> frozenset:
@@ -263,33 +298,41 @@ def _frozen(poly: Polynomial) -> frozenset:
 
 
 @lru_cache(maxsize=4096)
-def _best(sum_: frozenset) -> tuple[_Part, ...]:
-    """The terms of a sum, gathered in the way that leaves the fewest letters."""
-    poly = dict(sum_)
-    ways = [tuple(_product(n, [*map(_atom, monomial)]) for monomial, n in poly.items())]
+def _shortest(items: frozenset) -> tuple[_Part, ...]:
+    """Return the terms of a sum, grouped so that the fewest symbols are left.
+
+    Args:
+        items: The items of a `Polynomial`, frozen so that results can be cached.
+    """
+    poly = dict(items)
+    groupings = [
+        tuple(_product_part(n, [*map(_atom_part, monomial)]) for monomial, n in poly.items())
+    ]
     for cut, swapped in _cuts(poly):
-        pairs = _gathered(poly, cut, swapped)
+        pairs = _group(poly, cut, swapped)
         if 1 < len(pairs) < len(poly):
-            ways.append(tuple(term for pair in pairs for term in _multiplied(*pair)))
-    return min(ways, key=lambda terms: sum(term.letters for term in terms))
+            groupings.append(tuple(term for pair in pairs for term in _multiply(*pair)))
+    return min(groupings, key=lambda terms: sum(term.symbols for term in terms))
 
 
 def _cuts(poly: Polynomial) -> list[tuple[tuple[int, ...], bool]]:
-    """The places at which monomials are cut in two, and whether to gather by the second half: by
-    lengths or angles where there are both, else by the joints before one."""
-    places = {place for monomial in poly for place, *_ in monomial}
-    kinds = {place[0] for place in places}
+    """Return the keys at which monomials are cut in two, and whether to group by the second half.
+
+    The cut parts lengths from angles where there are both, else the joints before one from the
+    others.
+    """
+    keys = {key for monomial in poly for key, *_ in monomial}
+    kinds = {key[0] for key in keys}
     if len(kinds) == 2:
         return [((_ANGLE,), False), ((_ANGLE,), True)]
-    joints = sorted({place[:2] for place in places})
+    joints = sorted({key[:2] for key in keys})
     return [(joint, False) for joint in joints[1:]]
 
 
-def _gathered(
+def _group(
     poly: Polynomial, cut: tuple[int, ...], swapped: bool
 ) -> list[tuple[Polynomial, Polynomial]]:
-    """A sum as products of two: what has the same head put together, and then what has the same
-    tail."""
+    """Return a sum as products of two sums, grouped first by equal heads, then by equal tails."""
     tails: dict[Monomial, Polynomial] = {}
     for monomial, number in poly.items():
         head = tuple(factor for factor in monomial if (factor[0] < cut) != swapped)
@@ -297,22 +340,28 @@ def _gathered(
         tails.setdefault(head, {})[tail] = number
     heads: dict[frozenset, Polynomial] = {}
     for head, poly_of in tails.items():
-        number = _unit(poly_of)
+        number = _leading_number(poly_of)
         same = _frozen({tail: n / number for tail, n in poly_of.items()})
         heads.setdefault(same, {})[head] = number
     return [(head_poly, dict(same)) for same, head_poly in heads.items()]
 
 
-def _multiplied(head: Polynomial, tail: Polynomial) -> tuple[_Part, ...]:
-    """The product of two sums."""
+def _multiply(head: Polynomial, tail: Polynomial) -> tuple[_Part, ...]:
+    """Return the product of two sums."""
     if [*head] == [()]:
-        return _terms({monomial: n * head[()] for monomial, n in tail.items()})
-    (number, before), (times, after) = _taken_out(head), _taken_out(tail)
-    return (_product(number * times, before + after),)
+        return _sum_terms({monomial: n * head[()] for monomial, n in tail.items()})
+    (number, before), (times, after) = _factor_out(head), _factor_out(tail)
+    return (_product_part(number * times, before + after),)
 
 
-def _sum(terms: Iterable[_Part]) -> _Part:
-    terms = sorted(terms, key=lambda part: part.place[1:])
+def _sum_part(terms: Iterable[_Part]) -> _Part:
+    terms = sorted(terms, key=lambda part: part.key[1:])
     formula = Terms._from_args([part.formula for part in terms])
-    letters = sum(part.letters for part in terms)
-    return _Part(_first_place(terms), letters, terms[0].minus, formula)
+    symbols = sum(part.symbols for part in terms)
+    return _Part(_joint_key(terms), symbols, terms[0].has_minus, formula)
+
+
+# Old names, for callers that have not been renamed yet.
+tex = formula_latex
+seen = visible_length
+lines = break_lines

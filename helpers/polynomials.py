@@ -1,8 +1,8 @@
-"""An arm's frames as polynomials in the cosines and sines of its angles, in a form that is unique.
+"""Compute an arm's frames as polynomials in the cosines and sines of its angles.
 
 Each sin² is replaced by 1 - cos², and angles about parallel axes are added before their cosine is
-taken (q_2 + q_3 rather than c_2 c_3 - s_2 s_3). Equal expressions are then identical, and nothing
-has to be simplified. A symbol whose value is 0 is left out.
+taken (q_2 + q_3 rather than c_2 c_3 - s_2 s_3). This form is unique: equal expressions are
+identical, so nothing has to be simplified. A symbol whose value is 0 is left out.
 """
 
 from collections.abc import Sequence
@@ -15,28 +15,28 @@ import sympy as sp
 from sympy.polys.rings import PolyElement, PolyRing
 
 from helpers.arm import Arm
-from helpers.expressions import Entry, names
-from helpers.inputs import ArmError, must_be
+from helpers.expressions import Entry, symbol_names
+from helpers.inputs import ArmError, require_type
 from helpers.rows import quarter_turns
 
 Matrix = sp.ImmutableMatrix
 
 
-def formula_of(arm: Arm, entry: Entry) -> sp.Expr:
-    """A table entry in SymPy, exact; a symbol stays a symbol unless its value is 0."""
+def exact_formula(arm: Arm, entry: Entry) -> sp.Expr:
+    """Convert a table entry to an exact SymPy expression; a symbol of value 0 becomes 0."""
     values = dict(arm.values)
-    symbols = {name: sp.Symbol(name) if values[name] else sp.S.Zero for name in names(entry)}
+    symbols = {name: sp.Symbol(name) if values[name] else sp.S.Zero for name in symbol_names(entry)}
     return sp.sympify(str(entry), locals=symbols, rational=True)
 
 
-def angle_of(arm: Arm, entry: Entry) -> tuple[sp.Expr, int]:
-    """An angle as (rest, quarter turns): one of the two is 0."""
-    turns = None if names(entry) else quarter_turns(arm.number(entry))
-    return (formula_of(arm, entry), 0) if turns is None else (sp.S.Zero, turns)
+def exact_angle(arm: Arm, entry: Entry) -> tuple[sp.Expr, int]:
+    """Convert an angle to (formula, quarter turns), one of which is 0."""
+    turns = None if symbol_names(entry) else quarter_turns(arm.number(entry))
+    return (exact_formula(arm, entry), 0) if turns is None else (sp.S.Zero, turns)
 
 
-class Frame(NamedTuple):
-    """A link frame's columns, each a list of three polynomials."""
+class SymbolicFrame(NamedTuple):
+    """The columns of a link frame, each a list of three polynomials."""
 
     x: list[PolyElement]
     y: list[PolyElement]
@@ -44,68 +44,91 @@ class Frame(NamedTuple):
     origin: list[PolyElement]
 
 
-class Turn(NamedTuple):
-    """How far a run of parallel axes has turned at a row, as (formula, quarter turns)."""
+class GroupAngle(NamedTuple):
+    """The angle by which a group of parallel axes has turned at a row.
+
+    Attributes:
+        angle: The angle as (formula, quarter turns).
+        starts_group: Whether a new group begins with this row.
+    """
 
     angle: tuple[sp.Expr, int]
-    starts: bool
+    starts_group: bool
 
 
-def turns_of(arm: Arm, joined: bool = True) -> list[Turn]:
-    """How far each row has turned; unless `joined`, every joint starts a run of its own."""
-    turns, held, formula, quarters = [], np.eye(3), sp.S.Zero, 0
+def group_angles(arm: Arm, add_parallel: bool = True) -> list[GroupAngle]:
+    """Return, for each row, the angle by which its group of parallel axes has turned.
+
+    Args:
+        arm: The arm.
+        add_parallel: Whether joints about parallel axes form one group; else each is a group.
+    """
+    angles, since, formula, quarters = [], np.eye(3), sp.S.Zero, 0
     for i, (row, numeric) in enumerate(zip(arm.rows, arm.numeric, strict=True), 1):
-        starts = numeric.kind == "revolute" and not (joined and abs(held[2, 2]) > 1 - 1e-12)
-        if starts:
-            held, formula, quarters = np.eye(3), sp.S.Zero, 0
+        # `since` is the constant rotation since the last joint: its axis and this one are parallel
+        # where the z axes are.
+        is_parallel = add_parallel and abs(since[2, 2]) > 1 - 1e-12
+        starts_group = numeric.kind == "revolute" and not is_parallel
+        if starts_group:
+            since, formula, quarters = np.eye(3), sp.S.Zero, 0
         if numeric.kind == "revolute":
-            sign, (rest, more) = round(held[2, 2]), angle_of(arm, row.theta)
+            sign, (offset, more) = round(since[2, 2]), exact_angle(arm, row.theta)
             formula, quarters = (
-                formula + sign * (sp.Symbol(f"q_{i}") + rest),
+                formula + sign * (sp.Symbol(f"q_{i}") + offset),
                 quarters + sign * more,
             )
         else:
-            held = held @ np.array(_rotation_z(numeric.cos_theta, numeric.sin_theta))
-        held = held @ np.array(_rotation_x(numeric.cos_alpha, numeric.sin_alpha))
-        turns.append(Turn((formula, quarters), starts))
-    return turns
+            since = since @ np.array(_rotation_z(numeric.cos_theta, numeric.sin_theta))
+        since = since @ np.array(_rotation_x(numeric.cos_alpha, numeric.sin_alpha))
+        angles.append(GroupAngle((formula, quarters), starts_group))
+    return angles
 
 
 class Ring:
-    """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique
-    form."""
+    """Polynomials in an arm's lengths and the cosines and sines of its angles, in a unique form.
 
-    def __init__(self, arm: Arm, joined: bool = True, extra: Sequence[sp.Symbol] = ()) -> None:
-        must_be(arm, Arm, "arm")
-        self.turns = turns_of(arm, joined)
-        found = {turn.angle[0] for turn in self.turns}
-        found |= {angle_of(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}
-        angles = sorted(found - {sp.S.Zero}, key=sp.default_sort_key)
+    Args:
+        arm: The arm.
+        add_parallel: Whether angles about parallel axes are added before their cosine is taken.
+        extra: Further symbols of the ring, such as masses.
+    """
+
+    def __init__(
+        self, arm: Arm, add_parallel: bool = True, extra: Sequence[sp.Symbol] = ()
+    ) -> None:
+        require_type(arm, Arm, "arm")
+        self.group_angles = group_angles(arm, add_parallel)
+        formulas = {angle.angle[0] for angle in self.group_angles}
+        formulas |= {exact_angle(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}
+        angles = sorted(formulas - {sp.S.Zero}, key=sp.default_sort_key)
         symbols = {
-            s for row in arm.rows for e in (row.a, row.d) for s in formula_of(arm, e).free_symbols
+            s
+            for row in arm.rows
+            for e in (row.a, row.d)
+            for s in exact_formula(arm, e).free_symbols
         }
         symbols |= {
             sp.Symbol(f"q_{i}") for i in arm.joints if arm.rows[i - 1].joint.kind == "prismatic"
         }
-        letters = sorted(symbols | set(extra), key=sp.default_sort_key)
-        # Sines come first, so that sin² is the leading term of sin² + cos² - 1 and division removes
-        # it.
-        self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + letters
+        lengths = sorted(symbols | set(extra), key=sp.default_sort_key)
+        # Sines come first: then sin² is the leading term of sin² + cos² - 1, and division by that
+        # removes it.
+        self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + lengths
         self._ring = PolyRing([sp.Dummy() for _ in self._symbols], sp.QQ, sp.lex)
         gens, n = self._ring.gens, len(angles)
         self._pairs = dict(zip(angles, zip(gens[n : 2 * n], gens[:n], strict=True), strict=True))
-        self._letters = dict(zip(letters, gens[2 * n :], strict=True))
+        self._lengths = dict(zip(lengths, gens[2 * n :], strict=True))
         self._units = [c**2 + s**2 - 1 for c, s in self._pairs.values()]
         self.zero, self.one = self._ring.zero, self._ring.one
 
     def cos_sin(self, angle: tuple[sp.Expr, int]) -> tuple[PolyElement, PolyElement]:
-        """Cosine and sine of an angle given as (formula, quarter turns)."""
+        """Return the cosine and sine of an angle given as (formula, quarter turns)."""
         formula, turns = angle
         c, s = self._pairs[formula] if formula else (self.one, self.zero)
         return ((c, s), (-s, c), (-c, -s), (s, -c))[turns % 4]
 
     def length(self, formula: sp.Expr) -> PolyElement:
-        """A length, which ArmError says must be a polynomial in the arm's symbols."""
+        """Return a length as a polynomial; raise ArmError if it is none in the arm's symbols."""
         if not formula.is_polynomial() or formula.has(sp.pi):
             raise ArmError(
                 f"the length {formula} is no polynomial in the arm's symbols; expected sums and"
@@ -115,34 +138,34 @@ class Ring:
         for term in sp.Add.make_args(sp.expand(formula)):
             number, factors = term.as_coeff_mul()
             powers = [
-                self._letters[base] ** int(n) for base, n in (f.as_base_exp() for f in factors)
+                self._lengths[base] ** int(n) for base, n in (f.as_base_exp() for f in factors)
             ]
             total += reduce(mul, powers, self.one * number)
         return total
 
     def derivative(self, poly: PolyElement, joint: int) -> PolyElement:
-        """The derivative with respect to the variable of a joint, counted from 1."""
+        """Differentiate with respect to the variable of a joint, counted from 1."""
         variable = sp.Symbol(f"q_{joint}")
-        total = poly.diff(self._letters[variable]) if variable in self._letters else self.zero
+        total = poly.diff(self._lengths[variable]) if variable in self._lengths else self.zero
         for angle, (c, s) in self._pairs.items():
             if rate := int(angle.diff(variable)):
                 total += rate * (poly.diff(s) * c - poly.diff(c) * s)
         return total
 
     def matrix(self, rows: list[list[PolyElement | int]]) -> sp.ImmutableMatrix:
-        """A matrix of expressions from rows of polynomials."""
+        """Convert rows of polynomials to a matrix of expressions."""
         return Matrix([[self.expression(self._ring(entry)) for entry in row] for row in rows])
 
     def expression(self, poly: PolyElement) -> sp.Expr:
-        """A polynomial as a SymPy expression in its unique form."""
+        """Convert a polynomial to a SymPy expression in its unique form."""
         return self.reduced(poly).as_expr(*self._symbols)
 
     def reduced(self, poly: PolyElement) -> PolyElement:
-        """The unique form of a polynomial: no sine squared."""
+        """Replace each sin² by 1 - cos², which gives a polynomial's unique form."""
         return self._ring(poly).rem(self._units) if self._units else self._ring(poly)
 
-    def taken_over(self, poly: PolyElement, other: "Ring") -> PolyElement:
-        """A polynomial of another ring of the same arm, in which every joint turned by itself."""
+    def convert(self, poly: PolyElement, other: "Ring") -> PolyElement:
+        """Convert a polynomial of the same arm's ring that was made with add_parallel=False."""
         values = dict(zip(self._symbols, self._ring.gens, strict=True)) | self._single_joints()
         powers = [values[symbol] for symbol in other._symbols]
         terms = (
@@ -152,50 +175,52 @@ class Ring:
         return self.reduced(sum(terms, self.zero))
 
     def _single_joints(self) -> dict[sp.Expr, PolyElement]:
-        """cos(q_i) and sin(q_i), where q_i is the difference of two angles of a run."""
-        found, before = {}, sp.S.Zero
-        for i, turn in enumerate(self.turns, 1):
-            formula, start = turn.angle[0], sp.S.Zero if turn.starts else before
+        """Return cos(q_i) and sin(q_i), q_i being the difference of two angles of its group."""
+        values, before = {}, sp.S.Zero
+        for i, angle_so_far in enumerate(self.group_angles, 1):
+            formula = angle_so_far.angle[0]
+            start = sp.S.Zero if angle_so_far.starts_group else before
             if sign := int((formula - start).coeff(sp.Symbol(f"q_{i}"))):
                 (c, s), (c_0, s_0) = self.cos_sin((formula, 0)), self.cos_sin((start, 0))
                 angle = sp.expand(sign * (formula - start))
-                found[sp.cos(angle)], found[sp.sin(angle)] = (
+                values[sp.cos(angle)], values[sp.sin(angle)] = (
                     c * c_0 + s * s_0,
                     sign * (s * c_0 - c * s_0),
                 )
             before = formula
-        return found
+        return values
 
 
-def frames_of(arm: Arm, ring: Ring) -> list[Frame]:
-    """The link frames from base to tip.
+def symbolic_frames(arm: Arm, ring: Ring) -> list[SymbolicFrame]:
+    """Compute the link frames from the base to the tip.
 
-    A frame's rotation is start * Rot_z(angle) * held: `start` is where the run of parallel axes
-    began, `angle` what the run has turned by so far, `held` the constant rotations since.
+    A frame's rotation is start * Rot_z(angle) * since: `start` is the rotation at which the group
+    of parallel axes begins, `angle` what the group has turned by so far, and `since` the product of
+    the constant rotations since then.
     """
     unit = _rotation_z(ring.one, ring.zero)
-    start, held, rotation, origin = unit, unit, unit, [ring.zero] * 3
+    start, since, rotation, origin = unit, unit, unit, [ring.zero] * 3
     frames = [_frame(unit, origin)]
-    for i, (row, turn) in enumerate(zip(arm.rows, ring.turns, strict=True), 1):
-        before, d = transposed(rotation)[2], ring.length(formula_of(arm, row.d))
-        if turn.starts:
-            start, held = rotation, unit
+    for i, (row, group) in enumerate(zip(arm.rows, ring.group_angles, strict=True), 1):
+        before, d = transpose(rotation)[2], ring.length(exact_formula(arm, row.d))
+        if group.starts_group:
+            start, since = rotation, unit
         if row.joint.kind == "prismatic":
             d += ring.length(sp.Symbol(f"q_{i}"))
         if row.joint.kind != "revolute":
-            held = _product(held, _rotation_z(*ring.cos_sin(angle_of(arm, row.theta))))
-        turned = _product(start, _rotation_z(*ring.cos_sin(turn.angle)))
-        x, a = transposed(_product(turned, held))[0], ring.length(formula_of(arm, row.a))
+            since = _product(since, _rotation_z(*ring.cos_sin(exact_angle(arm, row.theta))))
+        turned = _product(start, _rotation_z(*ring.cos_sin(group.angle)))
+        x, a = transpose(_product(turned, since))[0], ring.length(exact_formula(arm, row.a))
         origin = [o + d * z + a * x for o, z, x in zip(origin, before, x, strict=True)]
-        held = _product(held, _rotation_x(*ring.cos_sin(angle_of(arm, row.alpha))))
-        rotation = _product(turned, held)
+        since = _product(since, _rotation_x(*ring.cos_sin(exact_angle(arm, row.alpha))))
+        rotation = _product(turned, since)
         frames.append(_frame(rotation, origin))
     return frames
 
 
-def _frame(rotation: list[list], origin: list[PolyElement]) -> Frame:
-    x, y, z = transposed(rotation)
-    return Frame(x, y, z, origin)
+def _frame(rotation: list[list], origin: list[PolyElement]) -> SymbolicFrame:
+    x, y, z = transpose(rotation)
+    return SymbolicFrame(x, y, z, origin)
 
 
 def _rotation_z(c, s) -> list[list]:
@@ -209,13 +234,15 @@ def _rotation_x(c, s) -> list[list]:
 
 
 def _product(left: list[list], right: list[list]) -> list[list]:
-    columns = transposed(right)
+    columns = transpose(right)
     return [[sum(map(mul, row, column)) for column in columns] for row in left]
 
 
-def transposed(rows: Sequence[list]) -> list[list]:
+def transpose(rows: Sequence[list]) -> list[list]:
+    """Transpose a matrix given as a list of rows."""
     return [list(column) for column in zip(*rows, strict=True)]
 
 
-def cross(u: list, v: list) -> list:
+def cross_product(u: list, v: list) -> list:
+    """Compute u x v."""
     return [u[j] * v[k] - u[k] * v[j] for j, k in ((1, 2), (2, 0), (0, 1))]

@@ -1,4 +1,4 @@
-"""The arms of the homework: data only, with where each number comes from.
+"""Define the arms of the homework, with the source of each number.
 
 The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off. `PANDA` and
 `UR10E` have the makers' lengths, `PANDA_HOMEWORK` and `UR10E_HOMEWORK` those of the assignment.
@@ -9,6 +9,7 @@ from math import pi
 from typing import Any
 
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
+from helpers.deprecated import deprecated_names
 
 __all__ = [
     "ARMS",
@@ -18,7 +19,7 @@ __all__ = [
     "STANFORD",
     "UR10E",
     "UR10E_HOMEWORK",
-    "named",
+    "find_arm",
 ]
 
 #: The Panda with the maker's lengths, limits and the masses of Gaz et al., and the homework's pen.
@@ -35,7 +36,7 @@ PANDA = Arm(
         revolute(d="-(d_7 + l_pen)", limits=(-2.8973, 2.8973), speed=2.61, effort=12),
     ),
     values=dict(d_1=0.333, d_3=0.316, a_3=0.0825, d_5=0.384, a_6=0.088, d_7=0.107, l_pen=0.1),
-    # Gaz et al. (2019), their centres of mass carried over into the frames of this table.
+    # Gaz et al. (2019); their centres of mass are carried over into the frames of this table.
     bodies=(
         Body(4.970684, (0.003875, -0.04762, -0.002081)),
         Body(0.646926, (-0.003141, 0.003495, 0.02872)),
@@ -50,14 +51,14 @@ PANDA = Arm(
     " hal-02265293, supplementary material hal-02265294",
 )
 
-#: The Panda as the homework's table has it, with 88 mm for a_3 too.
+#: The Panda of the homework's table, which has 88 mm for a_3 too.
 PANDA_HOMEWORK = replace(
     PANDA.with_values(a_3=0.088),
     name="Panda (homework)",
     source="The homework's table, which uses 88 mm for both a_3 and a_6; the rest as PANDA",
 )
 
-# The ranges, speeds and torques of the maker's UR10e serve both tables.
+# Ranges, speeds and torques of the maker's UR10e, for both tables.
 _UR_RANGE = (-2 * pi, 2 * pi)
 _UR_BIG: dict[str, Any] = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
 _UR_ELBOW: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=150)
@@ -107,7 +108,7 @@ UR10E_HOMEWORK = Arm(
     " (0.118 there)",
 )
 
-#: The Stanford arm, with a shoulder of two joints, a rod that slides, a spherical wrist.
+#: The Stanford arm: a shoulder of two joints, a sliding rod and a spherical wrist.
 STANFORD = Arm(
     name="Stanford arm",
     rows=(
@@ -138,14 +139,24 @@ ELBOW = Arm(
     " are ours",
 )
 
-#: All of them.
+#: All arms of the catalogue.
 ARMS = (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
 
 
-def named(name: str) -> Arm:
-    """The arm of the catalogue with this name, letter case aside; ArmError lists the names there
-    are."""
+def find_arm(name: str) -> Arm:
+    """Find an arm of the catalogue by its name, in small or capital letters.
+
+    Raises:
+        ArmError: No arm has this name; the message lists all names.
+
+    Example:
+        >>> find_arm("stanford arm")
+        <Arm Stanford arm: 6 rows, RRPRRR>
+    """
     for arm in ARMS:
         if arm.name.casefold() == str(name).casefold():
             return arm
     raise ArmError(f"no arm is called {name!r}; expected one of {', '.join(a.name for a in ARMS)}")
+
+
+__getattr__ = deprecated_names(__name__, named="find_arm")

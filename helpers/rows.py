@@ -1,5 +1,4 @@
-"""What a table is made of: rows and their joints, the bodies that they carry, the numbers of its
-symbols."""
+"""Define the parts of an arm: rows, joints, bodies, and the values of its symbols."""
 
 import math
 import warnings
@@ -8,8 +7,15 @@ from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import Any, Literal, NamedTuple
 
-from helpers.expressions import Entry, entry
-from helpers.inputs import LARGEST, ArmError, floats, listed, one_of, shown
+from helpers.expressions import Entry, check_entry
+from helpers.inputs import (
+    LARGEST,
+    ArmError,
+    float_array,
+    require_choice,
+    shorten,
+    tuple_of_items,
+)
 
 Kind = Literal["revolute", "prismatic", "fixed"]
 KINDS = ("revolute", "prismatic", "fixed")
@@ -17,10 +23,15 @@ KINDS = ("revolute", "prismatic", "fixed")
 
 @dataclass(frozen=True)
 class Joint:
-    """What moves a row: its kind, range (rad or m), top speed (rad/s or m/s) and top effort (N m or
-    N).
+    """The joint of a row.
 
-    A joint that was locked is fixed and remembers in `at` the value (rad or m) at which it is held.
+    Args:
+        kind: "revolute", "prismatic" or "fixed".
+        lower: Lower limit, in rad or m.
+        upper: Upper limit, in rad or m.
+        speed: Largest speed, in rad/s or m/s.
+        effort: Largest torque or force, in N m or N.
+        at: Value, in rad or m, at which a joint was locked; the kind is then "fixed".
     """
 
     kind: Kind = "revolute"
@@ -31,9 +42,9 @@ class Joint:
     at: Entry | None = None
 
     def __post_init__(self) -> None:
-        one_of(self.kind, "joint kind", KINDS)
+        require_choice(self.kind, "joint kind", KINDS)
         for name in ("lower", "upper", "speed", "effort"):
-            object.__setattr__(self, name, real(getattr(self, name), f"joint {name}"))
+            object.__setattr__(self, name, real_number(getattr(self, name), f"joint {name}"))
         if not self.lower <= self.upper:
             raise ArmError(
                 f"joint limits are ({self.lower:g}, {self.upper:g}); expected lower <= upper"
@@ -45,13 +56,20 @@ class Joint:
         if self.at is not None:
             if self.kind != "fixed":
                 raise ArmError(f"joint at is {self.at!r}; expected None, for it is {self.kind}")
-            object.__setattr__(self, "at", entry(self.at, "joint at"))
+            object.__setattr__(self, "at", check_entry(self.at, "joint at"))
 
 
 @dataclass(frozen=True)
 class Row:
-    """One row of the table; the joint variable is added to `theta` (revolute) or to `d`
-    (prismatic)."""
+    """A row of a Denavit-Hartenberg table.
+
+    Args:
+        a: Length along x, in m.
+        alpha: Angle about x, in rad.
+        d: Length along z, in m; a prismatic joint's variable is added to it.
+        theta: Angle about z, in rad; a revolute joint's variable is added to it.
+        joint: The joint that moves the row.
+    """
 
     a: Entry = 0
     alpha: Entry = 0
@@ -66,11 +84,11 @@ class Row:
                 " as revolute(), prismatic() or fixed() make"
             )
         for name in ("a", "alpha", "d", "theta"):
-            object.__setattr__(self, name, entry(getattr(self, name), name))
+            object.__setattr__(self, name, check_entry(getattr(self, name), name))
 
     @property
     def entries(self) -> tuple[Entry, Entry, Entry, Entry]:
-        """The four entries in the order a, alpha, d, theta."""
+        """The four entries, in the order a, alpha, d, theta."""
         return self.a, self.alpha, self.d, self.theta
 
 
@@ -84,9 +102,22 @@ def revolute(
     speed: float = math.inf,
     effort: float = math.inf,
 ) -> Row:
-    """A row whose joint turns by q: the row's angle is q + `theta`. Limits in rad, rad/s, N m.
+    """Return a row whose joint turns: the angle about z is q + `theta`.
 
-    Warns of an angle beyond a whole turn, which may be meant in degrees.
+    A number above 2 pi for an angle gives a warning, since it may be meant in degrees.
+
+    Args:
+        a: Length along x, in m; a number, or a formula such as ``"a_3"``.
+        alpha: Angle about x, in rad; a number, or a formula such as ``"-pi/2"``.
+        d: Length along z, in m.
+        theta: Angle that is added to q, in rad.
+        limits: Lower and upper limit of q, in rad.
+        speed: Largest joint speed, in rad/s.
+        effort: Largest joint torque, in N m.
+
+    Example:
+        >>> revolute(a="a_3", alpha="-pi/2", limits=(-2.9, 2.9)).entries
+        ('a_3', '-pi/2', 0, 0)
     """
     warn_of_degrees(alpha, theta)
     return Row(a, alpha, d, theta, _joint("revolute", limits, speed, effort))
@@ -102,40 +133,63 @@ def prismatic(
     speed: float = math.inf,
     effort: float = math.inf,
 ) -> Row:
-    """A row whose joint slides by q: the row's offset is q + `d`. Limits in m, m/s, N.
+    """Return a row whose joint slides: the length along z is q + `d`.
 
-    Warns of an angle beyond a whole turn, which may be meant in degrees.
+    A number above 2 pi for an angle gives a warning, since it may be meant in degrees.
+
+    Args:
+        a: Length along x, in m; a number, or a formula such as ``"a_3"``.
+        alpha: Angle about x, in rad; a number, or a formula such as ``"-pi/2"``.
+        d: Length that is added to q, in m.
+        theta: Angle about z, in rad.
+        limits: Lower and upper limit of q, in m.
+        speed: Largest joint speed, in m/s.
+        effort: Largest joint force, in N.
+
+    Example:
+        >>> prismatic(alpha="pi/2", limits=(0.1, 1.0)).joint.upper
+        1.0
     """
     warn_of_degrees(alpha, theta)
     return Row(a, alpha, d, theta, _joint("prismatic", limits, speed, effort))
 
 
 def _joint(kind: Kind, limits: Sequence[float], speed: float, effort: float) -> Joint:
-    return changed(Joint(kind), {"limits": limits, "speed": speed, "effort": effort})
+    return change_joint(Joint(kind), {"limits": limits, "speed": speed, "effort": effort})
 
 
-def changed(joint: Joint, changes: Mapping[str, Any]) -> Joint:
-    """The joint with those of `limits`, `speed` and `effort` that are among the changes."""
+def change_joint(joint: Joint, changes: Mapping[str, Any]) -> Joint:
+    """Return the joint with new `limits`, `speed` and `effort`, those that `changes` has."""
     fields = {name: changes[name] for name in ("speed", "effort") if name in changes}
     if "limits" in changes:
-        wanted = "two numbers, lower and upper"
-        if len(listed(changes["limits"], "joint limits", wanted)) != 2:
-            raise ArmError(f"joint limits are {shown(changes['limits'])}; expected {wanted}")
+        expected = "two numbers, lower and upper"
+        if len(tuple_of_items(changes["limits"], "joint limits", expected)) != 2:
+            raise ArmError(f"joint limits are {shorten(changes['limits'])}; expected {expected}")
         fields["lower"], fields["upper"] = changes["limits"]
     return replace(joint, **fields)
 
 
 def fixed(a: Entry = 0, alpha: Entry = 0, d: Entry = 0, theta: Entry = 0) -> Row:
-    """A row that does not move: a tool, a bracket, or a locked joint.
+    """Return a row that does not move: a tool, a bracket or a locked joint.
 
-    Warns of an angle beyond a whole turn, which may be meant in degrees.
+    A number above 2 pi for an angle gives a warning, since it may be meant in degrees.
+
+    Args:
+        a: Length along x, in m; a number, or a formula such as ``"l_tool"``.
+        alpha: Angle about x, in rad.
+        d: Length along z, in m.
+        theta: Angle about z, in rad.
+
+    Example:
+        >>> fixed(d=0.1).joint.kind
+        'fixed'
     """
     warn_of_degrees(alpha, theta)
     return Row(a, alpha, d, theta, Joint("fixed"))
 
 
 def warn_of_degrees(*angles: Entry) -> None:
-    """Warn whoever called the caller of a number for an angle that is more than a whole turn."""
+    """Warn the caller's caller of each angle, given as a number, that is above 2 pi."""
     for angle in angles:
         if isinstance(angle, Real) and 2 * math.pi < abs(angle) <= LARGEST:
             warnings.warn(
@@ -146,33 +200,38 @@ def warn_of_degrees(*angles: Entry) -> None:
 
 @dataclass(frozen=True)
 class Body:
-    """The link that moves with a row: mass (kg) and centre of mass (m) in that row's own frame."""
+    """The link that moves with a row.
+
+    Args:
+        mass: Mass, in kg; a number or a formula.
+        com: Centre of mass in the row's own frame, three coordinates in m.
+    """
 
     mass: Entry
     com: Sequence[Entry]
 
     def __post_init__(self) -> None:
-        wanted = "three coordinates (x, y, z)"
-        if len(listed(self.com, "the coordinates of the centre of mass", wanted)) != 3:
-            raise ArmError(f"centre of mass is {self.com!r}; expected {wanted}")
-        object.__setattr__(self, "mass", entry(self.mass, "mass"))
-        object.__setattr__(self, "com", tuple(entry(c, "centre of mass") for c in self.com))
+        expected = "three coordinates (x, y, z)"
+        if len(tuple_of_items(self.com, "the coordinates of the centre of mass", expected)) != 3:
+            raise ArmError(f"centre of mass is {self.com!r}; expected {expected}")
+        object.__setattr__(self, "mass", check_entry(self.mass, "mass"))
+        object.__setattr__(self, "com", tuple(check_entry(c, "centre of mass") for c in self.com))
 
 
 class Values(Mapping[str, float]):
-    """The numbers of an arm's symbols (m, rad, kg), read as a dict is read, and never changed."""
+    """An immutable mapping from an arm's symbols to their values, in m, rad and kg."""
 
     __slots__ = ("_numbers",)
 
     def __init__(self, numbers: Mapping[str, float], owner: str) -> None:
-        wanted = "a number for each symbol, as in {'a_3': 0.0825}"
+        expected = "a number for each symbol, as in {'a_3': 0.0825}"
         try:
-            given = dict[Any, Any](numbers)
+            values = dict[Any, Any](numbers)
         except (TypeError, ValueError):
-            raise ArmError(f"{owner}: values are {shown(numbers)}; expected {wanted}") from None
-        if not all(isinstance(name, str) for name in given):
-            raise ArmError(f"{owner}: values are {shown(numbers)}; expected {wanted}")
-        self._numbers = {str(k): real(v, f"{owner}: {k}") for k, v in given.items()}
+            raise ArmError(f"{owner}: values are {shorten(numbers)}; expected {expected}") from None
+        if not all(isinstance(name, str) for name in values):
+            raise ArmError(f"{owner}: values are {shorten(numbers)}; expected {expected}")
+        self._numbers = {str(k): real_number(v, f"{owner}: {k}") for k, v in values.items()}
 
     def __getitem__(self, name: str) -> float:
         return self._numbers[name]
@@ -191,7 +250,7 @@ class Values(Mapping[str, float]):
 
 
 class NumericRow(NamedTuple):
-    """A row with its values put in; multiples of a right angle have exact sines and cosines."""
+    """A row in numbers; multiples of a right angle have exact sines and cosines."""
 
     kind: Kind
     a: float
@@ -203,16 +262,19 @@ class NumericRow(NamedTuple):
     sin_theta: float
 
 
-def real(value: object, what: str) -> float:
-    """A real number, infinity and NaN among them."""
-    found = floats(value, what, "a number")
-    if found.shape:
-        raise ArmError(f"{what} is {shown(value)}; expected a number")
-    return float(found)
+def real_number(value: object, name: str) -> float:
+    """Convert `value` to a float, which may be infinite or NaN."""
+    array = float_array(value, name, "a number")
+    if array.shape:
+        raise ArmError(f"{name} is {shorten(value)}; expected a number")
+    return float(array)
 
 
 def cos_sin(angle: float) -> tuple[float, float]:
-    """Cosine and sine, exact at multiples of a right angle so that structural zeros stay zero."""
+    """Compute a cosine and a sine that are exact at multiples of a right angle.
+
+    So the zeros of an arm's matrices are exactly 0.
+    """
     turns = quarter_turns(angle)
     if turns is None:
         return math.cos(angle), math.sin(angle)
@@ -220,6 +282,7 @@ def cos_sin(angle: float) -> tuple[float, float]:
 
 
 def quarter_turns(angle: float) -> int | None:
-    """How many right angles `angle` (rad) is, or None where it is no multiple of one."""
+    """Return how many right angles an angle (rad) is, or None where it is no multiple of one."""
     turns = angle / (math.pi / 2)
+    # 1e-12: some 1000 times the round-off of an angle such as 3 * pi / 2.
     return round(turns) if abs(turns - round(turns)) < 1e-12 else None

@@ -1,4 +1,4 @@
-"""Matrices and frames as a page shows them: to look at, and to lay beside one's own."""
+"""Show matrices and frames as a page does, to read and to compare with one's own."""
 
 from collections.abc import Mapping
 
@@ -6,16 +6,21 @@ import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike
 
-from helpers.formulas import lines, short
-from helpers.inputs import must_be, numbers
+from helpers.deprecated import deprecated_names
+from helpers.formulas import break_lines, short
+from helpers.inputs import finite_array, require_type
 
-__all__ = ["Shown", "frames", "matrices"]
+__all__ = ["MarkdownOutput", "frames", "matrices"]
 
-_ROOM = 72  # letters and signs of a line
+_LINE_WIDTH = 72  # characters that a reader sees
 
 
-class Shown:
-    """Markdown that a notebook typesets."""
+class MarkdownOutput:
+    """Markdown text that a notebook typesets.
+
+    Args:
+        text: The text.
+    """
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -27,45 +32,61 @@ class Shown:
         return "<Markdown>"
 
 
-def matrices(named: Mapping[str, object]) -> Shown:
-    """Matrices beside each other, as many as a line holds, under their names in LaTeX.
+def matrices(named: Mapping[str, object]) -> MarkdownOutput:
+    """Show matrices beside each other, as many as a line holds, with their names.
 
-    Those of SymPy are written short, as `symbolic.short` does, a long entry in several lines;
-    numbers, shape (m, n), are rounded to four decimals.
+    Args:
+        named: For each name, in LaTeX, a matrix of SymPy or numbers of shape (m, n). Formulas are
+            written as `symbolic.short` does, long entries in several lines; numbers are rounded to
+            four decimals.
+
+    Example:
+        >>> print(matrices({"A_1": np.eye(2)}).text)
+        ${A_1 = \\left[\\begin{matrix}1 & 0\\\\0 & 1\\end{matrix}\\right]\\quad}$
     """
-    must_be(named, Mapping, "named")
+    require_type(named, Mapping, "named")
     formulas = [rf"${{{name} = {_latex(value)}\quad}}$" for name, value in named.items()]
-    return Shown("\n".join(formulas))
+    return MarkdownOutput("\n".join(formulas))
 
 
-def frames(T: ArrayLike) -> Shown:
-    """Frames, shape (k, 4, 4), as a table of their axes and origins, rounded to four decimals; the
-    first is frame 0."""
-    T = numbers(T, "T", "frames (k, 4, 4)", (None, 4, 4))
-    head = "| $i$ | $x_i$ | $y_i$ | $z_i$ | $o_i$ (m) |\n|:-:|:-:|:-:|:-:|:-:|\n"
-    rows = [[",\u202f".join(map(_number, column)) for column in frame[:3].T] for frame in T]
+def frames(T: ArrayLike) -> MarkdownOutput:
+    """Show frames as a table of their axes and origins, rounded to four decimals.
+
+    Args:
+        T: Frames, shape (k, 4, 4); the first is numbered 0.
+    """
+    T = finite_array(T, "T", "frames (k, 4, 4)", (None, 4, 4))
+    header = "| $i$ | $x_i$ | $y_i$ | $z_i$ | $o_i$ (m) |\n|:-:|:-:|:-:|:-:|:-:|\n"
+    rows = [[",\u202f".join(map(_number_text, column)) for column in frame[:3].T] for frame in T]
     table = [f"| {i} | {' | '.join(row)} |" for i, row in enumerate(rows)]
-    return Shown(head + "\n".join(table).replace("-", "−"))
+    return MarkdownOutput(header + "\n".join(table).replace("-", "−"))
 
 
 def _latex(value: object) -> str:
+    """Write a matrix in LaTeX."""
     if isinstance(value, sp.MatrixBase):
-        entries = [list(map(_entry, row)) for row in short(value).tolist()]
+        entries = [list(map(_entry_latex, row)) for row in short(value).tolist()]
     else:
-        array = numbers(value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None))
-        entries = [list(map(_number, row)) for row in array]
+        array = finite_array(
+            value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None)
+        )
+        entries = [list(map(_number_text, row)) for row in array]
     rows = r"\\".join(map(" & ".join, entries))
     return rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]"
 
 
-def _entry(entry: sp.Expr) -> str:
-    first, *rest = lines(entry, _ROOM)
+def _entry_latex(entry: sp.Expr) -> str:
+    """Write an entry of a matrix in LaTeX, a long one in several lines."""
+    first, *rest = break_lines(entry, _LINE_WIDTH)
     if not rest:
         return sp.latex(entry)
-    # A line is a group: Temml would take a bracket, and the line's end in it, for one thing.
+    # Each line is a group, because Temml would read a bracket and the line break in it as one.
     below = "".join(rf" \\ {{\quad {line}}}" for line in rest)
     return rf"\begin{{array}}{{l}}{{{first}}}{below}\end{{array}}"
 
 
-def _number(value: float) -> str:
+def _number_text(value: float) -> str:
     return f"{np.round(value, 4) + 0.0:g}"
+
+
+__getattr__ = deprecated_names(__name__, Shown="MarkdownOutput")

@@ -1,7 +1,10 @@
-"""Do poses that were read off a drawing find the mistakes in a table? All simple ones are made, one
-and two at a time, and those are kept that the poses do not see."""
+"""Find which mistakes in a table the poses read off a drawing do not show.
+
+All simple mistakes are made, one and two at a time, and those are kept that no pose shows.
+"""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import combinations
 from math import isclose, pi
 from typing import NamedTuple
@@ -10,76 +13,120 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import must_be
+from helpers.deprecated import deprecated_attribute, deprecated_names
+from helpers.inputs import require_type
 from helpers.kinematics import forward_kinematics
 
-__all__ = ["Census", "Slip", "census", "slips"]
+__all__ = ["Census", "TableSlip", "census", "list_slips"]
 
-_SAME = 1e-9  # m, or the entries of a rotation
+_SAME = 1e-9  # in m, or in entries of a rotation
 
 
-class Slip(NamedTuple):
-    """One mistake: in a row, counted from 1, an entry (a, alpha, d or theta) that got another
-    value, or a joint variable (q) that got the factor -1."""
+class TableSlip(NamedTuple):
+    """One mistake in a table.
+
+    Attributes:
+        row: Number of the row, counted from 1.
+        entry: "a", "alpha", "d" or "theta" where an entry has another value, "q" where the joint's
+            variable has another factor.
+        value: That value or factor.
+    """
 
     row: int
     entry: str
     value: float
 
 
-class Census(NamedTuple):
-    """How many tables have one slip, how many two, and the slips of those that poses do not tell
-    from the right one: by the place of the tip, and by the whole pose of the tip's frame."""
+@dataclass(frozen=True)
+class Census:
+    """The tables with one or two slips, and those that poses do not tell from the right one.
 
-    one: int
-    two: int
-    unseen_by_tip: Sequence[tuple[Slip, ...]]
-    unseen_by_pose: Sequence[tuple[Slip, ...]]
+    Attributes:
+        single_slips: Number of tables with one slip.
+        slip_pairs: Number of tables with two slips.
+        unseen_by_tip: The slips of tables that give the right tip position in all poses.
+        unseen_by_pose: The slips of tables that give the right tip pose in all poses.
+    """
+
+    single_slips: int
+    slip_pairs: int
+    unseen_by_tip: Sequence[tuple[TableSlip, ...]]
+    unseen_by_pose: Sequence[tuple[TableSlip, ...]]
+
+    one = deprecated_attribute("one", "single_slips")
+    two = deprecated_attribute("two", "slip_pairs")
 
 
-def slips(arm: Arm) -> Sequence[Slip]:
-    """Every single slip of three kinds: an entry forgotten, an entry with the other sign (but for
-    180°, where that is none), a joint that counts the other way."""
-    must_be(arm, Arm, "arm")
-    found = []
+def list_slips(arm: Arm) -> Sequence[TableSlip]:
+    """List every single slip of three kinds in an arm's table.
+
+    An entry is left out, an entry has the other sign (except 180°, which stays the same angle), or
+    a joint counts the other way.
+
+    Example:
+        >>> from helpers.robots import ELBOW
+        >>> list_slips(ELBOW)[:2]
+        [TableSlip(row=1, entry='q', value=-1.0), TableSlip(row=1, entry='alpha', value=0.0)]
+    """
+    require_type(arm, Arm, "arm")
+    slips = []
     for i, row in enumerate(arm.rows, 1):
         if i in arm.joints:
-            found.append(Slip(i, "q", -1.0))
+            slips.append(TableSlip(i, "q", -1.0))
         for name, entry in zip(("a", "alpha", "d", "theta"), row.entries, strict=True):
             value = arm.number(entry)
             if value:
-                found.append(Slip(i, name, 0.0))
+                slips.append(TableSlip(i, name, 0.0))
             if value and not (name in ("alpha", "theta") and isclose(abs(value), pi)):
-                found.append(Slip(i, name, -value))
-    return found
+                slips.append(TableSlip(i, name, -value))
+    return slips
 
 
 def census(arm: Arm, q: ArrayLike) -> Census:
-    """Every table with one slip or two, tried in poses q of shape (k, dof) (rad or m)."""
-    must_be(arm, Arm, "arm")
+    """Try every table with one slip or two in the given poses.
+
+    Args:
+        arm: The arm with the right table.
+        q: Joint values, shape (k, dof), in rad or m.
+
+    Example:
+        >>> from helpers.robots import ELBOW
+        >>> census(ELBOW, [[0.3, 0.5, -0.2]]).unseen_by_tip
+        []
+    """
+    require_type(arm, Arm, "arm")
     q = arm.joint_vector(q)
-    one = [(slip,) for slip in slips(arm)]
-    two = [first + second for first, second in combinations(one, 2) if _both(*first, *second)]
+    singles = [(slip,) for slip in list_slips(arm)]
+    pairs = [a + b for a, b in combinations(singles, 2) if _in_different_entries(*a, *b)]
     right = forward_kinematics(arm, q)
-    tables = [(wrong, np.abs(_tried(arm, q, wrong) - right)) for wrong in one + two]
-    by_tip = [wrong for wrong, off in tables if off[..., 3].max() < _SAME]
-    return Census(len(one), len(two), by_tip, [wrong for wrong, off in tables if off.max() < _SAME])
+    errors = [(slips, np.abs(_poses_with(arm, q, slips) - right)) for slips in singles + pairs]
+    return Census(
+        single_slips=len(singles),
+        slip_pairs=len(pairs),
+        unseen_by_tip=[slips for slips, error in errors if error[..., 3].max() < _SAME],
+        unseen_by_pose=[slips for slips, error in errors if error.max() < _SAME],
+    )
 
 
-def _both(first: Slip, second: Slip) -> bool:
-    """Whether two slips can be made at once: not in one entry."""
-    return first[:2] != second[:2]
+def _in_different_entries(first: TableSlip, second: TableSlip) -> bool:
+    return (first.row, first.entry) != (second.row, second.entry)
 
 
-def _tried(arm: Arm, q: NDArray[np.float64], wrong: tuple[Slip, ...]) -> NDArray[np.float64]:
-    for slip in wrong:
-        arm, q = slipped(arm, q, slip)
+def _poses_with(
+    arm: Arm, q: NDArray[np.float64], slips: tuple[TableSlip, ...]
+) -> NDArray[np.float64]:
+    for slip in slips:
+        arm, q = apply_slip(arm, q, slip)
     return forward_kinematics(arm, q)
 
 
-def slipped(arm: Arm, q: NDArray[np.float64], slip: Slip) -> tuple[Arm, NDArray[np.float64]]:
-    """The arm and the joint values, shape (..., dof), of who makes a slip."""
-    row, name, value = slip
-    if name == "q":
-        return arm, q * np.where(np.array(arm.joints) == row, value, 1)
-    return arm.with_row(row, **{name: value}), q
+def apply_slip(
+    arm: Arm, q: NDArray[np.float64], slip: TableSlip
+) -> tuple[Arm, NDArray[np.float64]]:
+    """Return the arm and the joint values, shape (..., dof), of somebody who makes a slip."""
+    if slip.entry == "q":
+        return arm, q * np.where(np.array(arm.joints) == slip.row, slip.value, 1)
+    return arm.with_row(slip.row, **{slip.entry: slip.value}), q
+
+
+__getattr__ = deprecated_names(__name__, Slip="TableSlip", slips="list_slips")

@@ -1,10 +1,10 @@
-"""A serial arm out of a robot description (URDF): its joint axes at q = 0, and from them its table.
+"""Read a serial arm from a robot description (URDF): its joint axes at q = 0, then its table.
 
-The chain from one link of the tree to another is read with its limits, speeds, efforts, masses and
-centres of mass. Fixed joints are folded in, and so are the masses of whatever hangs on the chain at
-its side, with its joints at 0. The file is data: only `xml.etree` of the standard library touches
-it, a document type is refused, and nothing that it names is opened. Source of the format: the URDF
-XML specification, wiki.ros.org/urdf/XML (elements joint, link and inertial).
+The chain of joints from one link to another is read with its limits, speeds, efforts, masses and
+centres of mass. Fixed joints are merged into their neighbours. The masses of side branches count
+with their joints at 0. The file is read as data only: by `xml.etree` of the standard library,
+without a document type, and no file that it names is opened. Source of the format: the URDF XML
+specification, wiki.ros.org/urdf/XML (elements joint, link and inertial).
 """
 
 import math
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, derive
-from helpers.inputs import shown
+from helpers.inputs import shorten
 from helpers.rows import Kind, cos_sin
 
 __all__ = ["from_urdf"]
@@ -32,7 +32,7 @@ _KINDS: dict[str, Kind] = {
     "continuous": "revolute",
     "prismatic": "prismatic",
 }
-_ONE_LIMIT = (math.nan,)  # of a joint, where the file gives none
+_MISSING_NUMBER = (math.nan,)
 
 
 def from_urdf(
@@ -42,41 +42,62 @@ def from_urdf(
     *,
     tolerance: float = 1e-9,
 ) -> Arm:
-    """The arm from link `base` to link `tip` of a robot description, in standard Denavit-Hartenberg
-    form.
+    """Read an arm from a robot description, in standard Denavit-Hartenberg form.
+
+    The joints keep the zeros and signs of the file, so q is the file's. A limit of 0 for speed or
+    effort counts as unknown, because many files write 0 there. Rounded angles can give the warning
+    of `helpers.derive.derive`, which a larger tolerance mends.
 
     Args:
-        source: the file, or its text.
-        base: a link; the one without a parent unless given.
-        tip: a link beyond it; the last one unless given, where there is only one.
-        tolerance: as for `helpers.derive.derive`.
+        source: The file's path, or its text.
+        base: Name of the link where the chain begins; by default the one without a parent.
+        tip: Name of the link where it ends; by default the last one, if there is only one.
+        tolerance: As for `helpers.derive.derive`.
 
-    The joints keep their own zeros and signs, so q is the file's. A limit of 0 for speed or effort
-    is taken as not given, for many files write 0 there. Raises ArmError where the file is no robot
-    description, and where the chain holds joints that are no single turn or slide (planar,
-    floating), or that follow another (mimic). Warns as `derive` does where rounded
-    angles put a row's common normal far off the arm, which a larger tolerance mends.
+    Raises:
+        ArmError: The file is no robot description, or the chain has a planar or floating joint, or
+            one that follows another joint (mimic).
+
+    Example:
+        >>> text = '''<robot name="slide"><link name="a"/><link name="b"/>
+        ... <joint name="j" type="prismatic"><parent link="a"/><child link="b"/>
+        ... <axis xyz="0 0 1"/></joint></robot>'''
+        >>> from_urdf(text)
+        <Arm slide: 1 rows, P>
     """
-    tree = _tree(_robot(source))
-    base = tree.only(tree.roots, "without a parent") if base is None else tree.link(base, "base")
-    ends = tree.ends(base)
-    tip = tree.only(ends, f"at the end beyond {base}") if tip is None else tree.link(tip, "tip")
-    way = tree.way(base, tip)
-    axes, pose, loads = _walked(way, tree.carried(way))
+    tree = _read_tree(_read_robot(source))
+    if base is None:
+        base = tree.require_single(tree.roots, "without a parent")
+    base = tree.require_link(base, "base")
+    if tip is None:
+        tip = tree.require_single(tree.ends(base), f"at the end beyond {base}")
+    tip = tree.require_link(tip, "tip")
+    chain = tree.chain(base, tip)
+    axes, pose, loads = _walk(chain, tree.loads_with_branches(chain))
     if not axes:
         raise ArmError(
             f"{tree.name}: nothing moves from {base} to {tip}; expected a joint that does"
         )
-    found, masses = derive(axes, pose, name=tree.name, tolerance=tolerance), loads[:, 3]
+    derivation = derive(axes, pose, name=tree.name, tolerance=tolerance)
+    masses = loads[:, 3]
     centres = loads[:, :3] / np.where(masses, masses, 1)[:, None]
-    arm = found.with_bodies(masses, centres) if masses.any() else found.arm
-    moving = ", ".join(joint.name for joint in way if joint.kind != "fixed")
+    arm = derivation.with_bodies(masses, centres) if masses.any() else derivation.arm
+    moving = ", ".join(joint.name for joint in chain if joint.kind != "fixed")
     return replace(arm, source=f"robot description: {base} to {tip}; joints {moving}")
 
 
 @dataclass(frozen=True, eq=False)
 class _FileJoint:
-    """A joint of the file: where its child's frame lies at 0 in its parent's, and how it moves."""
+    """A joint of the file.
+
+    Attributes:
+        name: Its name.
+        kind: Its type, as the file writes it.
+        parent: Name of the link that carries it.
+        child: Name of the link that it moves.
+        origin: Pose of the child's frame in the parent's at q = 0, 4x4.
+        element: The element <joint>.
+    """
 
     name: str
     kind: str
@@ -86,24 +107,32 @@ class _FileJoint:
     element: ET.Element
 
     def as_axis(self, pose: Array) -> Axis:
-        """Its axis in base axes, where its child's frame has a pose; ArmError where it moves as no
-        row of a table can."""
+        """Return the joint's axis in base axes.
+
+        Args:
+            pose: Pose of the child's frame in base axes, 4x4.
+
+        Raises:
+            ArmError: No row of a table moves as the joint does.
+        """
         if self.kind not in _KINDS or self.element.find("mimic") is not None:
-            how = f"is {self.kind}" if self.kind not in _KINDS else "mimics another"
+            problem = f"is {self.kind}" if self.kind not in _KINDS else "mimics another"
             raise ArmError(
-                f"joint {self.name} {how}; a table has rows for revolute, continuous, prismatic and"
-                " fixed joints, each with a freedom of its own"
+                f"joint {self.name} {problem}; a table has rows for revolute, continuous,"
+                " prismatic and fixed joints, each with a freedom of its own"
             )
-        way = _numbers(self.element.find("axis"), "xyz", f"the axis of {self.name}", (1, 0, 0))
-        if not way.any():
+        direction = _read_numbers(
+            self.element.find("axis"), "xyz", f"the axis of {self.name}", (1, 0, 0)
+        )
+        if not direction.any():
             raise ArmError(f"the axis of {self.name} is 0 0 0; expected a direction")
-        return Axis(tuple(pose[:3, 3]), tuple(pose[:3, :3] @ way), self._limits())
+        return Axis(tuple(pose[:3, 3]), tuple(pose[:3, :3] @ direction), self._limits())
 
     def _limits(self) -> Joint:
-        """The joint's range, speed and effort; infinite where they are not given, or are 0."""
+        """Return the joint's range, speed and effort; infinite where they are missing or 0."""
         limit = self.element.find("limit")
         lower, upper, speed, effort = (
-            float(_numbers(limit, key, f"{self.name}: {key}", _ONE_LIMIT)[0])
+            float(_read_numbers(limit, key, f"{self.name}: {key}", _MISSING_NUMBER)[0])
             for key in ("lower", "upper", "velocity", "effort")
         )
         if self.kind == "continuous" or (math.isnan(lower) and math.isnan(upper)):
@@ -113,15 +142,23 @@ class _FileJoint:
             raise ArmError(
                 f"joint {self.name} has limits {lower:g} to {upper:g}; expected lower <= upper"
             )
-        most = (abs(x) if abs(x) > 0 else math.inf for x in (speed, effort))
-        return Joint(_KINDS[self.kind], lower, upper, *most)
+        speed, effort = (abs(x) if abs(x) > 0 else math.inf for x in (speed, effort))
+        return Joint(_KINDS[self.kind], lower, upper, speed, effort)
 
 
-def _walked(way: Sequence[_FileJoint], loads: dict[str, Array]) -> tuple[list[Axis], Array, Array]:
-    """The axes of the joints that move, the tip's pose, and what each of them carries, (dof, 4),
-    as in `_load`; at q = 0 in base axes."""
+def _walk(chain: Sequence[_FileJoint], loads: dict[str, Array]) -> tuple[list[Axis], Array, Array]:
+    """Follow the chain at q = 0, in base axes.
+
+    Args:
+        chain: The joints from the base to the tip.
+        loads: For each link its load, as `_read_load` returns it.
+
+    Returns:
+        The axes of the moving joints, the tip's pose 4x4, and the load that each of these joints
+        moves before the next one does, shape (dof, 4).
+    """
     pose, axes, carried = np.eye(4), [], []
-    for joint in way:
+    for joint in chain:
         pose = pose @ joint.origin
         if joint.kind != "fixed":
             axes.append(joint.as_axis(pose))
@@ -133,7 +170,13 @@ def _walked(way: Sequence[_FileJoint], loads: dict[str, Array]) -> tuple[list[Ax
 
 @dataclass(frozen=True, eq=False)
 class _Tree:
-    """The links of a file, each with its load, and its joints, each after those that carry it."""
+    """The links and joints of a file.
+
+    Attributes:
+        name: Name of the robot.
+        loads: For each link its load, as `_read_load` returns it.
+        joints: The joints; each comes after those that carry it.
+    """
 
     name: str
     loads: dict[str, Array]
@@ -141,178 +184,197 @@ class _Tree:
 
     @property
     def roots(self) -> list[str]:
-        """The links without a parent."""
+        """Names of the links without a parent."""
         carried = {joint.child for joint in self.joints}
         return [link for link in self.loads if link not in carried]
 
     def ends(self, base: str) -> list[str]:
-        """The links beyond the base, or the base, on which nothing hangs."""
+        """Return the last links beyond the base: those that carry no joint."""
         beyond = {base}
         for joint in self.joints:
             if joint.parent in beyond:
                 beyond.add(joint.child)
         return sorted(beyond - {joint.parent for joint in self.joints})
 
-    def only(self, links: list[str], where: str) -> str:
+    def require_single(self, links: list[str], where: str) -> str:
+        """Return the only link of a list; raise ArmError if there are none or several."""
         if len(links) == 1:
             return links[0]
         raise ArmError(
-            f"{self.name}: links {where} are {_some(links)}; expected one, or the name of one as"
-            " base and as tip"
+            f"{self.name}: links {where} are {_list_names(links)}; expected one, or the name of"
+            " one as base and as tip"
         )
 
-    def link(self, name: object, what: str) -> str:
+    def require_link(self, name: object, argument: str) -> str:
+        """Return the name of a link; raise ArmError if there is no such link."""
         if isinstance(name, str) and name in self.loads:
             return name
         raise ArmError(
-            f"{self.name}: {what} is {shown(name)}; expected a link, one of {_some(self.loads)}"
+            f"{self.name}: {argument} is {shorten(name)}; expected a link, one of"
+            f" {_list_names(self.loads)}"
         )
 
-    def way(self, base: str, tip: str) -> list[_FileJoint]:
-        """The joints from a link to one beyond it."""
+    def chain(self, base: str, tip: str) -> list[_FileJoint]:
+        """Return the joints from the link `base` to the link `tip` beyond it."""
         above = {joint.child: joint for joint in self.joints}
-        found, link = [], tip
+        joints, link = [], tip
         while link != base:
             if link not in above:
                 raise ArmError(
                     f"{self.name}: {tip} does not lie beyond {base}; expected a chain from base to"
                     " tip"
                 )
-            found.append(above[link])
+            joints.append(above[link])
             link = above[link].parent
-        return found[::-1]
+        return joints[::-1]
 
-    def carried(self, way: Sequence[_FileJoint]) -> dict[str, Array]:
-        """The load of each link with all that hangs on it, but for what the way leads on to."""
-        loads, chain = dict(self.loads), set(way)
+    def loads_with_branches(self, chain: Sequence[_FileJoint]) -> dict[str, Array]:
+        """Return the load of each link with all that hangs on it beside the chain."""
+        loads, on_chain = dict(self.loads), set(chain)
         for joint in reversed(self.joints):
-            if joint not in chain:
+            if joint not in on_chain:
                 loads[joint.parent] = loads[joint.parent] + joint.origin @ loads[joint.child]
         return loads
 
 
-# What stands in the file
+# Reading the file
 
 
-def _robot(source: str | os.PathLike[str]) -> ET.Element:
-    """The <robot> element of a file or of a text."""
+def _read_robot(source: str | os.PathLike[str]) -> ET.Element:
+    """Return the element <robot> of a file or a text."""
     if isinstance(source, str) and "<" in source:
-        text, what = source.encode("utf-8", "replace"), "the text"
+        text, name = source.encode("utf-8", "replace"), "the text"
         parser = ET.XMLParser(encoding="utf-8")
     else:
-        text, what, parser = _bytes_of(source), os.fspath(source), ET.XMLParser()
+        text, name, parser = _read_bytes(source), os.fspath(source), ET.XMLParser()
     if b"<!DOCTYPE" in text:
-        raise ArmError(f"{what} has a document type, which a robot description does not need")
+        raise ArmError(f"{name} has a document type, which a robot description does not need")
     try:
         root = ET.fromstring(text, parser)
     except (ET.ParseError, LookupError, ValueError) as error:
-        raise ArmError(f"{what} is no XML ({error}); expected a robot description") from None
+        raise ArmError(f"{name} is no XML ({error}); expected a robot description") from None
     if root.tag != "robot" or any("xacro" in str(element.tag) for element in root.iter()):
         kind = "a xacro, to be run first" if root.tag == "robot" else f"a <{root.tag}>"
-        raise ArmError(f"{what} is {kind}; expected a robot description, <robot>")
+        raise ArmError(f"{name} is {kind}; expected a robot description, <robot>")
     return root
 
 
-def _bytes_of(source: str | os.PathLike[str]) -> bytes:
+def _read_bytes(source: str | os.PathLike[str]) -> bytes:
     if not isinstance(source, str | os.PathLike):
-        raise ArmError(f"source is {shown(source)}; expected a file's path, or its text")
+        raise ArmError(f"source is {shorten(source)}; expected a file's path, or its text")
     try:
         if Path(source).is_file():
             return Path(source).read_bytes()
     except (OSError, ValueError) as error:
-        raise ArmError(f"source is {shown(source)}, which cannot be read: {error}") from None
+        raise ArmError(f"source is {shorten(source)}, which cannot be read: {error}") from None
     raise ArmError(
-        f"source is {shown(source)}; expected a file that exists, or a text with <robot>"
+        f"source is {shorten(source)}; expected a file that exists, or a text with <robot>"
     )
 
 
-def _tree(robot: ET.Element) -> _Tree:
+def _read_tree(robot: ET.Element) -> _Tree:
     name = robot.get("name") or "robot"
-    links = [(_needed(link, "name", "a link"), link) for link in robot.findall("link")]
-    joints = [_joint(element) for element in robot.findall("joint")]
-    _once((called for called, _ in links), f"{name}: links called")
-    _once((joint.name for joint in joints), f"{name}: joints called")
-    _once((joint.child for joint in joints), f"{name}: joints that carry link")
-    loads = {called: _load(link, called) for called, link in links}
+    links = [(_require_attribute(link, "name", "a link"), link) for link in robot.findall("link")]
+    joints = [_read_joint(element) for element in robot.findall("joint")]
+    _require_unique((link_name for link_name, _ in links), f"{name}: links called")
+    _require_unique((joint.name for joint in joints), f"{name}: joints called")
+    _require_unique((joint.child for joint in joints), f"{name}: joints that carry link")
+    loads = {link_name: _read_load(link, link_name) for link_name, link in links}
     below: dict[str, list[_FileJoint]] = {link: [] for link in loads}
     for joint in joints:
         for link in (joint.parent, joint.child):
             if link not in loads:
                 raise ArmError(f"{name}: joint {joint.name} names a link {link!r}; there is none")
         below[joint.parent].append(joint)
+    # The loop extends `reached` by the children of each link, so joints come after their carriers.
     reached, ordered = _Tree(name, loads, joints).roots, []
-    for link in reached:  # grows by what hangs on it
+    for link in reached:
         ordered += below[link]
         reached += [joint.child for joint in below[link]]
     if loop := sorted({*loads} - {*reached}):
         raise ArmError(
-            f"{name}: links {_some(loop)} go round in a circle; expected a tree of links"
+            f"{name}: links {_list_names(loop)} go round in a circle; expected a tree of links"
         )
     return _Tree(name, loads, ordered)
 
 
-def _joint(element: ET.Element) -> _FileJoint:
-    name = _needed(element, "name", "a joint")
+def _read_joint(element: ET.Element) -> _FileJoint:
+    name = _require_attribute(element, "name", "a joint")
     origin, T = element.find("origin"), np.eye(4)
-    turns = _numbers(origin, "rpy", f"the rpy of {name}", (0, 0, 0))
+    turns = _read_numbers(origin, "rpy", f"the rpy of {name}", (0, 0, 0))
     (c, s), (b, t), (a, r) = (cos_sin(float(angle)) for angle in turns[::-1])
     T[:3, :3] = [
         [c * b, c * t * r - s * a, c * t * a + s * r],
         [s * b, s * t * r + c * a, s * t * a - c * r],
         [-t, b * r, b * a],
     ]
-    T[:3, 3] = _numbers(origin, "xyz", f"the xyz of {name}", (0, 0, 0))
+    T[:3, 3] = _read_numbers(origin, "xyz", f"the xyz of {name}", (0, 0, 0))
     parent, child = (
-        _needed(element.find(end), "link", f"the {end} of joint {name}")
+        _require_attribute(element.find(end), "link", f"the {end} of joint {name}")
         for end in ("parent", "child")
     )
     return _FileJoint(name, element.get("type", ""), parent, child, T, element)
 
 
-def _load(link: ET.Element, name: str) -> Array:
-    """A link's first moment and mass, (m x, m y, m z, m) in its own frame, in kg m and kg; zeros
-    where the file gives none."""
+def _read_load(link: ET.Element, name: str) -> Array:
+    """Return a link's load (m x, m y, m z, m) in its own frame, in kg m and kg.
+
+    The load is zero where the file gives none.
+    """
     inertial = link.find("inertial")
     if inertial is None:
         return np.zeros(4)
-    what = f"the mass of {name}"
-    (mass,) = _numbers(inertial.find("mass"), "value", what, _ONE_LIMIT)
+    mass_name = f"the mass of {name}"
+    (mass,) = _read_numbers(inertial.find("mass"), "value", mass_name, _MISSING_NUMBER)
     if not mass >= 0:
-        raise ArmError(f"{what} is {mass}; expected a number of kg, 0 or more")
-    where = f"the centre of mass of {name}"
-    return mass * np.append(_numbers(inertial.find("origin"), "xyz", where, (0, 0, 0)), 1)
+        raise ArmError(f"{mass_name} is {mass}; expected a number of kg, 0 or more")
+    centre_name = f"the centre of mass of {name}"
+    return mass * np.append(
+        _read_numbers(inertial.find("origin"), "xyz", centre_name, (0, 0, 0)), 1
+    )
 
 
-def _needed(element: ET.Element | None, key: str, what: str) -> str:
-    found = None if element is None else element.get(key)
-    if not found:
-        raise ArmError(f"{what} has no {key}; expected {key}=...")
-    return found
+def _require_attribute(element: ET.Element | None, key: str, owner: str) -> str:
+    text = None if element is None else element.get(key)
+    if not text:
+        raise ArmError(f"{owner} has no {key}; expected {key}=...")
+    return text
 
 
-def _numbers(element: ET.Element | None, key: str, what: str, default: Sequence[float]) -> Array:
-    """The finite numbers of an attribute, as many as the default has, which stands where it is not
-    given."""
+def _read_numbers(
+    element: ET.Element | None, key: str, name: str, default: Sequence[float]
+) -> Array:
+    """Return the finite numbers of an attribute, or the default where it is missing.
+
+    Args:
+        element: The element, or None where the file has none.
+        key: The attribute.
+        name: What messages call it.
+        default: Its default; there must be as many numbers.
+    """
     text = None if element is None else element.get(key)
     if text is None:
         return np.array(default, float)
     try:
-        found = np.array([float(part) for part in text.replace("_", "x").split()])
+        # float() would read 1_000, which is no number in XML.
+        numbers = np.array([float(part) for part in text.replace("_", "x").split()])
     except ValueError:
-        found = np.empty(0)
-    if len(found) != len(default) or not np.isfinite(found).all():
-        wanted = "a finite number" if len(default) == 1 else "three finite numbers"
-        raise ArmError(f"{what} is {shown(text)}; expected {wanted}")
-    return found
+        numbers = np.empty(0)
+    if len(numbers) != len(default) or not np.isfinite(numbers).all():
+        expected = "a finite number" if len(default) == 1 else "three finite numbers"
+        raise ArmError(f"{name} is {shorten(text)}; expected {expected}")
+    return numbers
 
 
-def _some(names: Iterable[str]) -> str:
+def _list_names(names: Iterable[str]) -> str:
+    """Join up to eight names, and count the others."""
     names = list(names)
     more = f" and {len(names) - 8} more" if len(names) > 8 else ""
     return ", ".join(names[:8]) + more
 
 
-def _once(names: Iterable[str], what: str) -> None:
+def _require_unique(names: Iterable[str], description: str) -> None:
+    """Raise ArmError where a name occurs twice."""
     for name, times in Counter(names).most_common(1):
         if times > 1:
-            raise ArmError(f"{what} {name} are {times}; expected one")
+            raise ArmError(f"{description} {name} are {times}; expected one")

@@ -97,17 +97,17 @@ RIGHT = {
     "arm.Arm.with_bodies": dict(self=PANDA, bodies=PANDA.bodies, name=None),
     "arm.Arm.to_free": dict(self=PANDA.lock(3), q=PANDA.home[:6]),
     "arm.Arm.from_free": dict(self=PANDA.lock(3)),
-    "arm.Arm.joint_vector": dict(self=PANDA, what="anything"),
+    "arm.Arm.joint_vector": dict(self=PANDA, name="anything"),
     "arm.Arm.number": dict(self=PANDA, value="a_3"),
     "arm.Joint": dict(kind="revolute", at=None),
     "arm.Row": dict(joint=arm.Joint()),
     "arm.Body": dict(mass=1, com=(0, 0, 0)),
-    "expressions.entry": dict(value=1, what="value"),
-    "expressions.names": dict(text="a + b", what="text"),
+    "expressions.check_entry": dict(value=1, name="value"),
+    "expressions.symbol_names": dict(text="a + b", name="text"),
     "expressions.evaluate": dict(text="a", values={"a": 1.0}),
-    "expressions.plain": dict(what="alpha"),
-    "expressions.latex": dict(text="a"),
-    "robots.named": dict(name="panda"),
+    "expressions.plain_formula": dict(name="alpha"),
+    "expressions.entry_latex": dict(text="a"),
+    "robots.find_arm": dict(name="panda"),
     "derive.Axis": dict(point=(0, 0, 0), direction=(0, 0, 1), joint="revolute"),
     "derive.derive": dict(axes=AXES, tip=np.eye(4), tolerance=1e-9),
     "derive.Derivation.with_bodies": dict(self=derive.derive(AXES, np.eye(4)),
@@ -132,7 +132,7 @@ RIGHT = {
         gain=0.0),
     "motion.self_motion": dict(start=PANDA.home, direction=[1, 0, -1, 0, 0, 0, 0], step=0.05,
         speed=0.5),
-    "motion.joined": dict(runs=[RUN]),
+    "motion.join_traces": dict(runs=[RUN]),
     "inverse.solve": dict(arm=UR10E, targets=REACH, limits=True, tolerance=1e-10),
     "inverse.elbow": dict(arm=ELBOW, targets=POINT, start=[0.1] * 3),
     "inverse.rod": dict(arm=ROD, targets=[0.3, 0.3, 0.4], start=[0.1] * 3),
@@ -169,7 +169,7 @@ RIGHT = {
     "explorer.ArmFigure": dict(kind="columns"),
     "show.frames": dict(T=FRAMES),
     "slips.census": dict(arm=ELBOW, q=[BEND]),
-    "slips.slips": dict(arm=ELBOW),
+    "slips.list_slips": dict(arm=ELBOW),
     "symbolic.joint_symbols": dict(arm=ELBOW),
     "symbolic.link_transforms": dict(arm=ELBOW),
     "symbolic.link_frames": dict(arm=ELBOW),
@@ -183,6 +183,8 @@ RIGHT = {
 FREE = {
     *("actual", "ax", "book_only", "colour", "colours", "dashed", "expected", "link", "many"),
     *("negative", "display", "self", "title", "what", "arm.Arm source"),
+    *("arm.Arm.joint_vector name", "expressions.check_entry name", "expressions.symbol_names name"),
+    "expressions.plain_formula name",
     *("inverse.solve limits", "plotting.arm_2d alpha"),
     "plotting.arrow_2d text",
     *("plotting.shoulder_triangles names", "plotting.shoulder_triangles letters"),
@@ -194,9 +196,9 @@ FREE = {
 CALLED = {
     "arm.Arm.joint_vector q": "anything",
     "arm.Body com": "centre of mass",
-    **dict.fromkeys(("arm.Arm.number value", "expressions.latex text"), "the entry"),
+    **dict.fromkeys(("arm.Arm.number value", "expressions.entry_latex text"), "the entry"),
     "expressions.evaluate text": "the entry",
-    "robots.named name": "no arm is called",
+    "robots.find_arm name": "no arm is called",
     "checks.compare_tables mine": "the table",
     "checks.compare_jacobian mine": "your Jacobian",
     "checks.compare_torques mine": "your torques",
@@ -288,15 +290,15 @@ SPECIAL = [
 
 # What the helpers make and readers only read; and what gets what its callers have checked.
 MADE = {
-    "derive.Derivation", "derive.Line", "derive.Step",
+    "derive.Derivation", "derive.Line", "derive.DerivationStep",
     "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Report",
-    "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
-    "motion.Report.rows", "motion.SingularError", "motion.Trace",
+    "inverse.NumericSolution", "inverse.Solutions", "motion.TraceReport",
+    "motion.TraceReport.rows", "motion.SingularError", "motion.Trace",
     "motion.UnreachableError",
-    "show.Shown", "slips.Census", "slips.Slip",
+    "show.MarkdownOutput", "slips.Census", "slips.TableSlip",
 }  # fmt: skip
 # The checks themselves, and what stands under arm, symbolic and kinematics.
-DOOR = {"command_line", "formulas", "inputs", "rows", "polynomials", "program"}
+DOOR = {"command_line", "deprecated", "formulas", "inputs", "rows", "polynomials", "program"}
 
 
 def public():

@@ -9,7 +9,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helpers.expressions import ArmError, entry, evaluate, latex, names
+from helpers.expressions import ArmError, check_entry, entry_latex, evaluate, symbol_names
 from tests.cases import ENTRIES
 
 VALUES = {"a_3": 0.0825, "l_pen": 0.1, "b": -2.0}
@@ -46,7 +46,7 @@ formulas = st.recursive(
 @given(formulas)
 def test_formula_evaluates_to_its_value(formula):
     text, value = formula
-    assert evaluate(entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
+    assert evaluate(check_entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
 
 
 def test_operators_follow_arithmetic_precedence():
@@ -58,18 +58,18 @@ def test_operators_follow_arithmetic_precedence():
 
 
 def test_names_returns_symbols_but_not_pi():
-    assert names("a_3 + pi*b - 2") == {"a_3", "b"}
-    assert names("pi / 2") == names(0.5) == frozenset()
+    assert symbol_names("a_3 + pi*b - 2") == {"a_3", "b"}
+    assert symbol_names("pi / 2") == symbol_names(0.5) == frozenset()
 
 
 def test_entry_accepts_numbers_of_other_packages():
-    assert entry(-sp.pi / 2, "alpha") == "-pi/2"
-    assert entry(np.float64(0.25), "a") == 0.25
-    assert type(entry(np.float64(0.25), "a")) is float
-    assert evaluate(entry(np.float32(0.5), "a"), {}) == 0.5
-    assert evaluate(entry(Fraction(1, 4), "a"), {}) == 0.25
-    assert entry(2, "a") == 2
-    assert type(entry(2, "a")) is int
+    assert check_entry(-sp.pi / 2, "alpha") == "-pi/2"
+    assert check_entry(np.float64(0.25), "a") == 0.25
+    assert type(check_entry(np.float64(0.25), "a")) is float
+    assert evaluate(check_entry(np.float32(0.5), "a"), {}) == 0.5
+    assert evaluate(check_entry(Fraction(1, 4), "a"), {}) == 0.25
+    assert check_entry(2, "a") == 2
+    assert type(check_entry(2, "a")) is int
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_entry_accepts_numbers_of_other_packages():
     ],
 )
 def test_latex_of_entry(text, wanted):
-    assert latex(text) == wanted
+    assert entry_latex(text) == wanted
 
 
 NOT_FORMULAS = (
@@ -99,18 +99,18 @@ NOT_FORMULAS = (
 @pytest.mark.parametrize("text", NOT_FORMULAS, ids=range(len(NOT_FORMULAS)))
 def test_invalid_formula_is_rejected(text):
     with pytest.raises(ArmError, match="expected numbers, symbols, pi and"):
-        entry(text, "alpha")
+        check_entry(text, "alpha")
 
 
 def test_overlong_formula_is_rejected():
     assert evaluate("-" * 198 + "1", {}) == 1
     with pytest.raises(ArmError, match="a has 100001 characters; expected at most 200"):
-        entry("-" * 100_000 + "1", "a")
+        check_entry("-" * 100_000 + "1", "a")
 
 
 @pytest.mark.parametrize("value", [None, True, np.nan, np.inf, 10**400])
 def test_non_finite_number_is_rejected(value):
-    for ask in (partial(entry, value, "d"), partial(latex, value)):
+    for ask in (partial(check_entry, value, "d"), partial(entry_latex, value)):
         with pytest.raises(ArmError, match=r"expected a (finite )?number or a formula"):
             ask()
     with pytest.raises(ArmError, match="1/0 divides by zero or is too large; expected a finite"):
@@ -131,19 +131,19 @@ def test_entry_reads_same_texts_as_explorer(case):
     what = "alpha" if case["quantity"] == "angle" else "a"
     if case["value"] is None:
         with pytest.raises(ArmError):
-            evaluate(entry(case["text"], what), {})
+            evaluate(check_entry(case["text"], what), {})
     else:
-        found = evaluate(entry(case["text"], what), {})
+        found = evaluate(check_entry(case["text"], what), {})
         assert found == pytest.approx(case["value"], rel=1e-14)
 
 
 def test_degrees_become_exact_fractions_of_pi():
-    assert entry("−90°", "alpha") == "-pi/2"
-    assert entry("60 deg", "theta") == "pi/3"
-    assert entry("-180 deg", "alpha") == "-pi"
-    assert entry("75°", "theta") == "5*pi/12"
-    assert entry("d_6 + 5 mm", "d") == "d_6 + 5/1000"
+    assert check_entry("−90°", "alpha") == "-pi/2"
+    assert check_entry("60 deg", "theta") == "pi/3"
+    assert check_entry("-180 deg", "alpha") == "-pi"
+    assert check_entry("75°", "theta") == "5*pi/12"
+    assert check_entry("d_6 + 5 mm", "d") == "d_6 + 5/1000"
     with pytest.raises(ArmError, match=r"alpha is '1 \+ 20°', which mixes"):
-        entry("1 + 20°", "alpha")
+        check_entry("1 + 20°", "alpha")
     with pytest.raises(ArmError, match="which has two units"):
-        entry("π/2°", "alpha")
+        check_entry("π/2°", "alpha")

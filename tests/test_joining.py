@@ -7,7 +7,7 @@ import pytest
 
 from helpers.arm import ArmError
 from helpers.kinematics import forward_kinematics
-from helpers.motion import circle, joined, trace
+from helpers.motion import circle, join_traces, trace
 from helpers.robots import PANDA_HOMEWORK
 
 ARM = PANDA_HOMEWORK.lock(3)
@@ -30,7 +30,7 @@ def halves():
 
 def test_joined_trace_has_all_steps():
     first, second = halves()
-    run = joined([first, second])
+    run = join_traces([first, second])
     assert run.q.shape == run.q_dot.shape == (31, 6)
     assert run.t[0] == 0
     assert np.diff(run.t) == pytest.approx([0.5] * 10 + [0.125] * 20)
@@ -43,7 +43,7 @@ def test_joined_trace_has_all_steps():
 
 def test_joined_rates_match_following_steps():
     first, second = halves()
-    run = joined([first, second, first])
+    run = join_traces([first, second, first])
     steps = np.diff(run.q, axis=0) / np.diff(run.t)[:, None]
     assert run.q_dot[:-1] == pytest.approx(steps)
     changes = np.abs(np.diff(steps, axis=0)) / np.diff(run.t)[:-1, None]
@@ -51,7 +51,7 @@ def test_joined_rates_match_following_steps():
 
 
 def test_joined_path_uses_the_piece_of_each_time():
-    path = joined(halves()).path
+    path = join_traces(halves()).path
     t = np.array([[1.0, 4.9], [5.1, 7.3]])
     h = 1e-6
     slope = (path.position(t + h) - path.position(t - h)) / (2 * h)
@@ -59,18 +59,18 @@ def test_joined_path_uses_the_piece_of_each_time():
     assert path.position(7.5) == pytest.approx(TOP, abs=1e-12)
     there = circle(TOP - [0, 0, 0.1], 0.1, "zy", 20.0, 40)
     assert path.position([4.9, 5.1]) == pytest.approx(there.position([4.9, 4.8]), abs=1e-12)
-    twice = joined(2 * halves()).path
+    twice = join_traces(2 * halves()).path
     assert twice.times[-1] == pytest.approx(15)
     assert twice.position([8.5, 14.5]) == pytest.approx(there.position([1.0, 1.0]), abs=1e-12)
 
 
 def test_joined_traces_must_fit():
     first, second = halves()
-    assert joined([first]).q == pytest.approx(first.q)
+    assert join_traces([first]).q == pytest.approx(first.q)
     with pytest.raises(ArmError, match="runs are none"):
-        joined([])
+        join_traces([])
     with pytest.raises(ArmError, match="runs are 3; expected one or more runs"):
-        joined(3)
+        join_traces(3)
     away = replace(second, q=second.q + 0.1)
     beside = replace(second, q=second.q + 2e-6 * (np.abs(second.q) > 1))
     other = replace(second, arm=PANDA_HOMEWORK.lock(3, at=0.1))
@@ -82,4 +82,4 @@ def test_joined_traces_must_fit():
         ([first, other], "run 1 is .* expected one arm"),
     ):
         with pytest.raises(ArmError, match=message):
-            joined(runs)
+            join_traces(runs)

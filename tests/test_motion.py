@@ -28,8 +28,8 @@ from helpers.motion import (
     trace,
     tracing,
 )
-from helpers.motion.report import run_report as summary
-from helpers.motion.steps import charted
+from helpers.motion.report import report_trace as summary
+from helpers.motion.steps import sample_path
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
 HOMEWORK, REAL = PANDA_HOMEWORK.lock(3), PANDA.lock(3)
@@ -275,7 +275,7 @@ def test_branch_change_is_detected():
     tip = forward_kinematics(UR10E, start)[:3, 3]
     path = circle(tip - [0, 0, 0.05], 0.05, "zx", 4.0, 100)
     run = trace(UR10E, start, path, method="exact")
-    course = charted(path, "exact", run.poses[0, :3, :3])
+    course = sample_path(path, "exact", run.poses[0, :3, :3])
     assert at_once._on_branch(UR10E, run.q, course, plain_inverse())
     flipped = run.q.copy()
     flipped[50:] = follow(partial(ur, UR10E), run.poses[50:], ur(UR10E, run.poses[50]).q[0])

@@ -20,7 +20,7 @@ from helpers.robots import (
     STANFORD,
     UR10E,
     UR10E_HOMEWORK,
-    named,
+    find_arm,
 )
 from tests.corpus.arms import KNOWN
 from tests.mixed import arm_of
@@ -143,7 +143,7 @@ def test_every_arm_is_public_and_documented():
 
 @pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
 def test_arm_has_name_source_and_valid_home(arm):
-    assert named(arm.name.upper()) is arm
+    assert find_arm(arm.name.upper()) is arm
     assert arm.source
     lower, upper = arm.limits
     assert ((lower <= arm.home) & (arm.home <= upper)).all()

@@ -8,7 +8,7 @@ import pytest
 
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E_HOMEWORK
-from helpers.slips import Slip, census, slips
+from helpers.slips import TableSlip, census, list_slips
 from tests.laws import slow_frames
 
 TURN = np.pi / 2
@@ -16,16 +16,16 @@ TURN = np.pi / 2
 
 def test_slips_of_a_table_are_listed():
     arm = Arm("two", [revolute(a=0.3, alpha="pi"), fixed(d=-0.1), prismatic(theta="pi/2")])
-    assert list(slips(arm)) == [
-        Slip(1, "q", -1),
-        Slip(1, "a", 0),
-        Slip(1, "a", -0.3),
-        Slip(1, "alpha", 0),  # -180° is 180°
-        Slip(2, "d", 0),
-        Slip(2, "d", 0.1),
-        Slip(3, "q", -1),
-        Slip(3, "theta", 0),
-        Slip(3, "theta", -pi / 2),
+    assert list(list_slips(arm)) == [
+        TableSlip(1, "q", -1),
+        TableSlip(1, "a", 0),
+        TableSlip(1, "a", -0.3),
+        TableSlip(1, "alpha", 0),  # -180° is 180°
+        TableSlip(2, "d", 0),
+        TableSlip(2, "d", 0.1),
+        TableSlip(3, "q", -1),
+        TableSlip(3, "theta", 0),
+        TableSlip(3, "theta", -pi / 2),
     ]
 
 
@@ -46,7 +46,7 @@ def chain(arm, q, wrong):
 def test_unseen_slips_match_direct_products(arm):
     rng = np.random.default_rng(7)
     poses = TURN * rng.integers(-1, 2, (2, arm.dof))  # right angles: many slips stay unseen
-    one = [(slip,) for slip in slips(arm)]
+    one = [(slip,) for slip in list_slips(arm)]
     two = [a + b for a, b in combinations(one, 2) if a[0][:2] != b[0][:2]]
     right = [chain(arm, q, ()) for q in poses]
     off = {
@@ -54,7 +54,7 @@ def test_unseen_slips_match_direct_products(arm):
         for w in one + two
     }
     found = census(arm, poses)
-    assert (found.one, found.two) == (len(one), len(two))
+    assert (found.single_slips, found.slip_pairs) == (len(one), len(two))
     assert found.unseen_by_tip == [w for w, o in off.items() if np.max(o, 0)[:3, 3].max() < 1e-9]
     assert found.unseen_by_pose == [w for w, o in off.items() if np.max(o) < 1e-9]
     assert found.unseen_by_tip

@@ -19,7 +19,7 @@ from helpers.inputs import ArmError, must_be, named, number, one_of, shown, whol
 from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
-from helpers.motion.report import run_report
+from helpers.motion.report import report_trace
 from helpers.statics import GRAVITY, check_wrench, static_torque
 
 Array = NDArray[Any]
@@ -379,4 +379,4 @@ def _run(arm: Arm, path: Path, joints: list) -> Any:
     path = replace(path, times=path.times[: len(q)])
     q_dot = np.diff(q, axis=0) / np.diff(path.times)[:, None]
     rates = np.vstack([q_dot, q_dot[-1:]])
-    return run_report(arm, path, q, rates, forward_kinematics(arm, q))
+    return report_trace(arm, path, q, rates, forward_kinematics(arm, q))

@@ -133,7 +133,7 @@ def advised(said: Mapping[str, Any]) -> str:
     if field == "ownJoints":
         return 'The arm in your joints is report.figures["arm"]'
     words = {
-        "arm": f"compare with robots.named({json.dumps(value)})",
+        "arm": f"compare with robots.find_arm({json.dumps(value)})",
         "locked": f"compare with arm.lock({value})",
         "values": f"say values={{{json.dumps(value)}: ...}}",
         "angularFirst": f"say angular_first={bool(value)}",

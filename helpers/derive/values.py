@@ -1,5 +1,4 @@
-"""The joint axes that are drawn, and what `derive` makes of them: a table, and how each row came
-about."""
+"""Define the input of `derive`, joint axes, and its result, a table with its derivation."""
 
 from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
@@ -8,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError, Body, Joint
-from helpers.inputs import must_be, numbers, shown
+from helpers.inputs import finite_array, require_type, shorten
 
 Array = NDArray[np.float64]
 Case = Literal["skew", "intersecting", "parallel", "coincident"]
@@ -18,16 +17,22 @@ POINT = "a point (x, y, z) in m"
 
 @dataclass(frozen=True)
 class Axis:
-    """A joint's axis in the drawn pose: a point on it (m), its direction, and what moves there.
+    """A joint's axis in the drawn pose.
 
-    The direction is that of positive motion, by the right-hand rule where the joint turns; its
-    length does not matter. `joint` is a `Joint`, or only its kind. An axis that slides has a
-    direction but no place of its own: it is laid where it is drawn, or, without a `point`, through
-    the next axis that turns (through the tip if none does).
+    Args:
+        point: A point on the axis, in m. A sliding joint needs none: its axis is then drawn through
+            the next axis that turns, or through the tip.
+        direction: Direction of positive motion, by the right-hand rule where the joint turns; its
+            length does not matter.
+        joint: A `Joint`, or its kind.
 
     Raises:
-        ArmError: no point or direction of three finite numbers, a direction of length 0, a kind
-            that does not move, or an axis that turns without a point.
+        ArmError: The point or the direction are not three finite numbers, the direction has length
+            0, the joint is fixed, or a turning joint has no point.
+
+    Example:
+        >>> Axis((0, 0, 0.3), (0, 0, 2)).direction
+        (0.0, 0.0, 1.0)
     """
 
     point: tuple[float, float, float] | None
@@ -36,24 +41,25 @@ class Axis:
 
     def __post_init__(self) -> None:
         joint = Joint(self.joint) if isinstance(self.joint, str) else self.joint
-        must_be(joint, Joint, "an axis's joint")
+        require_type(joint, Joint, "an axis's joint")
         if joint.kind == "fixed":
             raise ArmError("an axis's joint is fixed; expected revolute or prismatic")
         object.__setattr__(self, "joint", joint)
         object.__setattr__(self, "direction", _unit(self.direction))
         if self.point is not None:
-            point = numbers(self.point, "an axis's point", POINT, (3,))
+            point = finite_array(self.point, "an axis's point", POINT, (3,))
             object.__setattr__(self, "point", tuple(map(float, point)))
         elif joint.kind == "revolute":
             raise ArmError(f"the point of an axis that turns is None; expected {POINT}")
 
 
 def _unit(direction: ArrayLike) -> tuple[float, ...]:
-    wanted = "a vector of three finite numbers, not all 0"
-    vector = numbers(direction, "an axis's direction", wanted, (3,))
+    """Return the direction with length 1; scaled first, so that large numbers do not overflow."""
+    expected = "a vector of three finite numbers, not all 0"
+    vector = finite_array(direction, "an axis's direction", expected, (3,))
     largest = np.abs(vector).max()
     if not largest:
-        raise ArmError(f"an axis's direction is {direction!r}; expected {wanted}")
+        raise ArmError(f"an axis's direction is {direction!r}; expected {expected}")
     vector = vector / largest
     return tuple(map(float, vector / np.linalg.norm(vector)))
 
@@ -66,20 +72,21 @@ class Line(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Step:
-    """How one row came about: from the line of z_{i-1} to the line of z_i, in base axes in the
-    drawn pose.
+class DerivationStep:
+    """How one row was derived from the lines of z_{i-1} and z_i, in base axes.
 
     Attributes:
-        number: the row i, from 1.
-        joint: what moves the row; fixed for one that only places the base or the tip.
-        case: how the two lines lie to each other.
-        opposite: whether z_i points against z_{i-1}, where the lines are parallel or one.
-        normal: the feet of the common normal on the two lines, shape (2, 3), equal where the lines
-            meet.
-        before, frame: frames i-1 and i, each 4x4.
-        a, alpha, d, theta: the four numbers (m, rad); q_i, which is 0 in the drawing, is added to
-            theta or to d.
+        number: Number i of the row, counted from 1.
+        joint: The joint that moves the row; fixed for a row that only places the base or the tip.
+        case: How the two lines lie to each other.
+        opposite: Whether z_i points against z_{i-1}, where the lines are parallel or coincide.
+        normal: The ends of the common normal on the two lines, shape (2, 3); equal where they meet.
+        before: Frame i-1, 4x4.
+        frame: Frame i, 4x4.
+        a: Length along x_i, in m.
+        alpha: Angle about x_i, in rad.
+        d: Length along z_{i-1}, in m; a sliding joint's q_i is added to it.
+        theta: Angle about z_{i-1}, in rad; a turning joint's q_i is added to it.
     """
 
     number: int
@@ -100,34 +107,40 @@ class Derivation:
     """The table that `derive` found, and how.
 
     Attributes:
-        arm: the arm, its table in the standard convention.
-        steps: one `Step` for each row of that table.
-        lines: the joint axes, in base axes in the drawn pose.
+        arm: The arm, with its table in the standard convention.
+        steps: One `DerivationStep` for each row.
+        lines: The joint axes in the drawn pose, in base axes.
     """
 
     arm: Arm
-    steps: tuple[Step, ...]
+    steps: tuple[DerivationStep, ...]
     lines: tuple[Line, ...]
 
     @property
     def frames(self) -> Array:
-        """Frames 0 .. n in base axes in the drawn pose, shape (rows + 1, 4, 4)."""
+        """Frames 0 .. n in the drawn pose, in base axes, shape (rows + 1, 4, 4)."""
         return np.array([self.steps[0].before, *(step.frame for step in self.steps)])
 
     def with_bodies(self, masses: ArrayLike, centres: ArrayLike) -> Arm:
-        """The arm with its links' masses (kg), shape (dof,), and centres of mass (m), shape (dof,
-        3).
+        """Return the arm with the masses of its links.
 
-        The centres are points of the drawing, given as the joint axes were; each is carried over
-        into the frame that moves with its link. Rows that do not move get no mass. Raises ArmError
-        for another shape or a negative mass.
+        Args:
+            masses: Mass of the link that each joint moves, shape (dof,), in kg.
+            centres: Their centres of mass in the drawing, as the joint axes were given, shape
+                (dof, 3), in m. Each is carried over into its link's frame.
+
+        Returns:
+            The arm; rows that do not move have no mass.
+
+        Raises:
+            ArmError: A shape is wrong, or a mass is negative.
         """
         n = self.arm.dof
-        wanted = f"{n} masses in kg, none negative"
-        kilograms = numbers(masses, "masses", wanted, (n,))
+        expected = f"{n} masses in kg, none negative"
+        kilograms = finite_array(masses, "masses", expected, (n,))
         if (kilograms < 0).any():
-            raise ArmError(f"masses are {shown(masses)}; expected {wanted}")
-        points = numbers(centres, "centres", f"points of shape ({n}, 3) in m", (n, 3))
+            raise ArmError(f"masses are {shorten(masses)}; expected {expected}")
+        points = finite_array(centres, "centres", f"points of shape ({n}, 3) in m", (n, 3))
         bodies = [Body(0, (0, 0, 0))] * len(self.arm.rows)
         for i, mass, point in zip(self.arm.joints, kilograms, points, strict=True):
             R, o = self.steps[i - 1].frame[:3, :3], self.steps[i - 1].frame[:3, 3]
@@ -136,7 +149,10 @@ class Derivation:
 
 
 def clean_length(value: float, tolerance: float = 1e-12) -> float:
-    """A length freed from rounding: 0.1639 rather than 0.16390000000000005."""
-    short = round(float(value), 7)
-    near = 2e-11 if short else tolerance
-    return (short if abs(short - value) < near else float(value)) + 0.0
+    """Remove round-off from a length: 0.1639 instead of 0.16390000000000005.
+
+    A length (m) within 2e-11 of one with seven decimals, or within `tolerance` of 0, becomes that.
+    """
+    rounded = round(float(value), 7)
+    near = 2e-11 if rounded else tolerance
+    return (rounded if abs(rounded - value) < near else float(value)) + 0.0

@@ -1,6 +1,7 @@
-"""Paths for the tip, resolved-rate tracing, and its report."""
+"""Define paths of the tip, follow them by resolved rates, and report how well it went."""
 
-from helpers.motion.joining import joined
+from helpers.deprecated import deprecated_names
+from helpers.motion.joining import join_traces
 from helpers.motion.paths import Path, circle, circle_below, rest_to_rest
 from helpers.motion.rates import (
     Rates,
@@ -10,7 +11,7 @@ from helpers.motion.rates import (
     plain_inverse,
     pseudo_inverse,
 )
-from helpers.motion.report import Report
+from helpers.motion.report import TraceReport
 from helpers.motion.self_motions import self_motion, self_motion_directions
 from helpers.motion.tracing import METHODS, Trace, UnreachableError, trace
 
@@ -18,14 +19,14 @@ __all__ = [
     "METHODS",
     "Path",
     "Rates",
-    "Report",
     "SingularError",
     "Trace",
+    "TraceReport",
     "UnreachableError",
     "circle",
     "circle_below",
     "damped",
-    "joined",
+    "join_traces",
     "levenberg",
     "plain_inverse",
     "pseudo_inverse",
@@ -34,3 +35,5 @@ __all__ = [
     "self_motion_directions",
     "trace",
 ]
+
+__getattr__ = deprecated_names(__name__, Report="TraceReport", joined="join_traces")

@@ -1,15 +1,15 @@
-"""All steps of a trace at once, where joint rates are the plain inverse of the arm's own Jacobian.
+"""Compute all steps of a trace at once, for joint rates by the plain inverse of J.
 
-One step after the other, a run takes a thousand small computations; all at once, a few of whole
-batches. A first guess, from few long steps, breaks the method's rule by a misfit at each step. To
-the plain inverse a misfit is a displacement of the tip that stays what it is along the rest of the
-path: so the misfits are summed up as displacements, and each joint vector is moved back by its sum.
-A handful of such sweeps leaves rounding. They are Newton's method for all steps together, which is
-multiple shooting for an initial value; source: Bellen and Zennaro (1989), Journal of Computational
-and Applied Mathematics 25, for difference equations in general.
+One step after the other, a trace takes a thousand small computations; all at once it takes a few on
+whole batches. A first guess from few long steps violates the method's rule at each step by a
+residual. With the plain inverse, a residual displaces the tip by the same amount for the rest of
+the path. So the residuals are summed up as displacements of the tip, and each joint vector is moved
+back by its sum. A handful of such sweeps leaves only round-off. They are Newton's method for all
+steps together, which is multiple shooting for an initial value; source: Bellen and Zennaro (1989),
+Journal of Computational and Applied Mathematics 25, for difference equations in general.
 
-Whatever is in doubt, such as a pose that is nearly singular, is left to the loop, which knows how
-to tell it.
+Doubtful cases, such as a nearly singular pose, are left to the loop in `tracing`, which has the
+messages for them.
 """
 
 import numpy as np
@@ -19,102 +19,104 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.rates import PlainInverse
-from helpers.motion.steps import RULES, Course, tip_error
+from helpers.motion.steps import RULES, PathSamples, tip_error
 
 Array = NDArray[np.floating]
 
 _LONG_STEPS = 20
 _SWEEPS = 20
-_BRANCH = 0.25  # the share of a step by which it may miss what the Jacobian before it predicts
+_BRANCH_TOLERANCE = 0.25  # how far a step may miss its prediction by the Jacobian, as a fraction
 
 
 def all_steps(
-    arm: Arm, start: Array, course: Course, method: str, rates: PlainInverse
+    arm: Arm, start: Array, samples: PathSamples, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
-    """Joints and rates of the whole run, (steps + 1, dof) and (steps, dof), or None where the loop
-    must decide."""
-    if arm.dof != 6 or len(course.h) <= _LONG_STEPS:
+    """Compute q (steps + 1, dof) and rates (steps, dof), or None where the loop must decide."""
+    if arm.dof != 6 or len(samples.h) <= _LONG_STEPS:
         return None
-    sweep = _exact if method == "exact" else _by_rule
+    solve = _solve_exact if method == "exact" else _solve_rule
     try:
-        return sweep(arm, _guess(arm, start, course, rates), course, method, rates)
+        return solve(arm, _first_guess(arm, start, samples, rates), samples, method, rates)
     except (np.linalg.LinAlgError, ArmError):
         return None
 
 
-def _guess(arm: Arm, start: Array, course: Course, rates: PlainInverse) -> Array:
-    """Joints (steps + 1, dof) by few long steps of the rule of Adams and Bashforth of second
-    order, and straight lines between them."""
-    marks = np.linspace(0, len(course.h), _LONG_STEPS + 1).round().astype(int)
-    times, twists = course.times[marks], course.twists[0.0][marks[:-1]]
+def _first_guess(arm: Arm, start: Array, samples: PathSamples, rates: PlainInverse) -> Array:
+    """Guess q (steps + 1, dof) by a few long Adams-Bashforth steps, with straight lines between."""
+    marks = np.linspace(0, len(samples.h), _LONG_STEPS + 1).round().astype(int)
+    times, twists = samples.times[marks], samples.twists[0.0][marks[:-1]]
     q, steps, before = np.empty((len(marks), arm.dof)), np.diff(times), None
     q[0] = start
     for k, (step, twist) in enumerate(zip(steps, twists, strict=True)):
         rate = rates(jacobian(arm, q[k]), twist, q[k])
-        bend = 0.0 if before is None else (rate - before) / steps[k - 1]
-        q[k + 1] = q[k] + step * (rate + step / 2 * bend)
+        rate_change = 0.0 if before is None else (rate - before) / steps[k - 1]
+        q[k + 1] = q[k] + step * (rate + step / 2 * rate_change)
         before = rate
-    return np.stack([np.interp(course.times, times, joint) for joint in q.T], axis=1)
+    return np.stack([np.interp(samples.times, times, joint) for joint in q.T], axis=1)
 
 
-def _by_rule(
-    arm: Arm, q: Array, course: Course, method: str, rates: PlainInverse
+def _solve_rule(
+    arm: Arm, q: Array, samples: PathSamples, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
-    """Sweeps until every step obeys the rule of "euler" or "rk4" to rounding."""
+    """Sweep until every step obeys the rule of "euler" or "rk4" to round-off."""
 
-    def slope(share: float, q: Array) -> Array:
-        return _each(rates.inverses(jacobian(arm, q)), course.twists[share])
+    def slope(fraction: float, q: Array) -> Array:
+        return _multiply_each(rates.inverses(jacobian(arm, q)), samples.twists[fraction])
 
-    rounding, before = 1e-15 * max(1.0, np.abs(q).max()), np.inf
+    round_off, before = 1e-15 * max(1.0, np.abs(q).max()), np.inf
     for sweep in range(_SWEEPS):
         J = jacobian(arm, q[:-1])
         inverse = rates.inverses(J)
-        rate = _each(inverse, course.twists[0.0])
-        off = RULES[method](slope, course.h, q[:-1], rate) - q[1:]
-        size = np.abs(off).max()
-        if _goes_astray(sweep, size, before):
+        rate = _multiply_each(inverse, samples.twists[0.0])
+        residual = RULES[method](slope, samples.h, q[:-1], rate) - q[1:]
+        size = np.abs(residual).max()
+        if _diverges(sweep, size, before):
             return None
-        q[1:] += _each(inverse, np.cumsum(_each(J, off), axis=0))
-        left = size * size / before  # if this sweep takes what the last one took
-        if sweep and min(size, 10 * left) < rounding:
+        q[1:] += _multiply_each(inverse, np.cumsum(_multiply_each(J, residual), axis=0))
+        # The next residual, if this sweep reduces it by the same factor as the last one did.
+        expected = size * size / before
+        if sweep and min(size, 10 * expected) < round_off:
             return q, rate
         before = size
     return None
 
 
-def _exact(
-    arm: Arm, q: Array, course: Course, method: str, rates: PlainInverse
+def _solve_exact(
+    arm: Arm, q: Array, samples: PathSamples, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
-    """Newton's method at every step, on the branch that the steps lead to."""
+    """Apply Newton's method at every step, and check that the branch is that of the loop."""
     before = np.inf
     for sweep in range(_SWEEPS):
-        error = tip_error(forward_kinematics(arm, q[1:]), course.positions[1.0], course.rotation)
+        error = tip_error(forward_kinematics(arm, q[1:]), samples.positions[1.0], samples.rotation)
         size = np.abs(error).max()
         if size < 1e-13:
-            return (q, np.diff(q, axis=0) / course.h) if _on_branch(arm, q, course, rates) else None
-        if _goes_astray(sweep, size, before):
+            if not _is_on_branch(arm, q, samples, rates):
+                return None
+            return q, np.diff(q, axis=0) / samples.h
+        if _diverges(sweep, size, before):
             return None
         before = size
-        q[1:] += _each(rates.inverses(jacobian(arm, q[1:])), error)
+        q[1:] += _multiply_each(rates.inverses(jacobian(arm, q[1:])), error)
     return None
 
 
-def _each(matrices: Array, vectors: Array) -> Array:
-    """Each matrix (steps, 6, 6) times its vector (steps, 6)."""
+def _multiply_each(matrices: Array, vectors: Array) -> Array:
+    """Multiply each matrix (steps, 6, 6) by its vector (steps, 6)."""
     return np.einsum("nij,nj->ni", matrices, vectors)
 
 
-def _goes_astray(sweep: int, size: float, before: float) -> bool:
-    """Whether a sweep brought less than Newton's method should; the first, from a rough guess, may
-    overshoot."""
+def _diverges(sweep: int, size: float, before: float) -> bool:
+    """Return whether a sweep reduced the error too little; the first may overshoot."""
     return not (sweep == 1 or size < 0.9 * before)
 
 
-def _on_branch(arm: Arm, q: Array, course: Course, rates: PlainInverse) -> bool:
-    """Whether each step is what Newton's method begins with at the step before, so that the loop
-    would take it too."""
+def _is_on_branch(arm: Arm, q: Array, samples: PathSamples, rates: PlainInverse) -> bool:
+    """Return whether Newton's method, begun at the step before, leads to each step."""
     poses = forward_kinematics(arm, q[:-1])
-    error = tip_error(poses, course.positions[1.0], course.rotation)
-    step, expected = np.diff(q, axis=0), _each(rates.inverses(jacobian(arm, q[:-1])), error)
+    error = tip_error(poses, samples.positions[1.0], samples.rotation)
+    step, expected = (
+        np.diff(q, axis=0),
+        _multiply_each(rates.inverses(jacobian(arm, q[:-1])), error),
+    )
     off = np.abs(step - expected).max(axis=1)
-    return bool((off <= _BRANCH * np.abs(expected).max(axis=1) + 1e-9).all())
+    return bool((off <= _BRANCH_TOLERANCE * np.abs(expected).max(axis=1) + 1e-9).all())

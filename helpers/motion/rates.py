@@ -1,7 +1,7 @@
-"""From a wanted velocity of the tip to joint rates: the inverse and its stand-ins.
+"""Define rules for joint rates that give the tip a wanted velocity.
 
-Each function returns one of type ``Rates``: from a Jacobian (6, n), a twist (6,) and the joint
-vector (n,) to joint rates (n,).
+Each public function returns a rule of type ``Rates``: a function of a Jacobian (6, n), a twist (6,)
+and the joint values (n,) that returns joint rates (n,).
 """
 
 from collections.abc import Callable
@@ -10,64 +10,71 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.inputs import ArmError, number
+from helpers.inputs import ArmError, finite_number
 
 Array = NDArray[np.floating]
 Rates = Callable[[Array, Array, Array], Array]
 
 
 class SingularError(ArmError):
-    """A plain inverse was asked for where there is none."""
+    """The Jacobian has no inverse."""
 
 
 @dataclass(frozen=True)
 class PlainInverse:
-    """q_dot = J^-1 xi where the smallest singular value is above `cutoff` times the largest.
+    """The rule q_dot = J^-1 xi.
 
-    The singular values cost several times what the solution does. The inverse bounds them: no
-    singular value is below 1/|J^-1|, none above |J| (Frobenius norms). So 1/(|J| |J^-1|), which
-    comes with the solution, is a share that the smallest has at least; only where it does not
-    clear the cutoff twice over are they computed.
+    It is refused where the smallest singular value is not above `cutoff` times the largest. The
+    inverse bounds the singular values from below by 1/|J^-1| and from above by |J| (Frobenius
+    norms). They cost several times what the inverse does, so they are computed only where these
+    bounds leave it open whether they are above twice the cutoff.
+
+    Args:
+        cutoff: Smallest ratio of the singular values that is accepted.
     """
 
     cutoff: float
 
     def __call__(self, J: Array, twist: Array, q: Array) -> Array:
-        _must_be_square(J)
+        _require_square(J)
         try:
-            both = np.linalg.solve(J, np.concatenate([twist[:, None], np.eye(len(J))], axis=1))
+            solutions = np.linalg.solve(J, np.concatenate([twist[:, None], np.eye(len(J))], axis=1))
         except np.linalg.LinAlgError:
-            raise _no_inverse(np.linalg.svd(J, compute_uv=False)) from None
-        if not self._proved(J, both[:, 1:]):
+            raise _singular_error(np.linalg.svd(J, compute_uv=False)) from None
+        if not self._is_regular(J, solutions[:, 1:]):
             sizes = np.linalg.svd(J, compute_uv=False)
             if sizes[-1] <= self.cutoff * sizes[0]:
-                raise _no_inverse(sizes)
-        return both[:, 0]
+                raise _singular_error(sizes)
+        return solutions[:, 0]
 
     def inverses(self, J: Array) -> Array:
-        """The inverses of many Jacobians, (steps, 6, 6). Raises SingularError where one is in
-        doubt."""
+        """Invert many Jacobians, (steps, 6, 6).
+
+        Raises:
+            SingularError: A Jacobian may be singular.
+        """
         X = np.linalg.inv(J)
-        if not self._proved(J, X):
+        if not self._is_regular(J, X):
             raise SingularError(
                 "a Jacobian is so nearly singular that its singular values must be seen"
             )
         return X
 
-    def _proved(self, J: Array, inverse: Array) -> bool:
+    def _is_regular(self, J: Array, inverse: Array) -> bool:
+        """Return whether the norms prove that no J is singular."""
         least = 2 * max(self.cutoff, _TRUSTED)
-        return bool((least**2 * _square(J) * _square(inverse) < 1.0).all())
+        return bool((least**2 * _squared_norm(J) * _squared_norm(inverse) < 1.0).all())
 
 
-_TRUSTED = 1e-12  # rounding makes an inverse's norm worthless where the share is not well above it
+_TRUSTED = 1e-12  # below this ratio of singular values, round-off spoils the inverse's norm
 
 
-def _square(J: Array) -> Array:
-    """The square of the Frobenius norm."""
+def _squared_norm(J: Array) -> Array:
+    """Compute the squared Frobenius norm of each matrix."""
     return np.einsum("...ij,...ij->...", J, J)
 
 
-def _must_be_square(J: Array) -> None:
+def _require_square(J: Array) -> None:
     rows, joints = J.shape
     if joints < rows:
         raise SingularError(
@@ -80,60 +87,89 @@ def _must_be_square(J: Array) -> None:
         )
 
 
-def _no_inverse(sizes: Array) -> SingularError:
+def _singular_error(sizes: Array) -> SingularError:
     return SingularError(
-        f"J has no inverse here: its smallest singular value is {magnitude(sizes[-1])}, its"
+        f"J has no inverse here: its smallest singular value is {format_size(sizes[-1])}, its"
         f" largest {sizes[0]:.3g}; use pseudo_inverse(), damped() or another start"
     )
 
 
 def plain_inverse(cutoff: float = 1e-9) -> Rates:
-    """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `cutoff`
-    times the largest."""
-    _not_negative(cutoff=cutoff)
+    """Return the rule q_dot = J^-1 xi.
+
+    It raises SingularError where J has no inverse.
+
+    Args:
+        cutoff: Smallest ratio of the smallest to the largest singular value that is accepted.
+
+    Example:
+        >>> rates = plain_inverse()
+        >>> rates(2 * np.eye(6), np.ones(6), np.zeros(6))
+        array([0.5, 0.5, 0.5, 0.5, 0.5, 0.5])
+    """
+    _require_nonnegative(cutoff=cutoff)
     return PlainInverse(cutoff)
 
 
 def pseudo_inverse(cutoff: float = 1e-9) -> Rates:
-    """q_dot = J^+ xi, singular values below `cutoff` times the largest being taken as 0. Source:
-    Whitney (1969)."""
-    _not_negative(cutoff=cutoff)
+    """Return the rule q_dot = J^+ xi, with the pseudo-inverse.
+
+    Args:
+        cutoff: Share of the largest singular value up to which a singular value counts as 0.
+
+    Source: Whitney (1969).
+    """
+    _require_nonnegative(cutoff=cutoff)
     return lambda J, twist, q: _pseudo(J, twist, cutoff)
 
 
 def damped(damping: float) -> Rates:
-    """q_dot = J^T (J J^T + damping^2 I)^-1 xi, which trades error for speed. Source: Nakamura and
-    Hanafusa (1986)."""
-    _not_negative(damping=damping)
+    """Return the rule q_dot = J^T (J J^T + damping^2 I)^-1 xi, with limited joint rates.
+
+    Args:
+        damping: The larger it is, the smaller the joint rates and the larger the tip's error.
+
+    Example:
+        >>> rates = damped(1.0)
+        >>> rates(np.eye(6), np.ones(6), np.zeros(6))
+        array([0.5, 0.5, 0.5, 0.5, 0.5, 0.5])
+
+    Source: Nakamura and Hanafusa (1986).
+    """
+    _require_nonnegative(damping=damping)
     return lambda J, twist, q: _damped(J, twist, damping**2)
 
 
 def levenberg(scale: float = 0.1) -> Rates:
-    """Damping that fades with what is left to do, damping^2 = scale times the size of xi: for
-    method "exact", where xi is an error.
+    """Return the damped rule with damping^2 = scale |xi|.
 
-    Far away it is careful, close by it is Newton's method. Source: Nocedal and Wright, Numerical
-    Optimization, 10.3.
+    It is meant for the method "exact", whose xi is an error: far from the target its steps are
+    short, near the target they are those of Newton's method.
+
+    Args:
+        scale: Factor of the damping.
+
+    Source: Nocedal and Wright, Numerical Optimization, 10.3.
     """
-    _not_negative(scale=scale)
+    _require_nonnegative(scale=scale)
     return lambda J, twist, q: _damped(J, twist, scale * float(np.linalg.norm(twist)))
 
 
-def magnitude(value: float) -> str:
-    """A singular value with three digits; below 1e-12 it is rounding."""
+def format_size(value: float) -> str:
+    """Write a singular value with three digits; below 1e-12 it is round-off."""
     return f"{value:.3g}" if value >= 1e-12 else "below 1e-12"
 
 
-def _not_negative(**numbers: float) -> None:
+def _require_nonnegative(**numbers: float) -> None:
     for name, value in numbers.items():
-        number(value, name, "a finite number of 0 or more", least=0)
+        finite_number(value, name, "a finite number of 0 or more", least=0)
 
 
 def _pseudo(J: Array, twist: Array, cutoff: float) -> Array:
-    """J^+ xi by the singular values, without the matrix J^+ itself."""
+    """Compute J^+ xi from the singular values, without the matrix J^+ itself."""
     U, sizes, V = np.linalg.svd(J, full_matrices=False)
-    kept = sizes > cutoff * sizes[0]
-    return (np.divide(twist @ U, sizes, out=np.zeros_like(sizes), where=kept)) @ V
+    is_nonzero = sizes > cutoff * sizes[0]
+    return (np.divide(twist @ U, sizes, out=np.zeros_like(sizes), where=is_nonzero)) @ V
 
 
 def _damped(J: Array, twist: Array, squared: float) -> Array:

@@ -1,4 +1,4 @@
-"""What a run along a path was worth, in numbers that a picture hides."""
+"""Report how well a trace follows its path, in numbers that a picture hides."""
 
 from dataclasses import dataclass
 
@@ -8,19 +8,34 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.kinematics import jacobian
 from helpers.motion.paths import Path
-from helpers.motion.rates import magnitude
+from helpers.motion.rates import format_size
 
 Array = NDArray[np.floating]
 
 
 @dataclass(frozen=True)
-class Report:
-    """The standard report of every run; lengths in m, angles in rad, speeds in rad/s or m/s.
+class TraceReport:
+    """The report of a trace; lengths in m, angles in rad, speeds in rad/s or m/s.
 
-    `speed_from_rest` is the largest speed that a joint has in the first or the last step: an arm
-    that stands before and after would have to take it on, or lose it, at once. `sliding` are the
-    joints whose excess is in m or m/s. `ranges` and `speeds` tell whether the arm's table has any:
-    where it has none, none can be exceeded.
+    Attributes:
+        arm: Name of the arm.
+        position_error: Largest distance from the path.
+        off_wall: Largest distance from the wall.
+        pen_tilt: Largest angle between the tool's z axis and the one at the start.
+        closing_gap: Distance between the tip's first and last position.
+        joint_gap: Largest difference between a joint's first and last value.
+        smallest_singular_value: Smallest singular value of J.
+        largest_condition: Largest condition number of J.
+        largest_speed: Largest joint speed.
+        speed_share: Largest ratio of a joint's speed to its limit.
+        largest_acceleration: Largest joint acceleration.
+        speed_from_rest: Largest joint speed in the first or the last step. An arm that stands
+            before and after would have to reach it, or lose it, at once.
+        beyond_limits: Joints outside their range, each with its largest excess.
+        beyond_speed: Joints above their speed limit, each with its largest excess.
+        sliding: Joints whose excess is in m or m/s.
+        ranges: Whether the arm's table has any range.
+        speeds: Whether the arm's table has any speed limit.
     """
 
     arm: str
@@ -43,39 +58,45 @@ class Report:
 
     @property
     def executable(self) -> bool:
-        """Whether the real arm could do it, no joint beyond its range or its speed.
+        """Whether the real arm could do it: no joint leaves its range or exceeds its speed.
 
-        Accelerations are told, not judged: the table has no limits for them. A run that begins at
-        speed needs a run-up, or a path made by `rest_to_rest`.
+        Accelerations are reported only, since the table has no limits for them. A trace that begins
+        at speed needs a run-up, or a path made by `rest_to_rest`.
         """
         return not self.beyond_limits and not self.beyond_speed
 
     def rows(self) -> list[tuple[str, str]]:
-        """What and how much, in the units people read."""
+        """Return pairs (quantity, value as text), in the units that people read."""
         share = f"{100 * self.speed_share:.0f} % of the limit"
-        within = self._joints(self.beyond_limits, ""), self._joints(self.beyond_speed, "/s")
+        beyond_limits = self._list_joints(self.beyond_limits, "")
+        beyond_speed = self._list_joints(self.beyond_speed, "/s")
+        acceleration = format_size(self.largest_acceleration)
+        start_speed = format_size(self.speed_from_rest)
         return [
-            ("largest position error", _length(self.position_error)),
-            ("largest distance off the wall", _length(self.off_wall)),
-            ("largest tilt of the pen", _angle(self.pen_tilt)),
-            ("gap between the tip's start and end", _length(self.closing_gap)),
-            ("largest change of a joint over the whole path", _angle(self.joint_gap)),
-            ("smallest singular value of J", magnitude(self.smallest_singular_value)),
-            ("largest condition number of J", _condition(self.largest_condition)),
+            ("largest position error", _format_length(self.position_error)),
+            ("largest distance off the wall", _format_length(self.off_wall)),
+            ("largest tilt of the pen", _format_angle(self.pen_tilt)),
+            ("gap between the tip's start and end", _format_length(self.closing_gap)),
+            ("largest change of a joint over the whole path", _format_angle(self.joint_gap)),
+            ("smallest singular value of J", format_size(self.smallest_singular_value)),
+            ("largest condition number of J", _format_condition(self.largest_condition)),
             (
                 "largest joint speed",
                 f"{self.largest_speed:.3g} rad/s, {share if self.speeds else 'no limit is known'}",
             ),
-            ("largest joint acceleration", f"{magnitude(self.largest_acceleration)} rad/s²"),
-            ("joint speed to take on or lose at once", f"{magnitude(self.speed_from_rest)} rad/s"),
-            ("joints beyond their range", within[0] if self.ranges else "no range is known"),
-            ("joints beyond their speed", within[1] if self.speeds else "no limit is known"),
+            ("largest joint acceleration", f"{acceleration} rad/s²"),
+            (
+                "joint speed to take on or lose at once",
+                f"{start_speed} rad/s",
+            ),
+            ("joints beyond their range", beyond_limits if self.ranges else "no range is known"),
+            ("joints beyond their speed", beyond_speed if self.speeds else "no limit is known"),
         ]
 
-    def _joints(self, excess: tuple[tuple[int, float], ...], per: str) -> str:
+    def _list_joints(self, excess: tuple[tuple[int, float], ...], per: str) -> str:
         unit = {i: "m" for i in self.sliding}
-        told = (f"joint {i} by {x:.2g} {unit.get(i, 'rad')}{per}" for i, x in excess)
-        return ", ".join(told) or "none"
+        texts = (f"joint {i} by {x:.2g} {unit.get(i, 'rad')}{per}" for i, x in excess)
+        return ", ".join(texts) or "none"
 
     def __str__(self) -> str:
         return "\n".join(f"{what:<46}{value}" for what, value in self.rows())
@@ -87,19 +108,26 @@ class Report:
         return "\n".join([f"| {self.arm} | |", "|:--|:--|", *lines])
 
 
-def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Report:
-    """The report of a run: q and q_dot of shape (steps + 1, dof), poses of shape (steps + 1, 4,
-    4)."""
+def report_trace(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> TraceReport:
+    """Report on a trace.
+
+    Args:
+        arm: The arm.
+        path: The path that it follows.
+        q: Joint values, shape (steps + 1, dof).
+        q_dot: Joint rates, shape (steps + 1, dof).
+        poses: Poses of the tip, shape (steps + 1, 4, 4).
+    """
     error = poses[:, :3, 3] - path.positions
     lower, upper = arm.limits
     beyond = np.maximum(q - upper, lower - q).max(axis=0)
     speed = np.abs(q_dot).max(axis=0)
     sizes = np.linalg.svd(jacobian(arm, q), compute_uv=False)
-    return Report(
+    return TraceReport(
         arm=arm.name,
         position_error=float(np.linalg.norm(error, axis=1).max()),
         off_wall=float(np.abs(error @ path.normal).max()),
-        pen_tilt=float(_angles(poses[:, :3, 2], poses[0, :3, 2]).max()),
+        pen_tilt=float(_angles_between(poses[:, :3, 2], poses[0, :3, 2]).max()),
         closing_gap=float(np.linalg.norm(poses[-1, :3, 3] - poses[0, :3, 3])),
         joint_gap=float(np.abs(q[-1] - q[0]).max()),
         smallest_singular_value=float(sizes[:, -1].min()),
@@ -108,40 +136,41 @@ def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Re
         speed_share=float((speed / arm.speed_limits).max()),
         largest_acceleration=float(_accelerations(path, q_dot).max(initial=0.0)),
         speed_from_rest=float(np.abs(q_dot[[0, -1]]).max()),
-        beyond_limits=_over(arm, beyond),
-        beyond_speed=_over(arm, speed - arm.speed_limits),
+        beyond_limits=_positive_excess(arm, beyond),
+        beyond_speed=_positive_excess(arm, speed - arm.speed_limits),
         sliding=tuple(arm.joints[k] for k in np.flatnonzero(~arm.turning)),
         ranges=bool(np.isfinite([lower, upper]).any()),
         speeds=bool(np.isfinite(arm.speed_limits).any()),
     )
 
 
-def _angles(axes: Array, wanted: Array) -> Array:
-    return np.arctan2(np.linalg.norm(np.cross(axes, wanted), axis=-1), axes @ wanted)
+def _angles_between(axes: Array, axis: Array) -> Array:
+    return np.arctan2(np.linalg.norm(np.cross(axes, axis), axis=-1), axes @ axis)
 
 
 def _accelerations(path: Path, q_dot: Array) -> Array:
-    """From step to step; the last rate is that of the step before."""
+    """Compute accelerations from step to step; the last rate repeats the one before."""
     return np.abs(np.diff(q_dot[:-1], axis=0)) / np.diff(path.times)[:-1, None]
 
 
-def _over(arm: Arm, excess: Array) -> tuple[tuple[int, float], ...]:
+def _positive_excess(arm: Arm, excess: Array) -> tuple[tuple[int, float], ...]:
+    """Return (joint, excess) for each joint beyond its limit by more than round-off."""
     return tuple((arm.joints[k], float(excess[k])) for k in np.flatnonzero(excess > 1e-9))
 
 
-def _length(value: float) -> str:
-    """A length in m or mm with three digits; below a tenth of a nanometre it is rounding."""
+def _format_length(value: float) -> str:
+    """Write a length in m or mm with three digits; below 1e-10 m it is round-off."""
     if value < 1e-10:
         return "below 1e-10 m"
     return f"{1e3 * value:.3g} mm" if value >= 1e-6 else f"{value:.1e} m"
 
 
-def _angle(value: float) -> str:
-    """An angle in degrees with four digits; below a millionth of a degree it is rounding."""
+def _format_angle(value: float) -> str:
+    """Write an angle in degrees with four digits; below 1e-6° it is round-off."""
     degrees = float(np.degrees(value))
     return f"{degrees:.4g}°" if degrees >= 1e-6 else "below 1e-6°"
 
 
-def _condition(value: float) -> str:
-    """A condition number with three digits; above 1e12 it is rounding."""
+def _format_condition(value: float) -> str:
+    """Write a condition number with three digits; above 1e12 it is round-off."""
     return f"{value:.3g}" if value <= 1e12 else "above 1e12"

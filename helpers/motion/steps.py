@@ -1,5 +1,4 @@
-"""One step of a trace, or all of its steps in a batch: what the path asks, the rules, and what is
-missing to the path."""
+"""Compute one step of a trace, or all steps in a batch: wanted twists, rules and tip errors."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,23 +9,22 @@ from numpy.typing import NDArray
 from helpers.motion.paths import Path
 
 Array = NDArray[np.floating]
-Slope = Callable[
-    [float, Array], Array
-]  # from the share of a step, and the joints there, to joint rates
+# A function of the fraction of a step and the joint values there that returns joint rates.
+Slope = Callable[[float, Array], Array]
+# A function of the slope, the step's duration, q and the rates at its start; it returns the next q.
 Rule = Callable[[Slope, Array, Array, Array], Array]
 
 
 @dataclass(frozen=True)
-class Course:
-    """What a path asks of the tip in each step: at the share 0.0 of it where it begins, 1.0 where
-    it ends.
+class PathSamples:
+    """The wanted motion of the tip in each step, at the fractions of a step that a method needs.
 
     Attributes:
-        times: when the steps begin and the last one ends, shape (steps + 1,), in s.
-        h: how long each takes, shape (steps, 1), in s.
-        twists: for each share that the method looks at, the twists (steps, 6).
-        positions: for each of them, where the tip should be, (steps, 3), in m.
-        rotation: the orientation that the tip keeps, shape (3, 3).
+        times: Times at which the steps begin and the last one ends, shape (steps + 1,), in s.
+        h: Durations of the steps, shape (steps, 1), in s.
+        twists: For each fraction (0.0 at a step's start, 1.0 at its end) the twists (steps, 6).
+        positions: For each fraction the wanted positions of the tip, (steps, 3), in m.
+        rotation: The constant orientation of the tip, shape (3, 3).
     """
 
     times: Array
@@ -36,37 +34,37 @@ class Course:
     rotation: Array
 
 
-SHARES = {"euler": (0.0,), "rk4": (0.0, 0.5, 1.0), "exact": (0.0, 1.0)}
-METHODS = tuple(SHARES)
+FRACTIONS = {"euler": (0.0,), "rk4": (0.0, 0.5, 1.0), "exact": (0.0, 1.0)}
+METHODS = tuple(FRACTIONS)
 
 
-def charted(path: Path, method: str, rotation: Array) -> Course:
-    """The path in tables, so that its functions are called once and not at every step."""
+def sample_path(path: Path, method: str, rotation: Array) -> PathSamples:
+    """Sample a path for all steps, so that its functions are called once and not at every step."""
     h = np.diff(path.times)
-    at = {share: path.times[:-1] + share * h for share in SHARES[method]}
-    velocities = {share: _table(path.velocity, times) for share, times in at.items()}
-    return Course(
+    at = {f: path.times[:-1] + f * h for f in FRACTIONS[method]}
+    velocities = {f: _sample(path.velocity, times) for f, times in at.items()}
+    return PathSamples(
         times=path.times,
         h=h[:, None],
-        twists={share: np.hstack([v, np.zeros_like(v)]) for share, v in velocities.items()},
-        positions={share: _table(path.position, times) for share, times in at.items()},
+        twists={f: np.hstack([v, np.zeros_like(v)]) for f, v in velocities.items()},
+        positions={f: _sample(path.position, times) for f, times in at.items()},
         rotation=rotation,
     )
 
 
-def _table(function: Callable[[Array], Array], times: Array) -> Array:
-    """The function at all times, (steps, 3); one by one where it takes no batch."""
+def _sample(function: Callable[[Array], Array], times: Array) -> Array:
+    """Evaluate a function at all times, (steps, 3); one by one where it takes no batch."""
     values = np.array(function(times.copy()), dtype=float)
     return values if values.shape == (len(times), 3) else np.array([function(t) for t in times])
 
 
 def euler(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
-    """The joints at the end of a step that begins at q with these rates."""
+    """Take one step of Euler's rule from q; `rate` are the joint rates there."""
     return q + h * rate
 
 
 def rk4(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
-    """The same by the classical rule of fourth order."""
+    """Take one step of the classical Runge-Kutta rule of fourth order from q."""
     k_2 = slope(0.5, q + h / 2 * rate)
     k_3 = slope(0.5, q + h / 2 * k_2)
     k_4 = slope(1.0, q + h * k_3)
@@ -77,8 +75,16 @@ RULES = {"euler": euler, "rk4": rk4}
 
 
 def tip_error(pose: Array, position: Array, rotation: Array) -> Array:
-    """The small twists (..., 6) that would carry poses (..., 4, 4) to positions (..., 3) and a
-    rotation (3, 3)."""
+    """Compute the small twists that would carry poses to wanted ones.
+
+    Args:
+        pose: Poses, shape (..., 4, 4).
+        position: Wanted positions, shape (..., 3), in m.
+        rotation: Wanted orientation, shape (3, 3).
+
+    Returns:
+        Differences in position and rotation vectors to first order, shape (..., 6), in m and rad.
+    """
     turn = rotation @ np.swapaxes(pose[..., :3, :3], -1, -2)
     error = np.empty((*pose.shape[:-2], 6))
     error[..., :3] = position - pose[..., :3, 3]

@@ -1,4 +1,4 @@
-"""Following a path by integrating joint rates, and what came of it."""
+"""Follow a path by integrating joint rates."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,30 +9,44 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers import kinematics
 from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be, must_be_callable, number, one_of, shown
+from helpers.inputs import (
+    ArmError,
+    finite_number,
+    require_callable,
+    require_choice,
+    require_type,
+    shorten,
+)
 from helpers.kinematics import forward_kinematics
 from helpers.motion.at_once import all_steps
 from helpers.motion.paths import Path
 from helpers.motion.rates import PlainInverse, Rates, SingularError, plain_inverse
-from helpers.motion.report import Report, run_report
-from helpers.motion.steps import METHODS, RULES, Course, Rule, charted, tip_error
+from helpers.motion.report import TraceReport, report_trace
+from helpers.motion.steps import METHODS, RULES, PathSamples, Rule, sample_path, tip_error
 
 Array = NDArray[np.floating]
 
 
 _ITERATIONS = 30
-_ARRIVED = 1e-9  # m and rad
-_WHY = "the path leads out of reach or through a singular pose, or its steps are too long"
+_TOLERANCE = 1e-9  # in m and rad; damped rates come no nearer than the last digits
+_REASONS = "the path leads out of reach or through a singular pose, or its steps are too long"
 
 
 class UnreachableError(ArmError):
-    """The tip was asked to be on a path that the arm cannot follow."""
+    """The arm cannot follow the path."""
 
 
 @dataclass(frozen=True, repr=False)
 class Trace:
-    """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1,
-    4, 4)."""
+    """A motion of an arm along a path.
+
+    Attributes:
+        arm: The arm.
+        path: The path.
+        q: Joint values, shape (steps + 1, dof).
+        q_dot: Joint rates, shape (steps + 1, dof).
+        poses: Poses of the tip, shape (steps + 1, 4, 4).
+    """
 
     arm: Arm
     path: Path
@@ -42,13 +56,13 @@ class Trace:
 
     @property
     def t(self) -> Array:
-        """The times of the path, in s."""
+        """The times of the path, shape (steps + 1,), in s."""
         return self.path.times
 
     @cached_property
-    def report(self) -> Report:
-        """What went well and what did not."""
-        return run_report(self.arm, self.path, self.q, self.q_dot, self.poses)
+    def report(self) -> TraceReport:
+        """The report of errors, speeds and limits."""
+        return report_trace(self.arm, self.path, self.q, self.q_dot, self.poses)
 
     def __repr__(self) -> str:
         steps = f"{len(self.t) - 1} steps in {self.t[-1] - self.t[0]:g} s"
@@ -68,117 +82,148 @@ def trace(
     gain: float = 0.0,
     jacobian: Callable[[Arm, Array], Array] = kinematics.jacobian,
 ) -> Trace:
-    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has
-    there.
+    """Follow a path with the tip at the orientation that it has at the start.
 
     Args:
-        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each
-            step Newton's method moves the tip onto the path itself.
-        rates: how joint rates follow from a twist; ``plain_inverse()`` unless given.
-        gain: feedback in 1/s: the twist gains `gain` times the errors of position and orientation.
-        jacobian: the Jacobian to steer by; a wrong one shows what a mistake does.
+        arm: The arm.
+        start: Joint values at the start, shape (dof,).
+        path: The path.
+        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact", which
+            moves the tip onto the path by Newton's method at each step.
+        rates: Rule for joint rates; ``plain_inverse()`` by default.
+        gain: Feedback gain, in 1/s: `gain` times the errors of position and orientation is added
+            to the twist.
+        jacobian: Function of the arm and q that returns J; a wrong one shows the effect of a
+            mistake.
 
-    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step
-    it happened at, where the plain inverse does not exist. Source: Whitney (1969); feedback:
-    Siciliano, section 3.7.
+    Raises:
+        ArmError: The method is unknown, or the start does not fit.
+        SingularError: The plain inverse does not exist; the message names the step.
+        UnreachableError: The method "exact" cannot bring the tip onto the path.
+
+    Example:
+        >>> from helpers.motion.paths import circle_below
+        >>> from helpers.robots import UR10E
+        >>> start = [0, -1, 1.2, -1, -1.5, 0]
+        >>> path = circle_below(UR10E, start, radius=0.1, plane="zy", period=5, steps=1000)
+        >>> run = trace(UR10E, start, path, method="rk4")
+        >>> run.q.shape, bool(run.report.position_error < 1e-9)
+        ((1001, 6), True)
+
+    Source: Whitney (1969); feedback: Siciliano, section 3.7.
     """
-    must_be(arm, Arm, "arm")
-    must_be(path, Path, "path")
-    one_of(method, "method", METHODS)
-    number(gain, "gain", "a finite number of 0 or more", least=0)
-    must_be_callable(jacobian, "jacobian", "a function of an arm and q")
+    require_type(arm, Arm, "arm")
+    require_type(path, Path, "path")
+    require_choice(method, "method", METHODS)
+    finite_number(gain, "gain", "a finite number of 0 or more", least=0)
+    require_callable(jacobian, "jacobian", "a function of an arm and q")
     start = arm.joint_vector(start, "start", many=False)
     rates = plain_inverse() if rates is None else rates
-    must_be_callable(rates, "rates", "a function of J, twist and q, as plain_inverse() makes")
+    require_callable(rates, "rates", "a function of J, twist and q, as plain_inverse() makes")
     if method == "exact" and gain:
         raise ArmError(
-            f'gain is {shown(gain)}; expected 0 with method "exact", which leaves no error to feed'
-            " back"
+            f'gain is {shorten(gain)}; expected 0 with method "exact", which leaves no error to'
+            " feed back"
         )
-    course = charted(path, method, forward_kinematics(arm, start)[:3, :3])
-    run = None
+    samples = sample_path(path, method, forward_kinematics(arm, start)[:3, :3])
+    result = None
     if isinstance(rates, PlainInverse) and jacobian is kinematics.jacobian and not gain:
-        run = all_steps(arm, start, course, method, rates)
-    if run is None:
-        run = _one_by_one(arm, start, course, Steering(rates, gain, jacobian, RULES.get(method)))
-    q, q_dot = run
+        result = all_steps(arm, start, samples, method, rates)
+    if result is None:
+        steering = Steering(rates, gain, jacobian, RULES.get(method))
+        result = _steps_in_turn(arm, start, samples, steering)
+    q, q_dot = result
     q_dot = np.concatenate([q_dot, q_dot[-1:]])
     return Trace(arm, path, q, q_dot, forward_kinematics(arm, q))
 
 
 @dataclass(frozen=True)
 class Steering:
-    """How joint rates follow from a twist, and joints from rates; no rule is Newton's method. Its
-    functions may be a student's: they get copies, never the run itself."""
+    """How joint rates follow from a twist, and joint values from rates.
+
+    Functions passed in by the caller receive copies of arrays.
+
+    Attributes:
+        rates: Rule for joint rates.
+        gain: Feedback gain, in 1/s.
+        jacobian: Function of the arm and q.
+        rule: Integration rule; None for Newton's method.
+    """
 
     rates: Rates
     gain: float
     jacobian: Callable[[Arm, Array], Array]
     rule: Rule | None
 
-    def along(self, arm: Arm, q: Array, twist: Array) -> Array:
-        """Joint rates (dof,) for a twist (6,) at q (dof,)."""
+    def joint_rates(self, arm: Arm, q: Array, twist: Array) -> Array:
+        """Compute joint rates (dof,) for a twist (6,) at q (dof,)."""
         return self.rates(self.jacobian(arm, q.copy()), twist.copy(), q.copy())
 
 
-def _one_by_one(arm: Arm, start: Array, course: Course, steering: Steering) -> tuple[Array, Array]:
-    """Each step from the one before; joints (steps + 1, dof) and their rates (steps, dof)."""
-    step = _by_rule if steering.rule else _to_the_path
-    steps = len(course.h)
+def _steps_in_turn(
+    arm: Arm, start: Array, samples: PathSamples, steering: Steering
+) -> tuple[Array, Array]:
+    """Take one step after the other; return q (steps + 1, dof) and rates (steps, dof)."""
+    step = _rule_step if steering.rule else _newton_step
+    steps = len(samples.h)
     q, q_dot = np.empty((steps + 1, arm.dof)), np.empty((steps, arm.dof))
     q[0] = start
     for k in range(steps):
         try:
-            q_dot[k], q[k + 1] = step(arm, q[k], course, k, steering)
+            q_dot[k], q[k + 1] = step(arm, q[k], samples, k, steering)
         except (SingularError, UnreachableError) as error:
             raise type(error)(f"{arm.name}, step {k} of {steps}: {error}") from None
     return q, q_dot
 
 
-def _by_rule(arm: Arm, q: Array, course: Course, k: int, steering: Steering) -> tuple[Array, Array]:
-    assert steering.rule  # or Newton's method would be asked
+def _rule_step(
+    arm: Arm, q: Array, samples: PathSamples, k: int, steering: Steering
+) -> tuple[Array, Array]:
+    """Take step k from q by the rule; return the rates at its start and the next q."""
+    assert steering.rule  # without a rule, _newton_step is called
 
-    def slope(share: float, q: Array) -> Array:
-        twist = course.twists[share][k]
+    def slope(fraction: float, q: Array) -> Array:
+        twist = samples.twists[fraction][k]
         if steering.gain:
-            pose, position = forward_kinematics(arm, q), course.positions[share][k]
-            twist = twist + steering.gain * tip_error(pose, position, course.rotation)
-        return steering.along(arm, q, twist)
+            pose, position = forward_kinematics(arm, q), samples.positions[fraction][k]
+            twist = twist + steering.gain * tip_error(pose, position, samples.rotation)
+        return steering.joint_rates(arm, q, twist)
 
     rate = slope(0.0, q)
-    return rate, steering.rule(slope, course.h[k], q, rate)
+    return rate, steering.rule(slope, samples.h[k], q, rate)
 
 
-def _to_the_path(
-    arm: Arm, q: Array, course: Course, k: int, steering: Steering
+def _newton_step(
+    arm: Arm, q: Array, samples: PathSamples, k: int, steering: Steering
 ) -> tuple[Array, Array]:
-    """Newton's method for the joint vector at the end of the step, from the one at its start."""
-    found, position = q, course.positions[1.0][k]
+    """Find the joint values at the end of step k by Newton's method, from those at its start."""
+    end, position = q, samples.positions[1.0][k]
     for _ in range(_ITERATIONS):
-        error = tip_error(forward_kinematics(arm, found), position, course.rotation)
+        error = tip_error(forward_kinematics(arm, end), position, samples.rotation)
         if np.abs(error).max() < 1e-13:
             break
-        found = found + steering.along(arm, found, error)
-    _must_have_arrived(error)
-    _must_not_leap(arm, found - q)
-    return (found - q) / course.h[k], found
+        end = end + steering.joint_rates(arm, end, error)
+    _require_arrival(error)
+    _require_small_step(arm, end - q)
+    return (end - q) / samples.h[k], end
 
 
-def _must_have_arrived(error: Array) -> None:
-    """Where rates that damp come within the last digits only, that is enough."""
+def _require_arrival(error: Array) -> None:
+    """Raise UnreachableError where Newton's method has not reached the path."""
     metres, radians = np.linalg.norm(error.reshape(2, 3), axis=1)
-    if not max(metres, radians) < _ARRIVED:
+    if not max(metres, radians) < _TOLERANCE:
         raise UnreachableError(
             f"after {_ITERATIONS} iterations of Newton's method the tip is {1e3 * metres:.3g} mm"
-            f" and {np.degrees(radians):.3g}° off the path: {_WHY}"
+            f" and {np.degrees(radians):.3g}° off the path: {_REASONS}"
         )
 
 
-def _must_not_leap(arm: Arm, step: Array) -> None:
+def _require_small_step(arm: Arm, step: Array) -> None:
+    """Raise UnreachableError where a joint turns by more than half a turn in one step."""
     leaps = np.where(arm.turning, np.abs(step), 0.0)
     if leaps.max() > np.pi:
         joint, leap = arm.joints[leaps.argmax()], leaps.max()
         raise UnreachableError(
             f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most:"
-            f" {_WHY}"
+            f" {_REASONS}"
         )

@@ -15,8 +15,8 @@ from matplotlib.patches import Arc, Polygon
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.derive import Derivation, Step
-from helpers.expressions import latex
+from helpers.derive import Derivation, DerivationStep
+from helpers.expressions import entry_latex
 from helpers.inputs import (
     ArmError,
     listed,
@@ -132,7 +132,7 @@ def _letter(arm: Arm, i: int, kind: str) -> str:
     row = arm.rows[i - 1]
     if kind == "d" and row.joint.kind == "prismatic" and not arm.numeric[i - 1].d:
         return f"q_{{{i}}}"
-    return latex(getattr(row, kind)).strip("-()")
+    return entry_latex(getattr(row, kind)).strip("-()")
 
 
 def dimension(
@@ -310,7 +310,7 @@ def _window(found: Derivation, points: Array) -> tuple[Array, float, float]:
     return (low + high) / 2, half, min(0.65 * half, 1.15 * half - 0.5 * extent)
 
 
-def _arrows_of(step: Step, reach: float) -> dict[tuple, list[int]]:
+def _arrows_of(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
     """The arrows x and z of the two frames, each z as long as its axis is used, with the indices of
     the frames that have them."""
     arrows: dict[Any, list] = defaultdict(list)

@@ -1,0 +1,49 @@
+"""Names of the fourth edition that still work, with a DeprecationWarning, in the fifth.
+
+This file is removed with the sixth edition. A module of a renamed function ends in
+``__getattr__ = deprecated_names(__name__, old="new")``.
+"""
+
+import importlib
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+
+def deprecated_names(module: str, **new_names: str) -> Callable[[str], Any]:
+    """Return a module's ``__getattr__`` that finds renamed attributes by their old names.
+
+    Args:
+        module: The module's ``__name__``.
+        new_names: For each old name, the new one: in the same module, as ``"join_traces"``, or
+            with its own module, as ``"answers.sheets.document"``.
+    """
+
+    def get_renamed(name: str) -> Any:
+        if name not in new_names:
+            raise AttributeError(f"module {module!r} has no attribute {name!r}")
+        new_module, _, new_name = new_names[name].rpartition(".")
+        warn_renamed(f"{module}.{name}", f"{new_module or module}.{new_name}")
+        return getattr(importlib.import_module(new_module or module), new_name)
+
+    return get_renamed
+
+
+def warn_renamed(old: str, new: str) -> None:
+    """Warn the caller's caller that a name is going to be removed."""
+    warnings.warn(
+        f"{old} is now {new}; the old name is removed with the next edition",
+        DeprecationWarning,
+        stacklevel=3,
+    )
+
+
+def deprecated_attribute(old: str, new: str) -> property:
+    """Return a property that gives a renamed attribute by its old name."""
+
+    def get_renamed(owner: Any) -> Any:
+        kind = type(owner).__name__
+        warn_renamed(f"{kind}.{old}", f"{kind}.{new}")
+        return getattr(owner, new)
+
+    return property(get_renamed)
