@@ -80,7 +80,8 @@ def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Arra
         >>> gravity_torque(UR10E, [0, 0, 0, 0, 0, 0])[:3].round(2)
         array([   0.  , -121.29,  -39.3 ])
     """
-    return run_recursion(arm, q, _torques, (arm.dof,), _upward_vector(arm, gravity))
+    up = _upward_vector(arm, gravity)
+    return run_recursion(arm, q, _torques, (arm.dof,), up)
 
 
 def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
