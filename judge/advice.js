@@ -1,17 +1,22 @@
-// What a reader may set where a cause says that the question was another, rather than the answer
-// wrong: a field of the question and its value. A page makes a button of it, Python an argument.
+// Settings that a verdict advises where the question, not the answer, may be wrong. The page makes
+// a button of each, Python names the argument.
 
 /**
- * `field` is an option of the judge's: angles, angularFirst, convention, frame, lengths; or
- * "locked", the number of a joint to be locked, "arm", the name of another arm, "values", a symbol
- * that needs a number, or "ownJoints", the arm in the joints of a right table.
- * @typedef {{ field: string, value: any }} Advice
+ * A setting to change.
+ * @typedef {object} Advice
+ * @property {string} field an option of the judge (angles, angularFirst, convention, frame,
+ *   lengths), or "locked" (the number of a joint to lock), "arm" (the name of another arm),
+ *   "values" (a symbol that needs a number), "ownJoints" (the arm in the joints of a right table)
+ * @property {string | number | boolean} value
  */
 
-/** @type {Record<string, (place: string, options: any) => Advice>} */
-const BY_CAUSE = {
+/**
+ * The advice that follows from a cause and its first field.
+ * @type {Record<string, (field: string, options: Record<string, any>) => Advice>}
+ */
+const ADVICE_BY_CAUSE = {
   "J.halves": (_, { angularFirst }) => ({ field: "angularFirst", value: !angularFirst }),
-  "J.frame": (place) => ({ field: "frame", value: Number(place) }),
+  "J.frame": (frame) => ({ field: "frame", value: Number(frame) }),
   "J.degrees": () => ({ field: "angles", value: "deg" }),
   "tau.degrees": () => ({ field: "angles", value: "deg" }),
   "ik.degrees": () => ({ field: "angles", value: "deg" }),
@@ -19,14 +24,17 @@ const BY_CAUSE = {
   "table.craig": () => ({ field: "convention", value: "craig" }),
 };
 
-// What the causes of a report advise, each of two mistakes for itself: nothing where it is set
-// already.
-/** @returns {Advice[]} */
+/**
+ * Return the settings that the causes of a verdict advise, without those that are set already.
+ * @param {string[]} causes names; of two mistakes as "J.frame:3 + J.millimetres"
+ * @param {Record<string, any>} options of the question
+ * @returns {Advice[]}
+ */
 export function adviseOnCauses(causes, options) {
   const names = new Set(causes.flatMap((name) => name.split(" + ")));
-  const found = [...names].map((name) => {
-    const [key, place] = name.split(":");
-    return BY_CAUSE[key]?.(place, options);
+  const advice = [...names].map((name) => {
+    const [key, field] = name.split(":");
+    return ADVICE_BY_CAUSE[key]?.(field, options);
   });
-  return found.filter((one) => one && options[one.field] !== one.value);
+  return advice.filter((setting) => setting && options[setting.field] !== setting.value);
 }

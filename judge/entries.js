@@ -1,5 +1,6 @@
-// The one judge of entries, those of a Jacobian, of torques, of a pose: are they right to their
-// digits, would a known slip look the same, which slip explains them, and which of them are wrong.
+// Judges the entries of a Jacobian, of torques or of a pose: whether they are right to their
+// digits, whether a usual mistake would look the same, which mistakes explain them, which entries
+// are wrong.
 
 import { findExplanations } from "./causes/ranking.js";
 import {
@@ -15,72 +16,76 @@ import {
   WRONG,
 } from "./digits.js";
 
+/** @typedef {import("./digits.js").Entries} Entries */
+/** @typedef {import("./causes/ranking.js").Mistake} Mistake */
 /**
- * What was typed for joint values q, `dof` for each pose; what it should be, and each of the slips
- * that are known, for any q; slips that are tried after those, a list made when it is needed.
- * @typedef {object} Question
- * @property {import("./digits.js").Entries} mine
- * @property {import("./digits.js").Entries} q
+ * Entries to be judged.
+ * @typedef {object} EntriesQuestion
+ * @property {Entries} mine what was typed
+ * @property {Entries} q joint values, `dof` for each pose
  * @property {number} dof
- * @property {(q: number[]) => number[]} right
- * @property {import("./causes/ranking.js").Mistake[]} slips
- * @property {(() => Iterable<import("./causes/ranking.js").Mistake>)[]} [further]
- * @property {number | null} [tolerance] allowed in place of what the digits allow
+ * @property {(q: number[]) => number[]} right returns the right entries
+ * @property {Mistake[]} slips usual mistakes
+ * @property {(() => Iterable<Mistake>)[]} [further] lists of mistakes that are tried only if those
+ *   before explain nothing
+ * @property {number | null} [tolerance] used instead of the typed digits
  */
 /**
- * The grade, how the last digits came about, the slips that explain the answer or would look the
- * same, and which entries are wrong.
- * @typedef {{ grade: string, how: string, slips: import("./causes/ranking.js").Mistake[],
- *   wrong: boolean[] }} Verdict
+ * The result.
+ * @typedef {object} EntriesVerdict
+ * @property {string} grade
+ * @property {string} how the last digits agree: "rounded", "cut", "one off" or ""
+ * @property {Mistake[]} slips mistakes that explain the answer, or would look the same
+ * @property {boolean[]} wrong which entries are wrong
  */
 
-/** @param {Question} question @returns {Verdict} */
+/** Judge entries. @param {EntriesQuestion} question @returns {EntriesVerdict} */
 export function judgeEntries({ mine, q, dof, right, slips, further = [], tolerance = null }) {
-  const truth = right(q.values);
-  const none = truth.map(() => 0);
-  const alike = tolerance === null ? slips.filter(looksLike(mine, q, truth)) : [];
+  const expected = right(q.values);
+  const zeros = expected.map(() => 0);
+  const alike = tolerance === null ? slips.filter(looksLike(mine, q, expected)) : [];
   const [grade, slack] =
     tolerance === null
-      ? gradeByDigits(mine, truth, slackOf(q, dof, right), alike.length > 0)
-      : gradeWithin(tolerance, mine, truth);
-  const how = agreement(mine, truth, slack);
+      ? gradeByDigits(mine, expected, slackOf(q, dof, right), alike.length > 0)
+      : gradeWithin(tolerance, mine, expected);
+  const how = agreement(mine, expected, slack);
   if (grade === RIGHT || grade === SO_FAR)
-    return { grade, how, slips: alike, wrong: none.map(() => false) };
-  const held = tolerance === null ? mine : { values: mine.values, units: none };
-  const wrong = beyond(held, truth, slack);
+    return { grade, how, slips: alike, wrong: zeros.map(() => false) };
+  const actual = tolerance === null ? mine : { values: mine.values, units: zeros };
+  const wrong = beyond(actual, expected, slack);
   if (grade === ROUNDED) return { grade, how, slips: [], wrong };
-  const answer = { mine, q, dof, truth, slack: tolerance === null ? slack : none, wrong };
+  const answer = { mine, q, dof, expected, slack: tolerance === null ? slack : zeros, wrong };
   for (const list of [() => slips, ...further]) {
-    const found = findExplanations(answer, list());
-    if (found.length) return { grade, how, slips: found, wrong };
+    const explanations = findExplanations(answer, list());
+    if (explanations.length) return { grade, how, slips: explanations, wrong };
   }
   return { grade, how, slips: [], wrong };
 }
 
-// Whether an answer fits a slip that more digits would tell from the truth.
+// Whether the answer fits a mistake that more digits would tell from the right entries.
 const looksLike =
-  (mine, q, truth) =>
+  (mine, q, expected) =>
   ({ make }) => {
     const values = make(q.values);
-    return tellable(mine, truth, values) && agrees(mine, values);
+    return tellable(mine, expected, values) && agrees(mine, values);
   };
 
-/** @returns {[string, number[]]} */
-function gradeWithin(tolerance, { values }, truth) {
-  const slack = truth.map(() => tolerance);
+/** @returns {[string, number[]]} the grade, and the slack of each entry */
+function gradeWithin(tolerance, { values }, expected) {
+  const slack = expected.map(() => tolerance);
   const units = slack.map(() => 0);
-  return [agrees({ values, units }, truth, slack) ? RIGHT : WRONG, slack];
+  return [agrees({ values, units }, expected, slack) ? RIGHT : WRONG, slack];
 }
 
-// The grade, and what the digits of q may change: nothing where the answer is right, or a known
-// slip's, without it.
-/** @returns {[string, number[]]} */
-function gradeByDigits(mine, truth, slack, alike) {
-  const none = slack.map(() => 0);
-  const strictly = agreement(mine, truth, none);
-  if (alike) return [strictly ? SO_FAR : WRONG, none];
-  if (isRight(strictly)) return [RIGHT, none];
-  const widely = agreement(mine, truth, slack);
+// The digits of q give entries slack only if the answer is neither right nor a usual mistake
+// without it.
+/** @returns {[string, number[]]} the grade, and the slack of each entry */
+function gradeByDigits(mine, expected, slack, isAlike) {
+  const zeros = slack.map(() => 0);
+  const strictly = agreement(mine, expected, zeros);
+  if (isAlike) return [strictly ? SO_FAR : WRONG, zeros];
+  if (isRight(strictly)) return [RIGHT, zeros];
+  const widely = agreement(mine, expected, slack);
   if (!widely) return [WRONG, slack];
   return [isRight(widely) ? RIGHT : ROUNDED, slack];
 }

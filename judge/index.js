@@ -1,4 +1,4 @@
-// The judge: what is said of an answer, in the page and, through helpers.checks, in Python.
+// The judge's entry for Python: a question as JSON text in, an answer as JSON text out.
 
 import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
@@ -13,17 +13,24 @@ import { compareTables } from "./topics/table.js";
 import { compareTorques, readPoses } from "./topics/torques.js";
 import { compareTrace } from "./topics/trace.js";
 
+/** @typedef {import("./verdict.js").Verdict} Verdict */
 /**
- * What Python asks, as plain data: an answer to be judged, or something to be read.
- * @type {Record<string, (question: any) => any>}
+ * A question from Python (helpers/checks/engine.py): its topic, and the fields that the topic
+ * needs.
+ * @typedef {{ topic: string, [field: string]: any }} Question
  */
-const ANSWERS = {
+
+/**
+ * What answers each topic: a judge of answers, or a reader of what is typed.
+ * @type {Record<string, (question: Question) => any>}
+ */
+const TOPICS = {
   branches: ({ mine, arm, options }) => compareBranches(mine, arm, null, options),
   jacobian: ({ mine, arm, q, options }) => compareJacobian(mine, arm, q, options),
   pose: ({ mine, arm, target, options }) => comparePose(mine, arm, target, options),
   table: ({ mine, arm, options }) => compareTables(mine, arm, options),
   torques: ({ mine, arm, q, options }) => compareTorques(mine, arm, q, options),
-  trace: traced,
+  trace: judgeSampledTrace,
   joints: ({ q, arm, angles }) => pose(q, arm, angles),
   poses: ({ q, arm, angles }) => readPoses(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
@@ -32,25 +39,31 @@ const ANSWERS = {
   words: ({ key, fields }) => formatMessage(key, fields),
 };
 
-// A run along a path that Python holds; the times at which the path is needed too, where some are.
-function traced({ mine, arm, path, options }) {
+// Judge a trajectory along a path that Python samples. If the judge needs the path at more times,
+// the answer is the list of these times, and Python asks again.
+/** @param {Question} question */
+function judgeSampledTrace(question) {
+  const { mine, arm, path, options } = question;
   const wanted = new Set();
-  const report = compareTrace(mine, arm, sampledPath(path, wanted), options);
-  return wanted.size ? { wanted: [...wanted] } : report;
+  const verdict = compareTrace(mine, arm, sampledPath(path, wanted), options);
+  return wanted.size ? { wanted: [...wanted] } : verdict;
 }
 
-// A report as Python takes it: without what only a page shows.
-function told(report) {
-  const rest = { ...report, rows: report.table?.rows, read: entriesRead(report) };
-  for (const key of ["typed", "wrong", "table"]) delete rest[key];
-  return rest;
+/**
+ * Remove from a verdict what only the page shows.
+ * @param {Verdict} verdict
+ */
+function withoutPageFields(verdict) {
+  const fields = { ...verdict, rows: verdict.table?.rows, read: listEntries(verdict) };
+  for (const name of ["typed", "wrong", "table"]) delete fields[name];
+  return fields;
 }
 
 /**
  * List the numbers that were taken as the answer's entries, row by row.
- * @param {import("./report.js").Verdict} verdict
+ * @param {Verdict} verdict
  */
-function entriesRead({ typed, table }) {
+function listEntries({ typed, table }) {
   if (table?.typed) {
     const entry = (row, k) => (name, c) => ({
       row: k,
@@ -69,14 +82,16 @@ function entriesRead({ typed, table }) {
 }
 
 /**
- * The answer to a question, or why there is none in words.
- * @param {string} text
+ * Answer a question, or say why it cannot be answered.
+ * @param {string} text a `Question` as JSON
+ * @returns {string} JSON: `{ answer }`, or `{ refused, advice }` with a message
  */
 export function ask(text) {
+  /** @type {Question} */
   const question = JSON.parse(text);
   try {
-    const answer = ANSWERS[question.topic](question);
-    return JSON.stringify({ answer: answer?.grade ? told(answer) : answer });
+    const answer = TOPICS[question.topic](question);
+    return JSON.stringify({ answer: answer?.grade ? withoutPageFields(answer) : answer });
   } catch (error) {
     if (error instanceof ArmError)
       return JSON.stringify({ refused: error.message, advice: error.advice });
@@ -85,5 +100,5 @@ export function ask(text) {
 }
 
 export { compareJacobian, compareTables, compareTorques };
-export { listDetails, GRADE_MARKS, formatVerdict } from "./report.js";
+export { formatVerdict, GRADE_MARKS, listDetails } from "./verdict.js";
 export { ArmError } from "./sentences.js";

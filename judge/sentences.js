@@ -1,8 +1,13 @@
-// The sentences of the checkers: templates by key, from sentences.json.
+// The messages of the judge, from the templates in sentences.json, and the parts they are made of.
 
 import templates from "./sentences.json" with { type: "json" };
 
-// A sentence with its fields put in.
+/**
+ * Return a message with its fields put in.
+ * @param {string} key in sentences.json
+ * @param {Record<string, any>} [fields]
+ * @returns {string}
+ */
 export function formatMessage(key, fields = {}) {
   let text = templates[key];
   for (const [name, value] of Object.entries(fields))
@@ -10,16 +15,22 @@ export function formatMessage(key, fields = {}) {
   return text;
 }
 
-// What was asked for cannot be judged: how it was asked is wrong, not the answer.
+/** A question that cannot be judged, because of how it was asked. */
 export class ArmError extends Error {
-  /** @param {string} message @param {import("./advice.js").Advice[]} advice */
+  /**
+   * @param {string} message what was given and what was expected
+   * @param {import("./advice.js").Advice[]} [advice] settings that may help
+   */
   constructor(message, advice = []) {
     super(message);
     this.advice = advice;
   }
 }
 
-// What `make` gives, null where it refuses.
+/**
+ * Return what `make` returns, or null if it throws an ArmError.
+ * @template T @param {() => T} make @returns {T | null}
+ */
 export function tryOrNull(make) {
   try {
     return make();
@@ -29,32 +40,37 @@ export function tryOrNull(make) {
   }
 }
 
-// A, b and c.
-export const joinList = (words, last = "and") =>
-  words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} ${last} ${words.at(-1)}`;
+/** Join items as "a, b and c". @param {(string | number)[]} items */
+export const joinList = (items, conjunction = "and") =>
+  items.length < 2
+    ? items.join("")
+    : `${items.slice(0, -1).join(", ")} ${conjunction} ${items.at(-1)}`;
 
-// What stands inside a sentence, at the beginning of one.
+/** Begin a text with a capital. @param {string} text */
 export const capitalize = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
-// A sentence to stand inside another; a name such as N mm, q_1 or A_i keeps its capital.
+/**
+ * Begin a text with a small letter. A name such as N mm, q_1 or A_i keeps its capital.
+ * @param {string} text
+ */
 export const uncapitalize = (text) =>
   /^.(\p{Lu}|_)/su.test(text) ? text : text.slice(0, 1).toLowerCase() + text.slice(1);
 
-const MOST = 75; // characters of a text that is quoted
-
-// A number to so many significant digits.
+/** Format a number with so many significant digits. @param {number} x */
 export const formatNumber = (x, digits = 3) => String(Number(x.toPrecision(digits)));
 
-// A text in a sentence, in quotes and one line, cut where it is long.
+const MAX_QUOTE = 75; // characters
+
+/** Quote a text on one line, cut if it is long. @param {string} text */
 export function quoteText(text) {
   const line = [...text.replace(/[\p{C}\s]+/gu, " ").trim()];
   const mark = line.includes("'") && !line.includes('"') ? '"' : "'";
-  const cut = line.length > MOST ? [...line.slice(0, MOST), "..."] : line;
+  const cut = line.length > MAX_QUOTE ? [...line.slice(0, MAX_QUOTE), "..."] : line;
   return `${mark}${cut.join("")}${mark}`;
 }
 
-// How many numbers there are, as rows and columns where they have some.
+/** Describe how many numbers there are, as "6x7 values". @param {number[]} shape */
 export const describeShape = (shape) => {
-  const all = shape.filter((n) => n !== 1).join("x") || "1";
-  return `${all} ${all === "1" ? "value" : "values"}`;
+  const size = shape.filter((n) => n !== 1).join("x") || "1";
+  return `${size} ${size === "1" ? "value" : "values"}`;
 };

@@ -1,7 +1,7 @@
 // What the page says to questions that came by a link, for tests/test_judge.py: a line of JSON in, a line of JSON out.
 
 import { createInterface } from "node:readline";
-import { formatVerdict } from "../judge/report.js";
+import { formatVerdict } from "../judge/verdict.js";
 import { EMPTY, parseQuestionLink, judgeQuestion, formatQuestionLink } from "../page/src/check/question.js";
 
 // The verdict, or why there is none.

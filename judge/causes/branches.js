@@ -14,7 +14,7 @@ import { combineCauses, makeCause, causeName, joinCauseMessages, causeMessage } 
 import { tableMistakes } from "./tables.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
-/** @typedef {import("../report.js").Finding} Finding */
+/** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("../matching.js").Solutions} Solutions */
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 

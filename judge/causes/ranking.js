@@ -1,39 +1,45 @@
-// Which slips explain an answer: one, or two. A slip is stated only if, with it, every entry of the
-// answer is right to its digits.
+// Finds the mistakes that explain an answer, one or two at once. A mistake is stated only if it
+// makes every entry of the answer right to its digits.
 
 import { agrees, largest, room, slackOf, tellable } from "../digits.js";
-import { joinList, uncapitalize, formatMessage, capitalize } from "../sentences.js";
+import { capitalize, formatMessage, joinList, uncapitalize } from "../sentences.js";
 
-const CHANCE = 1e-3; // that some slip of those tried would fit numbers off by chance as well
-const SAID = 3; // slips that give the same numbers; nobody reads more
-const NEAR = 3; // times what the digits of q may change in right entries: worth a closer look
+const CHANCE = 1e-3; // accepted probability that some mistake fits numbers that are off by chance
+const MAX_STATED = 3; // mistakes that give the same numbers; nobody reads more
+// An entry this many times the slack away is worth computing the mistake's own slack, which is
+// slow.
+const NEAR = 3;
 
-/** @typedef {{ keys: string[], fields: Record<string, any>[] }} Cause one mistake or two */
 /** @typedef {import("../digits.js").Entries} Entries */
 /**
- * A mistake: what entries it makes of joint values.
+ * The name of one mistake or of two: keys in sentences.json and the fields of their messages. A
+ * field whose name begins with _ is no part of the name.
+ * @typedef {{ keys: string[], fields: Record<string, any>[] }} Cause
+ */
+/**
+ * A candidate mistake, with the entries that it would make of joint values.
  * @typedef {{ cause: Cause, make: (q: number[]) => number[], steps?: any }} Mistake
  */
 
-/** @returns {Cause} */
+/** Make the cause of one mistake. @param {string} key @returns {Cause} */
 export const makeCause = (key, fields = {}) => ({ keys: [key], fields: [fields] });
 
-/** @returns {Cause} */
-export const combineCauses = (one, two) => ({
-  keys: [...one.keys, ...two.keys],
-  fields: [...one.fields, ...two.fields],
+/** Make the cause of two mistakes. @param {Cause} first @param {Cause} second @returns {Cause} */
+export const combineCauses = (first, second) => ({
+  keys: [...first.keys, ...second.keys],
+  fields: [...first.fields, ...second.fields],
 });
 
-// How reports and the corpus call a cause, as "J.frame:3 + J.millimetres".
+/** Return a cause's name, as "J.frame:3 + J.millimetres". @param {Cause} cause */
 export const causeName = ({ keys, fields }) =>
   keys.map((key, i) => partName(key, fields[i])).join(" + ");
 
 function partName(key, fields) {
-  const shown = Object.entries(fields).filter(([name]) => !name.startsWith("_"));
-  return [key, ...shown.map(([, value]) => value)].join(":");
+  const named = Object.entries(fields).filter(([name]) => !name.startsWith("_"));
+  return [key, ...named.map(([, value]) => value)].join(":");
 }
 
-// What a cause says, without a full stop.
+/** Return a cause's message, without a full stop. @param {Cause} cause */
 export function causeMessage({ keys, fields }) {
   const [first, second] = keys.map((key, i) => formatMessage(key, fields[i]));
   return second === undefined
@@ -41,48 +47,60 @@ export function causeMessage({ keys, fields }) {
     : formatMessage("and also", { first, second: uncapitalize(second) });
 }
 
-// What the causes say, one after another: they give the same numbers. Of pairs the first.
-export function joinCauseMessages(found) {
-  const words = [...new Set(found.map(causeMessage))].slice(0, found[0].keys.length > 1 ? 1 : SAID);
-  if (words.length === 1) return words[0];
-  return formatMessage("or", {
-    first: words[0],
-    others: joinList(words.slice(1).map(uncapitalize), "or"),
-  });
+/**
+ * Join the messages of causes that give the same numbers. Of pairs only the first is stated.
+ * @param {Cause[]} causes
+ */
+export function joinCauseMessages(causes) {
+  const count = causes[0].keys.length > 1 ? 1 : MAX_STATED;
+  const [first, ...others] = [...new Set(causes.map(causeMessage))].slice(0, count);
+  if (!others.length) return first;
+  return formatMessage("or", { first, others: joinList(others.map(uncapitalize), "or") });
 }
 
 /**
- * The slips that explain an answer, given `truth` and the `slack` that it has by q, and which of
- * its entries are wrong: those that fit as typed, or else with what the digits of q may change.
- * @param {{ mine: Entries, q: Entries, dof: number, truth: number[], slack: number[], wrong:
- *   boolean[] }} answer
- * @param {Iterable<Mistake>} slips
- * @returns {Mistake[]}
+ * Find the mistakes that explain an answer: those that fit as typed, or else those that fit with
+ * the slack of q's digits.
+ * @param {object} answer
+ * @param {Entries} answer.mine what was typed
+ * @param {Entries} answer.q joint values
+ * @param {number} answer.dof
+ * @param {number[]} answer.expected the right entries
+ * @param {number[]} answer.slack how far q's digits may move each entry
+ * @param {boolean[]} answer.wrong which entries are wrong
+ * @param {Iterable<Mistake>} candidates
+ * @returns {Mistake[]} none if some candidate would fit random numbers as well
  */
-export function findExplanations({ mine, q, dof, truth, slack, wrong }, slips) {
-  const wide = Math.max(...slack);
-  const kept = wrong.flatMap((is, i) => (is ? [] : [i]));
-  const those = (list) => kept.map((i) => list[i]);
-  const rest = { values: those(mine.values), units: those(mine.units) };
-  const allowed = those(slack);
+export function findExplanations({ mine, q, dof, expected, slack, wrong }, candidates) {
+  const widest = Math.max(...slack);
+  const rightIndices = wrong.flatMap((isWrong, i) => (isWrong ? [] : [i]));
+  const selectRight = (list) => rightIndices.map((i) => list[i]);
+  const rightEntries = { values: selectRight(mine.values), units: selectRight(mine.units) };
+  const rightSlack = selectRight(slack);
   const [exact, near] = [[], []];
-  let rivals = 0; // slips that leave right what is right
-  for (const slip of slips) {
-    const values = slip.make(q.values);
-    if (agrees(rest, those(values), allowed) && tellable(mine, truth, values)) rivals++;
-    if (agrees(mine, values)) exact.push(slip);
-    else if (wide && !exact.length) {
-      const most = NEAR * wide * Math.max(1, largest(values) / largest(truth));
-      const look = values.map(() => most);
-      if (agrees(mine, values, look) && agrees(mine, values, slackOf(q, dof, slip.make)))
-        near.push(slip);
+  let rivals = 0; // candidates that leave the right entries right
+  for (const candidate of candidates) {
+    const values = candidate.make(q.values);
+    const leavesRight = agrees(rightEntries, selectRight(values), rightSlack);
+    if (leavesRight && tellable(mine, expected, values)) rivals++;
+    if (agrees(mine, values)) exact.push(candidate);
+    else if (widest && !exact.length) {
+      const most = NEAR * widest * Math.max(1, largest(values) / largest(expected));
+      const isNear = agrees(
+        mine,
+        values,
+        values.map(() => most),
+      );
+      if (isNear && agrees(mine, values, slackOf(q, dof, candidate.make))) near.push(candidate);
     }
   }
-  const found = exact.length ? exact : near;
-  if (Math.log10(rivals) - room(mine, truth, slack, wrong) > Math.log10(CHANCE)) return [];
-  return found.slice(0, SAID);
+  const explanations = exact.length ? exact : near;
+  if (Math.log10(rivals) - room(mine, expected, slack, wrong) > Math.log10(CHANCE)) return [];
+  return explanations.slice(0, MAX_STATED);
 }
 
-// A cause that leaves something unexplained is no more than likely.
-export const hedgeMessage = (words, left) =>
-  left.length ? capitalize(formatMessage("perhaps", { cause: uncapitalize(words) })) : words;
+/** Say "perhaps" if a cause leaves something unexplained. */
+export const hedgeMessage = (message, unexplained) =>
+  unexplained.length
+    ? capitalize(formatMessage("perhaps", { cause: uncapitalize(message) }))
+    : message;

@@ -9,19 +9,19 @@ import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
-import { completeVerdicts, makeVerdict } from "../report.js";
+import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
-/** @typedef {import("../report.js").Finding} Finding */
+/** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("../matching.js").Solutions} Solutions */
 
 /**
  * The report on joint vectors, a text or nested lists, for one target of an arm with a closed form:
  * three coordinates, or the rows of a pose where one is asked for.
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
- * @returns {import("../report.js").Verdict}
+ * @returns {import("../verdict.js").Verdict}
  */
 export const compareBranches = completeVerdicts(branchesCompared);
 
@@ -75,7 +75,7 @@ const rightOf = (arm, branches) => ({
   count: branches.reduce((sum, { times }) => sum + times, 0),
 });
 
-/** @returns {import("../report.js").Verdict & { astray: number[] }} */
+/** @returns {import("../verdict.js").Verdict & { astray: number[] }} */
 function judged(right, given, tolerance, taken) {
   const { arm, branches } = right;
   const { hits, astray, sharp } = matchAnswers(right, given, tolerance);

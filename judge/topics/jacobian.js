@@ -13,7 +13,7 @@ import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
 import { norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { lookup, numbers, pose } from "../reading/numbers.js";
-import { completeVerdicts, makeVerdict } from "../report.js";
+import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
@@ -22,7 +22,7 @@ const HALVES = ["linear", "angular"];
 
 /**
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
- * @returns {import("../report.js").Verdict}
+ * @returns {import("../verdict.js").Verdict}
  */
 export const compareJacobian = completeVerdicts(jacobianCompared);
 
@@ -55,7 +55,8 @@ function compared(typed, asked, said) {
   return { ...report, wrong: exchanged(report.wrong) };
 }
 
-const reported = (...told) => makeVerdict("Jacobian", ...told);
+const reported = (arm, grade, headline, fields) =>
+  makeVerdict("Jacobian", arm, grade, headline, fields);
 const exchanged = (list) => [...list.slice(list.length / 2), ...list.slice(0, list.length / 2)];
 const halvesExchanged = (typed) => ({
   ...typed,
@@ -127,7 +128,7 @@ function misshapen({ values, units, shape: [rows, width] }, { arm, at, frame }, 
 
 const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
 
-/** @returns {import("../report.js").Verdict} */
+/** @returns {import("../verdict.js").Verdict} */
 function judged(typed, { arm, at, frame, tolerance = null }, said) {
   const slips = listJacobianSteps(arm, at.values, frame);
   const whole = makeJacobian(arm, frame);

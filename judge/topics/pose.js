@@ -18,7 +18,7 @@ import {
 import { describeMiss } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, rowsGiven } from "../reading/numbers.js";
-import { completeVerdicts, makeVerdict } from "../report.js";
+import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 const TARGETS = [
@@ -38,7 +38,7 @@ const FEW = 3; // wrong entries: a wrong q changes more of them
 /**
  * Whether a joint vector, a text or nested lists, takes an arm's tip to T: a pose (4, 4) or a point
  * (3,).
- * @returns {import("../report.js").Verdict}
+ * @returns {import("../verdict.js").Verdict}
  */
 export const comparePose = completeVerdicts(poseCompared);
 
@@ -77,7 +77,7 @@ export function readTarget(T, arm, known, orPoint = true) {
   return { values: rows(values), units: rows(units), pose, formulas: symbolic };
 }
 
-/** @returns {import("../report.js").Verdict} */
+/** @returns {import("../verdict.js").Verdict} */
 function judged(q, arm, T, tolerance, taken) {
   const mine = { values: T.values.flat(), units: T.units.flat() };
   const right = tipOf(arm, T);
@@ -113,7 +113,8 @@ function judged(q, arm, T, tolerance, taken) {
 }
 
 const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
-const reported = (...told) => makeVerdict("pose", ...told);
+const reported = (arm, grade, headline, fields) =>
+  makeVerdict("pose", arm, grade, headline, fields);
 
 function missed(T, wrong, away, turned) {
   const tilted = T.pose && wrong.some((is, i) => is && i % 4 < 3);

@@ -16,7 +16,7 @@ import { meant, read } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import { NoLink } from "../reading/table_matrices.js";
-import { completeVerdicts, makeVerdict } from "../report.js";
+import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { noteBaseHeight, judgeSameArm, TIP_TOLERANCE, measureTipMiss } from "./table_same.js";
 import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_words.js";
 
@@ -28,8 +28,8 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 /** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
-/** @typedef {import("../report.js").Finding} Finding */
-/** @typedef {import("../report.js").Verdict} Verdict */
+/** @typedef {import("../verdict.js").Finding} Finding */
+/** @typedef {import("../verdict.js").Verdict} Verdict */
 
 /**
  * How the table is to be read; what is empty or not said is guessed.

@@ -14,7 +14,7 @@ export const TIP_TOLERANCE = 1e-4; // m: a tip no farther away stands there
 
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
-/** @typedef {import("../report.js").Verdict} Verdict */
+/** @typedef {import("../verdict.js").Verdict} Verdict */
 
 /**
  * The report on a table of the same arm: right if at the homework's start the tip is there too.

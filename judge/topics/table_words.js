@@ -10,7 +10,7 @@ export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
-/** @typedef {import("../report.js").Finding} Finding */
+/** @typedef {import("../verdict.js").Finding} Finding */
 
 // One wrong entry in the student's numbers, in a row of theirs.
 /** @param {Table} table @returns {Finding} */

@@ -24,7 +24,7 @@ import {
   setAside,
   unnamed,
 } from "../reading/numbers.js";
-import { completeVerdicts, makeVerdict } from "../report.js";
+import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81];
@@ -33,7 +33,7 @@ const SAMPLE = 5; // poses of a run, where slips are tried before they are on al
 
 /**
  * The report on torques, a text or nested numbers, at q or along a list of q.
- * @returns {import("../report.js").Verdict}
+ * @returns {import("../verdict.js").Verdict}
  */
 export const compareTorques = completeVerdicts(torquesCompared);
 
@@ -129,7 +129,8 @@ function upright({ values, units, shape }, count, arm) {
   return null;
 }
 
-const reported = (...told) => makeVerdict("torques", ...told);
+const reported = (arm, grade, headline, fields) =>
+  makeVerdict("torques", arm, grade, headline, fields);
 
 function misshapen({ shape, values }, count, arm) {
   const dof = movingRows(arm).length;
@@ -142,7 +143,7 @@ function misshapen({ shape, values }, count, arm) {
   return reported(arm, WRONG, headline, { findings, causes: [key] });
 }
 
-/** @returns {import("../report.js").Verdict} */
+/** @returns {import("../verdict.js").Verdict} */
 function judged(typed, at, load, { arm, tolerance }) {
   const verdict = verdictOf(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);

@@ -1,6 +1,6 @@
 // Did these joints draw the path? By the tip that they give, and by how they move.
 
-import { completeVerdicts, makeVerdict } from "../report.js";
+import { completeVerdicts, makeVerdict } from "../verdict.js";
 import {
   dot,
   movingRows,
@@ -34,7 +34,7 @@ const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another 
 const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 
 /** @typedef {import("../geometry/path.js").Path} Path */
-/** @typedef {import("../report.js").Finding} Finding */
+/** @typedef {import("../verdict.js").Finding} Finding */
 /**
  * Rows of joints, and the units of their last places.
  * @typedef {{ q: number[][], units: number[][], unit: string, taken: string[],
@@ -44,7 +44,7 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 /**
  * The report on joint vectors along a path: a text such as CSV, or nested lists.
  * @param {string | any[]} mine @param {any} arm @param {Path} path
- * @returns {import("../report.js").Verdict}
+ * @returns {import("../verdict.js").Verdict}
  */
 export function compareTrace(mine, arm, path, options = {}) {
   const typed = readTrace(mine, arm, options.which);
@@ -64,7 +64,7 @@ export function readTrace(mine, arm, which = null) {
 
 /**
  * @param {import("../reading/numbers.js").Typed} typed @param {any} arm @param {Path} path
- * @returns {import("../report.js").Verdict}
+ * @returns {import("../verdict.js").Verdict}
  */
 export const judgeTrace = completeVerdicts(traceJudged);
 
@@ -155,7 +155,7 @@ function inUnit(held, arm, unit) {
   return { q: meant.map(({ values }) => values), units: meant.map((row) => row.units), unit };
 }
 
-/** @returns {import("../report.js").Verdict} */
+/** @returns {import("../verdict.js").Verdict} */
 function reported(arm, grade, words, taken, rest = {}) {
   const headline = formatMessage(grade === RIGHT ? "trace right" : "trace wrong", {
     arm: arm.name,
@@ -176,7 +176,7 @@ function misshapen({ shape }, arm, { times }) {
 /**
  * @param {Run} run @param {Path} path @param {number[]} allowed how far off each row may be (m)
  * @param {boolean} given whether that is all that is asked
- * @returns {import("../report.js").Verdict}
+ * @returns {import("../verdict.js").Verdict}
  */
 function judged(run, arm, path, allowed, given) {
   const [q, turned] = unwound(run.q, arm, path);

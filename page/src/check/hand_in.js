@@ -2,7 +2,7 @@
 // to whoever keeps the book; the page sends nothing.
 
 import { RIGHT } from "../../../judge/digits.js";
-import { formatVerdict } from "../../../judge/report.js";
+import { formatVerdict } from "../../../judge/verdict.js";
 import { copyToClipboard, h, setText } from "../dom.js";
 
 const COPIED_NOTE = "Copied, as it stands here.";

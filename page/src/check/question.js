@@ -11,7 +11,7 @@ import { checkJacobian, checkTorques } from "./topics/jacobian.js";
 import { checkBranches, checkPose, checkTrace } from "./topics/motion.js";
 import { checkTable } from "./topics/table.js";
 
-/** @typedef {import("../../../judge/report.js").Verdict} Verdict */
+/** @typedef {import("../../../judge/verdict.js").Verdict} Verdict */
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /**
  * Judges an answer; throws ArmError if it cannot be judged.

@@ -5,7 +5,7 @@ import { h } from "../dom.js";
 import { blocksIn } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { lookup } from "../../../judge/reading/numbers.js";
-import { listDetails, GRADE_MARKS } from "../../../judge/report.js";
+import { listDetails, GRADE_MARKS } from "../../../judge/verdict.js";
 import { ArmError } from "../../../judge/sentences.js";
 
 const ROW_NAMES = {
@@ -85,7 +85,7 @@ function getReading(question, verdict) {
   return readMatrixCells(getMatrix(question, verdict)) ?? readPartly(question, verdict);
 }
 
-/** @param {import("../../../judge/report.js").ReadTable} table */
+/** @param {import("../../../judge/verdict.js").ReadTable} table */
 const readTableCells = ({ cells, wrong }) => ({
   columns: TABLE_HEADERS,
   rows: cells.map((_, i) => String(i + 1)),

@@ -1,0 +1,128 @@
+// The verdict: what a judge of any topic returns, and how it reads as text.
+
+import { adviseOnCauses } from "./advice.js";
+import { RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
+import { formatMessage, tryOrNull } from "./sentences.js";
+
+/** The mark that is shown beside each grade. */
+export const GRADE_MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", [WRONG]: "✘" };
+
+/** @typedef {import("./geometry/arm.js").Arm} Arm */
+/** @typedef {import("./geometry/arm.js").Row} Row */
+/**
+ * A table of Denavit and Hartenberg as it was read.
+ * @typedef {object} ReadTable
+ * @property {Row[]} rows in the standard convention, in m and rad
+ * @property {string[][]} cells a, alpha, d, theta of each typed row, in m and degrees
+ * @property {any[][]} trees the formulas of these cells
+ * @property {boolean[][]} wrong which cells are wrong
+ * @property {import("./reading/table.js").TypedRow[]} [typed] the rows as they were typed
+ */
+/**
+ * One thing that is wrong or missing: its kind (the name of a cause, "cause", "shape", ...), the
+ * place, and a sentence.
+ * @typedef {{ what: string, where: string, words: string }} Finding
+ */
+/**
+ * What a judge says about an answer.
+ * @typedef {object} Verdict
+ * @property {string} topic
+ * @property {string} arm its name
+ * @property {string} grade "right", "so far", "rounded" or "wrong"
+ * @property {string} headline
+ * @property {string} [mark] the grade whose mark is shown, if it is not `grade`
+ * @property {Finding[]} findings
+ * @property {string[]} causes names of the mistakes that explain the answer
+ * @property {string[]} taken how the answer was read: units, order, convention
+ * @property {string[]} notes
+ * @property {import("./advice.js").Advice[]} [advice] settings to change
+ * @property {import("./reading/numbers.js").Typed} [typed] the numbers that were read
+ * @property {string[]} [left] lines of the text that were not used
+ * @property {boolean[]} [wrong] which of the numbers are wrong
+ * @property {ReadTable} [table]
+ * @property {import("./geometry/joint_map.js").JointMap & { rows: Row[] }} [map] from the joints of
+ *   the student's table to those of the reference
+ * @property {Record<string, any>} [figures] measured numbers by name
+ */
+
+/**
+ * Make a verdict whose lists are empty unless given.
+ * @param {string} topic
+ * @param {{ name: string }} arm
+ * @param {string} grade
+ * @param {string} headline
+ * @param {Partial<Verdict> & Record<string, any>} [fields]
+ * @returns {Verdict}
+ */
+export const makeVerdict = (topic, arm, grade, headline, fields = {}) => ({
+  topic,
+  arm: arm.name,
+  grade,
+  headline,
+  findings: [],
+  causes: [],
+  taken: [],
+  notes: [],
+  ...fields,
+});
+
+/**
+ * Wrap a judge so that its verdicts name another arm of the family that the answer is right for,
+ * carry advice, and list the lines that were not used.
+ * @template {any[]} Rest
+ * @param {(mine: any, ...rest: Rest) => Verdict} judge its last argument holds the options
+ * @returns {(mine: any, ...rest: Rest) => Verdict}
+ */
+export const completeVerdicts =
+  (judge) =>
+  (mine, ...rest) => {
+    const first = judge(mine, ...rest);
+    const verdict = findRightArm(first, judge, mine, rest) ?? first;
+    const options = rest[judge.length - 1] ?? {};
+    const advice = [...(verdict.advice ?? []), ...adviseOnCauses(verdict.causes, options)];
+    const unused = first.left ?? first.typed?.left ?? mine?.left ?? [];
+    return noteUnusedLines({ ...verdict, advice }, unused);
+  };
+
+// The verdict on an answer that is right for another arm of the same family; null if it is not.
+// Tables have causes of their own for that.
+/** @param {Verdict} verdict */
+function findRightArm({ topic, grade, typed }, judge, mine, args) {
+  const [arm, ...rest] = args;
+  if (grade !== WRONG || topic === "table") return null;
+  const isRightFor = (member) =>
+    [RIGHT, ROUNDED].includes(tryOrNull(() => judge(mine, member, ...rest))?.grade);
+  const other = (arm.family ?? []).find(isRightFor);
+  if (!other) return null;
+  const fields = { arm: arm.name, lengths: arm.lengths, other: other.name, others: other.lengths };
+  const message = formatMessage("arm.other", fields);
+  return makeVerdict(topic, arm, WRONG, message, {
+    findings: [{ what: "cause", where: "", words: message }],
+    causes: [`arm.other:${other.name}`],
+    advice: [{ field: "arm", value: other.name }],
+    typed,
+  });
+}
+
+function noteUnusedLines(verdict, unused) {
+  if (!unused.length) return verdict;
+  const texts = unused.map((line) => `\`${line}\``).join(", ");
+  return { ...verdict, notes: [...verdict.notes, formatMessage("set aside", { texts })] };
+}
+
+/**
+ * List the sentences below the headline, without those that the headline contains.
+ * @param {Verdict} verdict
+ * @returns {string[]}
+ */
+export const listDetails = ({ headline, findings, taken, notes }) => [
+  ...findings
+    .filter(({ what, words }) => what !== "cause" && !headline.includes(words.slice(1)))
+    .map(({ words }) => words),
+  ...taken.map((phrase) => `Taken as ${phrase}`),
+  ...notes.map((note) => `Note: ${note}`),
+];
+
+/** Format a verdict as text, as str(report) does in Python. @param {Verdict} verdict */
+export const formatVerdict = (verdict) =>
+  [verdict.headline, ...listDetails(verdict).map((line) => `- ${line}`)].join("\n");
