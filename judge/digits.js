@@ -19,15 +19,23 @@ const BARE = /^[+-]?\s*[01]\.?0?$/; // as programs print an exact 0 or 1
  * @typedef {{ values: number[], units: number[] }} Entries
  */
 
-// The unit of the last place of each number as typed; 0 for a formula, and for all of an answer
-// that shows every digit a computer has. A bare 0 or 1 has the answer's finest place.
-export function units(texts) {
+/**
+ * Return the unit of the last place of each number as typed, and twice the slack of each formula;
+ * 0 for all of an answer that shows every digit a computer has. A bare 0 or 1 has the answer's
+ * finest place.
+ * @param {string[]} texts @param {number[]} [slacks] of the formulas among them
+ */
+export function units(texts, slacks = []) {
   const found = texts.map(literal);
   if (found.some((one) => one?.digits >= FULL)) return texts.map(() => 0);
-  const placed = found.flatMap((one) => (one && !one.bare && one.size > NOISE ? [one.unit] : []));
+  const placed = found.flatMap((one, i) => {
+    if (!one) return slacks[i] ? [2 * slacks[i]] : [];
+    return !one.bare && one.size > NOISE ? [one.unit] : [];
+  });
   const whole = found.every((one) => one?.bare) && found.some((one) => one.size);
   const finest = placed.length || whole ? Math.min(1, ...placed) : 0;
-  return found.map((one) => (one ? (one.bare ? finest : one.unit) : 0));
+  const unit = (one, i) => (one ? (one.bare ? finest : one.unit) : 2 * (slacks[i] ?? 0));
+  return found.map(unit);
 }
 
 // A plain number as typed; null for a formula.

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from helpers import checks, inverse
+from helpers.checks.compare import numbers
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 from tests.corpus import jacobians
@@ -286,3 +287,25 @@ def test_nothing_is_set_aside_where_no_joint_is_locked():
     report = checks.compare_jacobian(KNOWN["STANFORD"].jacobian(q), STANFORD, q)
     assert report.agrees
     assert "set aside" not in str(report)
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "unit"),
+    [
+        ("2.66*10^{-2}", 0.0266, 1e-4),
+        ("-7.687*10^1", -76.87, 1e-2),
+        ("-0.6794π", -0.6794 * np.pi, 1e-4 * np.pi),
+        ("-122.29*pi/180", np.deg2rad(-122.29), np.deg2rad(1e-2)),
+        ("np.radians(17.19)", np.deg2rad(17.19), np.deg2rad(1e-2)),
+        ("np.float64(-0.7663)", -0.7663, 1e-4),
+        ("(-0.7663)", -0.7663, 1e-4),
+        ("0.612 * 0.5714", 0.612 * 0.5714, 0.5714e-3 + 0.612e-4),
+        ("0.5*cos(0.3)", 0.5 * np.cos(0.3), 0),  # so coarse among others, a number is exact
+        ("pi/2", np.pi / 2, 0),
+        ("3/7", 3 / 7, 0),
+    ],
+)
+def test_formula_keeps_the_digits_of_its_decimals(text, value, unit):
+    number = numbers(text, "yours")
+    assert number.values == pytest.approx(value)
+    assert number.units == pytest.approx(unit, rel=1e-6)

@@ -210,7 +210,7 @@ function power(tokens, k, depth) {
 
 function atom(tokens, k, depth) {
   const [kind, word] = at(tokens, k);
-  if (kind === "num") return [["num", Number(word)], k + 1];
+  if (kind === "num") return [["num", Number(word), halfPlace(word)], k + 1];
   if (kind === "name" && isFunction(word) && k + 1 < tokens.length) {
     if (tokens[k + 1][1] === "^") {
       const [exponent, after] = atom(tokens, k + 2, depth + 1); // sin^2 x
@@ -274,6 +274,63 @@ function single([kind, first, second], known) {
   if (found === undefined) throw new ArmError(`no value for ${first}`);
   return found;
 }
+
+// Half a unit of the last decimal place of a number as typed; 0 where it has no decimals.
+function halfPlace(word) {
+  const [mantissa, power = "0"] = word.toLowerCase().split("e");
+  const decimals = mantissa.split(".")[1];
+  return decimals ? 0.5 * 10 ** (Number(power) - decimals.length) : 0;
+}
+
+// Among other numbers, decimals coarser than this half place are exact as typed: 0.5*cos(0.3).
+const COARSEST_SLACK = 1e-3;
+
+/**
+ * Return how far a formula's value may be off because its decimals were rounded, to first order.
+ * Integers, pi and symbols are exact. A formula with a single decimal, as 2.66*10^-2 or 0.68*pi, is
+ * that number written otherwise, so its last place counts whatever its size.
+ * @param {any[]} tree @param {(name: string) => number | undefined} known
+ */
+export function formulaSlack(tree, known) {
+  const single = countDecimals(tree) === 1 && !symbols(tree).size;
+  return slackOf(tree, known, single ? Infinity : COARSEST_SLACK);
+}
+
+const countDecimals = (tree) =>
+  tree[0] === "num"
+    ? Number(Boolean(tree[2]))
+    : tree.filter(Array.isArray).reduce((count, part) => count + countDecimals(part), 0);
+
+// The slack of a tree, in which half places of `coarsest` and more count as exact.
+function slackOf(tree, known, coarsest) {
+  const [kind, first, second] = tree;
+  if (kind === "name") return 0;
+  if (kind === "num") return typedSlack(tree, coarsest);
+  if (kind === "neg") return slackOf(first, known, coarsest);
+  if (kind === "call") {
+    const slack = slackOf(second, known, coarsest);
+    return slack && slack * Math.abs(derivative(FUNCTIONS[first], valueOf(second, known)));
+  }
+  const limit = kind === "*" && isPowerOfTen(second) ? coarsest / value(second, known) : coarsest;
+  const [left, right] = [slackOf(first, known, limit), slackOf(second, known, coarsest)];
+  if (!left && !right) return 0;
+  return SLACKS[kind](left, right, valueOf(first, known), valueOf(second, known));
+}
+
+const typedSlack = ([, , half = 0], coarsest) => (half < coarsest ? half : 0);
+
+// The slack of x with slack dx, an operator, and y with slack dy.
+const SLACKS = {
+  "+": (dx, dy) => dx + dy,
+  "-": (dx, dy) => dx + dy,
+  "*": (dx, dy, x, y) => dx * Math.abs(y) + dy * Math.abs(x),
+  "/": (dx, dy, x, y) => dx / Math.abs(y) + (dy * Math.abs(x)) / (y * y),
+  "^": (dx, _, x, y) => dx * Math.abs(y * x ** (y - 1)),
+};
+
+const isPowerOfTen = (tree) => tree[0] === "^" && tree[1][0] === "num" && tree[1][1] === TEN;
+const STEP = 1e-6; // of the difference that stands for a derivative
+const derivative = (make, x) => (make(x + STEP) - make(x - STEP)) / (2 * STEP);
 
 // The number a text stands for if it holds no symbols, else null.
 export const number = (text) => tryOrNull(() => value(parse(text), () => undefined));

@@ -5,7 +5,16 @@ import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { find } from "./find.js";
 import { unitsSaid } from "./labels.js";
-import { isNumber, parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
+import {
+  formulaSlack,
+  isNumber,
+  parse,
+  plain,
+  simple,
+  symbols,
+  symbolsIn,
+  value,
+} from "./formula.js";
 import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "../sentences.js";
 
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
@@ -15,9 +24,9 @@ const SHORT = /^([cs])((?:[+-]?\d)+)$/;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
- * A number as typed, what one of it is worth where a unit or power of ten stands with it, and
- * whether it says itself that it is an angle.
- * @typedef {{ text: string, worth: number, angle: boolean }} Entry
+ * A number as typed; what one of it is worth where a unit or power of ten stands with it; whether
+ * it says itself that it is an angle; for a formula, how far its decimals leave its value open.
+ * @typedef {{ text: string, worth: number, angle: boolean, slack: number }} Entry
  */
 /**
  * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the
@@ -75,7 +84,13 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
   );
   if (!values.every(Number.isFinite))
     throw new ArmError(formatMessage("not finite", { what, wanted: wanted ?? "numbers" }));
-  const typed = entries.map(({ text }, i) => ofCell(text ?? String(values[i])));
+  const typed = entries.map(({ text, tree }, i) => {
+    if (text === undefined) return ofCell(String(values[i]));
+    return ofCell(
+      text,
+      formulaSlack(tree, (name) => found.get(name)),
+    );
+  });
   const symbolic = names.size > 0;
   return { values, units: unitsOf(typed), shape, symbolic, entries: typed, said: [], left: [] };
 }
@@ -131,7 +146,9 @@ function ofText(text, { known, ...question }) {
   for (const tree of trees) symbols(tree, used);
   const meant = known(used);
   const values = trees.map((tree) => value(tree, (name) => meant.get(name)));
-  const entries = texts.map(ofCell);
+  const entries = texts.map((cell, i) =>
+    ofCell(cell, isNumber(cell) ? 0 : formulaSlack(trees[i], (name) => meant.get(name))),
+  );
   const shown = trees.map((tree, i) =>
     entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
   );
@@ -142,19 +159,31 @@ function ofText(text, { known, ...question }) {
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
+const NUMPY_NUMBER = /^float64 ?\(([^()]*)\)$/;
+// 2.66*10^(-2), the same number as 2.66e-2
+const TIMES_POWER_OF_TEN = /^([-+]?[\d.]+) ?\* ?10 ?(?:\^|\*\*) ?\(? ?([-+]?\d+) ?\)?$/;
 
-// A number without the power of ten that MATLAB's heading gave it, or its sign of degrees.
-/** @returns {Entry} */
-function ofCell(cell) {
+/**
+ * Part a cell into the number typed and what one of it is worth: the power of ten of MATLAB's
+ * heading, or a degree.
+ * @param {string} typed @param {number} [slack] of a formula @returns {Entry}
+ */
+function ofCell(typed, slack = 0) {
+  const cell = typed.replace(NUMPY_NUMBER, "$1").replace(TIMES_POWER_OF_TEN, "$1e$2");
   const [, scaled, power] = SCALED.exec(cell) ?? [];
-  if (scaled) return { text: scaled, worth: Number(power), angle: false };
-  const turned = IN_DEGREES.exec(cell);
-  if (turned) return { text: turned[1], worth: RAD, angle: true };
-  return { text: cell, worth: 1, angle: /\b(?:deg|pi)\b/.test(cell) };
+  if (scaled) {
+    const worth = Number(power);
+    return { text: scaled, worth, angle: false, slack: slack / worth };
+  }
+  const [, degrees] = IN_DEGREES.exec(cell) ?? [];
+  if (degrees) return { text: degrees, worth: RAD, angle: true, slack: slack / RAD };
+  return { text: cell, worth: 1, angle: /\b(?:deg|pi)\b/.test(cell), slack };
 }
 
-const unitsOf = (entries) =>
-  units(entries.map(({ text }) => text)).map((u, i) => u * entries[i].worth);
+function unitsOf(entries) {
+  const [texts, slacks] = [entries.map(({ text }) => text), entries.map(({ slack }) => slack)];
+  return units(texts, slacks).map((unit, i) => unit * entries[i].worth);
+}
 
 export const eachJoint = (arm) =>
   formatMessage("each joint", { joints: jointNames(arm).join(", ") });
