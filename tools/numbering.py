@@ -273,7 +273,7 @@ def check_links(
     numbers: dict[tuple[Path, str], str],
 ) -> Iterator[str]:
     """Report links that lead nowhere, and mentions with a wrong number or without a link."""
-    text = blank(CODE, cell.text)
+    text = blank(MATH, blank(CODE, cell.text))
     path = cell.path.resolve()
     for link in LINK.finditer(text):
         place = cell.place(link.start())
@@ -291,9 +291,10 @@ def check_links(
             if mention and mention[2] != number:
                 problem = f"{link[1]} leads to {kind.name} {number}"
                 yield f"{place}: {problem}; run make refresh"
-    prose = blank(LINK, blank(MATH, text))
+    prose = blank(LINK, blank(CODE, cell.text))
     for kind in KINDS:
         prose = blank(kind.item, prose)
+    prose = blank(MATH, prose)
     for mention in BARE_MENTION.finditer(prose):
         place = cell.place(mention.start())
         yield f"{place}: {mention[0]} is no link; expected [{mention[0]}](#its-anchor)"

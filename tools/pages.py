@@ -72,11 +72,14 @@ def visit_math(translator, node) -> None:
 
 
 def visit_math_block(translator, node) -> None:
-    """With its number and its link, as Sphinx has them."""
+    """Write a display formula, its number and a link to it."""
     tex = node.astext().strip()
+    first, other = node["ids"][:1], node["ids"][1:]
+    node["ids"] = first  # a second id beside the formula would take a row of its grid
     translator.body.append(translator.starttag(node, "div", "", CLASS="math"))
     if node.get("number"):
-        translator.body.append(f'<span class="eqno">({node["number"]})')
+        anchors = "".join(f'<span id="{name}"></span>' for name in other)
+        translator.body.append(f'<span class="eqno">{anchors}({node["number"]})')
         translator.add_permalink_ref(node, "Link to this equation")
         translator.body.append("</span>")
     rows = r"\\" in WITHIN.sub("", tex) and not node.get("no-wrap")

@@ -154,7 +154,7 @@ def dress_exercise(section: nodes.section) -> None:
     folded = [
         fold_solution(part, ids[0], [nodes.Text(f"{heading[1]}: "), *name]) for part in solutions
     ]
-    section.replace_self([box, *parts[len(text) :], *folded])
+    section.parent.replace(section, [box, *parts[len(text) :], *folded])
 
 
 def fold_solution(
