@@ -1,7 +1,8 @@
 // All joint vectors that take the tip to a target, by the closed forms of helpers/inverse (elbow,
-// rod, stanford, spherical_wrist, ur). Free joints are at 0. The sources are named there.
+// rod, stanford, spherical_wrist, ur, solutions). Free joints are at 0. The sources are named there.
 
 import { ArmError, formatNumber } from "../sentences.js";
+import { solveByStructure } from "./inverse_structure.js";
 import { solveUr } from "./inverse_ur.js";
 import { dot, linkFrames, minus } from "./kinematics.js";
 import {
@@ -18,6 +19,7 @@ import {
   wrapAngle,
   WRISTS,
 } from "./planar.js";
+import { findStructure } from "./structure.js";
 
 const ELBOWS = ["elbow up", "elbow down"];
 const RODS = ["rod out", "rod through"];
@@ -179,10 +181,23 @@ const FORMS = {
     pose: true,
   },
   ur: { fits: isUr, solve: solveUr, pose: true },
+  solutions: { fits: (arm) => isSolvedForPoses(arm) === true, solve: solveByStructure, pose: true },
+  positions: {
+    fits: (arm) => isSolvedForPoses(arm) === false,
+    solve: solveByStructure,
+    pose: false,
+  },
 };
 
+// Whether the structure of an arm is solved for poses, not for points; null without a structure.
+function isSolvedForPoses(arm) {
+  const structure = findStructure(arm);
+  return structure && !["position", "two links"].includes(structure.kind);
+}
+
 /**
- * Return the name of the arm's closed form in helpers.inverse; null if it has none.
+ * Return the name of the arm's closed form, which for taught arms is that in helpers.inverse; null
+ * if it has none.
  * @param {Arm} arm
  */
 export const findClosedForm = (arm) =>

@@ -1,0 +1,53 @@
+// Newton's method, which takes a joint vector that nearly reaches a target all the way.
+
+import { cross, dot, jacobianColumns, linkFrames, minus, plus } from "./kinematics.js";
+import { solveLinear } from "./linear.js";
+
+const VALID = 1e-9; // m and rad
+const FINISHED_FROM = 1e-6; // it begins this near where a closed form is exact
+const NEARLY_FINISHED_FROM = 1e-2; // and this near where the structure is met only nearly
+
+/**
+ * The joint vector that reaches the target; null where none is near.
+ * @param {import("./arm.js").Arm} arm
+ * @param {boolean} isExact
+ * @param {any} target a point or a frame
+ * @param {number[]} q
+ */
+export function finishByNewton(arm, isExact, target, q) {
+  const near = isExact ? FINISHED_FROM : NEARLY_FINISHED_FROM;
+  let [best, error] = [q, poseError(arm, target, q)];
+  for (let k = 0; k < 4; k++) {
+    const worst = largest(error);
+    if (worst < VALID / 1000 || worst >= near) break;
+    const step = newtonStep(arm, best, error);
+    if (largest(step) > 0.1) break;
+    const trial = best.map((x, i) => x + step[i]);
+    const after = poseError(arm, target, trial);
+    if (!(largest(after) < worst)) break;
+    [best, error] = [trial, after];
+  }
+  return largest(error) < VALID ? best : null;
+}
+
+const largest = (v) => Math.max(...v.map(Math.abs));
+
+// J^T (J J^T + k I)^-1 error; k keeps the step finite next to a singular pose.
+function newtonStep(arm, q, error) {
+  const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c) => c.slice(0, error.length));
+  const normal = error.map((_, i) =>
+    error.map((__, j) => columns.reduce((sum, c) => sum + c[i] * c[j], i === j ? 1e-12 : 0)),
+  );
+  const y = solveLinear(normal, error);
+  return columns.map((c) => c.reduce((sum, x, i) => sum + x * y[i], 0));
+}
+
+// From the tip to the target: metres, then radians; 1 is added where the turn is over 90 degrees,
+// since the sine of half a turn is 0 too.
+function poseError(arm, target, q) {
+  const { x, y, z, o } = linkFrames(arm, q).at(-1);
+  if (Array.isArray(target)) return minus(target, o);
+  const sum = plus(plus(cross(x, target.x), cross(y, target.y)), cross(z, target.z));
+  const far = dot(x, target.x) + dot(y, target.y) + dot(z, target.z) < 0 ? 1 : 0;
+  return [...minus(target.o, o), ...sum.map((s) => s / 2 + far)];
+}
