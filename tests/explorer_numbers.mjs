@@ -4,6 +4,7 @@
 import { createInterface } from "node:readline";
 import { gravityTorque, jacobianColumns, movingRows, linkFrames, frameMatrix, wrenchTorque } from "../judge/geometry/kinematics.js";
 import { isSameMachine } from "../judge/geometry/axes.js";
+import { findClosedForm, needsPose, solveInverse } from "../judge/geometry/inverse.js";
 import { determinant, decomposeSingular } from "../judge/geometry/linear.js";
 import { findFadingDirections } from "../page/src/dragging.js";
 import { parseFragment } from "../page/src/link.js";
@@ -47,7 +48,17 @@ function compared(arm, reference) {
   return describeTable({ arm, reference, q }, { frames: linkFrames(arm, q) });
 }
 
+// The solutions for the poses of joint vectors, with their names, how many branches each is, and its free joints.
+function solutions(arm, qs) {
+  const form = findClosedForm(arm);
+  return qs.map((q) => {
+    const tip = linkFrames(arm, q).at(-1);
+    return solveInverse(arm, form, needsPose(form) ? tip : tip.o);
+  });
+}
+
 const jobs = {
+  solutions: ({ arm, qs }) => solutions(arm, qs),
   numbers: ({ arm, qs, wrench }) => qs.map((q) => numbers(arm, q, wrench)),
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
   ways: ({ arm, q }) => findBranches(arm, q).list.map((way) => way.q),

@@ -10,10 +10,12 @@ import numpy as np
 import pytest
 
 from helpers.arm import Arm, fixed, prismatic, revolute
+from helpers.checks.arms import arm_data
 from helpers.inputs import ArmError
 from helpers.inverse import elbow, solutions, solve, spherical_wrist, stanford, ur
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
+from tests.node import ask_node, needs_node
 
 HALF = np.pi / 2
 ARMS = int(os.environ.get("RANDOM_ARMS", "30"))  # of each structure; 1 000 once a week in CI
@@ -250,3 +252,19 @@ def test_ur_keeps_joint_1_where_its_axis_meets_the_wrist():
     assert found.free[found.valid][:, 0].all()
     np.testing.assert_allclose(found.q[found.valid][:, 0], 0.9)
     assert_valid(arm, found, T)
+
+
+@needs_node
+@pytest.mark.parametrize("name", STRUCTURES)
+def test_page_solutions_equal_python(name):
+    rng = np.random.default_rng(13)
+    for _ in range(4):
+        arm = random_arm(rng, *STRUCTURES[name])
+        q = random_q(arm, 10, rng)
+        asked = {"job": "solutions", "arm": arm_data(arm), "qs": q.tolist()}
+        answers = ask_node("explorer_numbers.mjs", asked)
+        for target, branches in zip(targets_of(arm, q, name), answers, strict=True):
+            known = solutions(arm, target).ways
+            assert [branch["name"] for branch in branches] == list(known), (name, arm)
+            theirs = np.array([branch["q"] for branch in branches])
+            assert largest_difference(arm, np.array(list(known.values())), theirs).max() < 1e-7

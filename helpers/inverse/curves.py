@@ -66,4 +66,6 @@ def find_flatness(axis: Axis, second: Axis, size: float) -> Flatness:
     x = axis.point + size * np.array([0.3, -0.7, 0.5])[:, None, None]
     A, _ = invariants(second, joint_curve(axis, x), size)
     U, sizes, _ = np.linalg.svd(A[:, :, 0, 0])
+    # Roots are named by their sign, so a direction must not depend on the library that found it.
+    U = U * np.where(np.where(np.abs(U[0]) > 1e-6, U[0], U[1]) < 0, -1.0, 1.0)
     return Flatness(U, float(sizes[1] / sizes[0]) if sizes[0] > 0 else 0.0)

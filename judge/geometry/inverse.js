@@ -1,5 +1,5 @@
 // All joint vectors that take the tip to a target, by the closed forms of helpers/inverse (elbow,
-// rod, stanford, spherical_wrist, ur, solutions). Free joints are at 0. The sources are named there.
+// rod, stanford, spherical_wrist, ur, solutions). Free joints are at 0; sources are named there.
 
 import { ArmError, formatNumber } from "../sentences.js";
 import { solveByStructure } from "./inverse_structure.js";

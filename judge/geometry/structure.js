@@ -193,7 +193,11 @@ export function flatnessOf(axis, second, size) {
   const { A } = invariants(second, jointCurve(axis, point), size);
   const columns = [0, 1].map((j) => [A[0][j], A[1][j]]);
   const { values, vectors } = decomposeSingular(columns, 2);
-  const [along, across] = [0, 1].map((k) => [vectors[k][0], vectors[k][1]]);
+  // Roots are named by their sign, so a direction must not depend on the library that found it.
+  const [along, across] = [0, 1].map((k) => {
+    const [x, y] = vectors[k];
+    return (Math.abs(x) > 1e-6 ? x : y) < 0 ? [-x, -y] : [x, y];
+  });
   return { along, across, width: values[0] > 0 ? values[1] / values[0] : 0 };
 }
 

@@ -12,6 +12,7 @@ import {
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
+import { findClosedForm, needsPose, solveInverse } from "../../judge/geometry/inverse.js";
 import { nullSpace, decomposeSingular, solveLinear } from "../../judge/geometry/linear.js";
 import { circlePath } from "../../judge/geometry/path.js";
 import { replaceAt } from "./text.js";
@@ -114,9 +115,10 @@ export function drawRandomPose(arm, roll = Math.random) {
 const MAX_BRANCHES = 16;
 
 /**
- * Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to
- * spare, joint 3 is held, so that the ways can be counted. Where joints can move with the tip at
- * rest, their ways are one family, of which the list holds one.
+ * Find the joint vectors with the tip at the same pose: by the arm's closed form, which names them,
+ * else from many starts. Where the arm has a joint to spare, joint 3 is held, so that the ways can
+ * be counted. Where joints can move with the tip at rest, their ways are one family; the list
+ * holds one of them.
  * @param {import("../../judge/geometry/arm.js").Arm} arm
  * @param {number[]} q
  */
@@ -129,26 +131,29 @@ export function findBranches(arm, q, tries = 300) {
   const roll = makeRandomGenerator(1);
   const families = [];
   const found = [];
-  const take = (branch) => {
+  const take = (branch, label) => {
     if (families.some((family) => isInFamily(arm, family, branch))) return;
-    if (found.some((other) => measureJointDistance(arm, other, branch) < 1e-3)) return;
+    if (found.some(({ q: other }) => measureJointDistance(arm, other, branch) < 1e-3)) return;
     const moving = findFreeJoints(arm, branch, target, lockedJoint);
-    found.push(branch);
+    found.push(label ? { q: branch, label } : { q: branch });
     if (moving.length) families.push({ moving, q: branch });
   };
+  const closedForm = solveClosedForm(arm, target, hasOrientation);
+  for (const { q: branch, name } of closedForm) take(wrapAngles(arm, branch), name);
   take(wrapAngles(arm, q));
-  for (let n = 0; n < tries && found.length < MAX_BRANCHES; n++) {
+  for (let n = 0; !closedForm.length && n < tries && found.length < MAX_BRANCHES; n++) {
     const start = drawRandomPose(arm, roll).map((v, i) => (i === lockedJoint ? q[i] : v));
     const { q: branch, error } = solvePose(arm, start, target, { lockedJoint });
     if (error < 1e-9) take(wrapAngles(arm, branch));
   }
-  return {
-    list: found.map((branch) => ({ q: branch })),
-    families,
-    lockedJoint,
-    target,
-    hasOrientation,
-  };
+  return { list: found, families, lockedJoint, target, hasOrientation };
+}
+
+// The branches of the arm's closed form, if its targets are those of the explorer; else none.
+function solveClosedForm(arm, target, hasOrientation) {
+  const form = findClosedForm(arm);
+  if (!form || needsPose(form) !== hasOrientation) return [];
+  return solveInverse(arm, form, hasOrientation ? target : target.o);
 }
 
 // rad or m along the null space: small beside a turn, large beside what a double root gives way by
