@@ -1,33 +1,34 @@
-// What is wider than its place scrolls in a box of its own, from the keyboard too, and says so.
+// Content wider than its column scrolls in a box of its own, also by keyboard, and shows that it
+// does.
 const WIDE = ".display, .matrix, div.table, pre";
-const SMALLEST = 0.75; // of a formula's size, before it scrolls
+const MIN_SHRINK = 0.75; // a formula shrinks to this share of its size before it scrolls
 
-const all = () => [...document.querySelectorAll(WIDE)];
+const findWideBoxes = () => [...document.querySelectorAll(WIDE)];
 
-// Boxes are measured when they come near, so that what is far need not be laid out.
-const measure = new IntersectionObserver((changes) => {
-  reachable(changes.filter(({ isIntersecting }) => isIntersecting).map(({ target }) => target));
+// Boxes are measured when they come near the window, so that far ones need not be laid out.
+const boxObserver = new IntersectionObserver((changes) => {
+  updateBoxes(changes.filter(({ isIntersecting }) => isIntersecting).map(({ target }) => target));
 }, { rootMargin: "150% 0px" });
 
-// All are measured before any is changed, so that the page is laid out once.
-function reachable(boxes) {
+// All boxes are measured before any is changed, so that the page is laid out once.
+function updateBoxes(boxes) {
   boxes.forEach((box) => box.style.removeProperty("--shrunk"));
-  const shares = boxes.map(share);
+  const shares = boxes.map(measureVisibleShare);
   boxes.forEach((box, k) => {
-    const tight = box.matches(".display, .matrix") && shares[k] < 1 && shares[k] > SMALLEST;
+    const tight = box.matches(".display, .matrix") && shares[k] < 1 && shares[k] > MIN_SHRINK;
     if (tight) box.style.setProperty("--shrunk", 0.985 * shares[k]);
-    scrollable(box, shares[k] < 1 && !tight);
+    setScrollable(box, shares[k] < 1 && !tight);
   });
 }
 
-// How much of a box's content it shows at once.
-function share(box) {
+// Return the share of a box's content that is visible at once.
+function measureVisibleShare(box) {
   return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
 }
 
-// Checks that hold stand out, among other lines too: each begins at the edge, and what does not fit its line goes on
-// further in. A unit stays with its number, an exponent with its minus.
-function proven(output) {
+// Mark the checks that hold in an output: each has a line of its own whose continuation is
+// indented. A unit stays with its number, an exponent with its minus.
+function markChecks(output) {
   for (const text of output.querySelectorAll("pre")) {
     const lines = text.textContent.trimEnd().split("\n");
     text.replaceChildren(...lines.map((line) => {
@@ -40,7 +41,7 @@ function proven(output) {
   }
 }
 
-function scrollable(box, wide) {
+function setScrollable(box, wide) {
   if (!wide && !box.matches(".scrolls")) return;
   box.classList.toggle("scrolls", wide);
   if (!wide) {
@@ -50,39 +51,39 @@ function scrollable(box, wide) {
   box.tabIndex = 0;
   box.setAttribute("role", "region");
   box.setAttribute("aria-label", "Wide content, scroll sideways");
-  hint(box);
-  tell(box);
-  if (!box.dataset.told) box.addEventListener("scroll", () => tell(box), { passive: true });
+  addHint(box);
+  updateEdges(box);
+  if (!box.dataset.told) box.addEventListener("scroll", () => updateEdges(box), { passive: true });
   box.dataset.told = true;
 }
 
-function hint(box) {
-  if (box.matches("pre, .matrix") || box.nextElementSibling?.matches(".hint")) return; // a fading edge says enough there
+function addHint(box) {
+  if (box.matches("pre, .matrix") || box.nextElementSibling?.matches(".hint")) return; // the fading edge is hint enough
   const words = Object.assign(document.createElement("span"), { className: "hint", textContent: "scroll sideways →" });
   words.ariaHidden = true;
   box.after(words);
 }
 
-function tell(box) {
+function updateEdges(box) {
   const left = box.scrollWidth - box.clientWidth - box.scrollLeft;
   box.classList.toggle("more-right", left > 1);
   box.classList.toggle("more-left", box.scrollLeft > 1);
 }
 
-// Whatever is near is told of anew, and the rest when the reader comes near.
-function look() {
-  measure.disconnect();
-  all().forEach((box) => measure.observe(box));
+// Measure the boxes near the window, and the others when they come near.
+function observeBoxes() {
+  boxObserver.disconnect();
+  findWideBoxes().forEach((box) => boxObserver.observe(box));
 }
 
-// On paper everything is seen.
-window.addEventListener("beforeprint", () => reachable(all()));
-window.addEventListener("load", look);
-document.fonts.addEventListener("loadingdone", look);
-let later;
+// Paper shows every box.
+window.addEventListener("beforeprint", () => updateBoxes(findWideBoxes()));
+window.addEventListener("load", observeBoxes);
+document.fonts.addEventListener("loadingdone", observeBoxes);
+let resizeTimer;
 window.addEventListener("resize", () => {
-  clearTimeout(later);
-  later = setTimeout(look, 100);
+  clearTimeout(resizeTimer);
+  resizeTimer = setTimeout(observeBoxes, 100);
 });
 
 document.addEventListener("DOMContentLoaded", () => {
@@ -99,17 +100,17 @@ document.addEventListener("DOMContentLoaded", () => {
     name();
   });
 
-  // Lists of references carry roles whose children they do not have.
+  // Sphinx gives lists of references roles that do not fit their children.
   each("div.citation-list, dl.citation, [role='doc-biblioentry']", (list) => list.removeAttribute("role"));
   each("div.citation-list [role], .citation [role='doc-backlink']", (item) => item.removeAttribute("role"));
 
   each("div.cell_output", (output) => {
     const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
     const lines = texts.join("\n").split("\n");
-    const told = lines.filter((line) => !line.startsWith("✔"));
-    if (!told.length) output.classList.add("proof");
-    else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(told.join("\n"))) output.classList.add("columns");
-    if (told.length < lines.length) proven(output);
+    const otherLines = lines.filter((line) => !line.startsWith("✔"));
+    if (!otherLines.length) output.classList.add("proof");
+    else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(otherLines.join("\n"))) output.classList.add("columns");
+    if (otherLines.length < lines.length) markChecks(output);
   });
 
   each("div.highlight-python", (code) => {
@@ -127,10 +128,10 @@ document.addEventListener("DOMContentLoaded", () => {
     if (target.closest("a") && list.matches(":popover-open")) list.hidePopover();
   }));
 
-  // Where the reader is, in the list of the page's sections.
+  // Mark the current section in the list of the page's sections.
   const links = new Map([...document.querySelectorAll(".sections a")].map((a) => [decodeURIComponent(a.hash.slice(1)), a]));
-  const seen = new IntersectionObserver((changes) => {
+  const sectionObserver = new IntersectionObserver((changes) => {
     for (const { isIntersecting, target } of changes) links.get(target.id)?.classList.toggle("here", isIntersecting);
   }, { rootMargin: "-20% 0px -70%" });
-  each("article section[id]", (section) => links.has(section.id) && seen.observe(section));
+  each("article section[id]", (section) => links.has(section.id) && sectionObserver.observe(section));
 });

@@ -12,7 +12,7 @@ from tests.test_book import HTML
 
 
 @pytest.mark.parametrize("scripts", [True, False])
-def test_answers_are_printed_open_and_closed_again(browser, scripts):
+def test_answers_open_for_printing_only(browser, scripts):
     context = browser.new_context(offline=True, java_script_enabled=scripts)
     page = context.new_page()
     page.goto((HTML / "answers/elbow.html").as_uri())
@@ -36,7 +36,7 @@ def sheet(browser):
     context.close()
 
 
-def test_a_block_is_copied_from_a_file_and_runs(sheet, capsys):
+def test_copied_block_runs(sheet, capsys):
     sheet.locator("#det-j summary").click()
     sheet.locator("#det-j").get_by_role("button", name="Copy NumPy").click()
     sheet.get_by_text("NumPy copied.").wait_for()
@@ -44,7 +44,7 @@ def test_a_block_is_copied_from_a_file_and_runs(sheet, capsys):
     assert float(capsys.readouterr().out) == names["det_J"] != 0
 
 
-def test_all_blocks_are_opened_and_copied_at_once(sheet):
+def test_all_blocks_open_and_copy_together(sheet):
     sheet.get_by_role("button", name="Open all answers").click()
     assert sheet.locator("details.answer:not([open])").count() == 0
     sheet.get_by_role("button", name="Copy all as SymPy").click()
@@ -54,7 +54,7 @@ def test_all_blocks_are_opened_and_copied_at_once(sheet):
     assert {"A_6", "T_06", "o_6", "z_6", "det_J", "P", "G"} <= set(names)
 
 
-def test_where_the_clipboard_is_closed_a_selection_is_copied(browser, tmp_path):
+def test_block_without_clipboard_is_selected(browser, tmp_path):
     """An older browser, or a page in a frame; from the sheet of one file."""
     page = browser.new_page(offline=True)
     page.add_init_script(

@@ -88,7 +88,7 @@ def button(words):
     return f"[...{ROOT}.querySelectorAll('button')].find((b) => b.textContent.trim() === '{words}')"
 
 
-def test_the_first_page_plays(reader):
+def test_intro_plays_the_circle(reader):
     reader.explorer(name="intro")
     reader.click(button("Play"))
     reader.until(f"{STATE}.progress > 0.01 && {STATE}.playing")
@@ -97,7 +97,7 @@ def test_the_first_page_plays(reader):
     )
 
 
-def test_a_link_and_the_tip_are_dragged(reader):
+def test_links_and_tip_can_be_dragged(reader):
     reader.explorer("#arm=Panda&view=pose&q=0.1,-0.4,0.3,1.6,0.2,1.9,0.4")
     start = reader.ask(f"{STATE}.q")
     for frame, moved in ((4, [3]), (-1, range(7))):
@@ -116,14 +116,14 @@ def test_a_link_and_the_tip_are_dragged(reader):
         start = now
 
 
-def test_a_table_is_typed_and_followed(reader):
+def test_typed_table_moves_the_arm(reader):
     reader.explorer("#arm=Panda&view=table")
     reader.fill(f"{ROOT}.querySelector('[data-cell=\"3-a\"]')", "0.1")
     reader.until(f"{ROOT}.querySelector('.dh .verdict').textContent.includes('17.5 mm')")
     reader.until(f"{STATE}.arm.rows[2].a === 0.1")
 
 
-def test_a_jacobian_is_judged(reader):
+def test_typed_jacobian_is_judged(reader):
     reader.open("check_your_homework", "#ask=jacobian&arm=ELBOW&q=0.5, 0.7, -0.4")
     told = "document.querySelector('.arm-judge .verdict')?.textContent"
     answer = "[...document.querySelectorAll('.arm-judge textarea:not([readonly])')].at(-1)"
@@ -135,19 +135,19 @@ def test_a_jacobian_is_judged(reader):
     reader.until(f"{told}.includes('is right at this pose, to the digits you gave.')")
 
 
-def test_a_search_finds(reader):
+def test_search_lists_results(reader):
     reader.open("search")
     reader.fill("document.querySelector('form.search input')", "singularities")
     reader.until("document.querySelector('#search-results li a')?.textContent.match(/singular/i)")
 
 
-def test_a_shared_link_opens_the_friends_arm(reader):
+def test_shared_link_opens_its_arm(reader):
     reader.explorer(FRIEND)
     assert reader.ask(f"[{STATE}.arm.name, {STATE}.q]") == ["Your arm", [0.6, -1.1]]
     assert "Yours has 2 joints" in reader.ask(f"{ROOT}.textContent")
 
 
-def test_dark_is_chosen_and_drawings_follow(reader):
+def test_dark_theme_inverts_drawings(reader):
     reader.open("robot_data")
     ground = "getComputedStyle(document.body).backgroundColor"
     drawing = "getComputedStyle(document.querySelector('figure img')).filter"
@@ -166,7 +166,7 @@ def test_dark_is_chosen_and_drawings_follow(reader):
     assert looks["dark"] == ["rgb(22, 25, 29)", "invert(0.92) hue-rotate(180deg)"]
 
 
-def test_a_small_figure_of_a_chapter_follows_a_click(reader):
+def test_small_figure_follows_a_click(reader):
     reader.open("02_jacobian")
     figure = "document.querySelector('[data-figure=columns]')"
     fourth = f"{figure}.shadowRoot?.querySelectorAll('th button')[3]"
@@ -177,7 +177,7 @@ def test_a_small_figure_of_a_chapter_follows_a_click(reader):
     reader.until(f"{fourth}.ariaPressed === 'true'")
 
 
-def test_a_link_and_the_end_key_lead_to_their_places(reader):
+def test_links_and_end_key_scroll_to_target(reader):
     reader.open("05_inverse_kinematics")
     reader.click("document.querySelector(`.sections a[href='#exercises']`)")
     reader.until(

@@ -229,9 +229,7 @@ def untouched(browser):
     [("wide", *one) for one in LINKS] + [("phone", *one) for one in LINKS[::6]],
     ids=lambda one: str(one)[:40],
 )
-def test_who_touches_nothing_sees_what_the_link_says_and_nothing_moves(
-    untouched, size, link, arm, tab, joints, words
-):
+def test_link_state_shows_without_interaction(untouched, size, link, arm, tab, joints, words):
     untouched.set_viewport_size(SIZES[size])
     untouched.goto("about:blank")
     untouched.goto(f"{(HTML / 'explorer.html').as_uri()}{link}")
@@ -247,7 +245,7 @@ def test_who_touches_nothing_sees_what_the_link_says_and_nothing_moves(
     assert picture["y"] + picture["height"] / 2 < SIZES[size]["height"], "the first thing there"
 
 
-def test_a_dragged_slider_shows_the_pose_that_python_computes(visit):
+def test_dragged_slider_pose_equals_python(visit):
     here = visit()
     home = here.pose()
     np.testing.assert_allclose(home, forward_kinematics(PANDA, PANDA.home), atol=5.1e-5)
@@ -264,7 +262,7 @@ def test_a_dragged_slider_shows_the_pose_that_python_computes(visit):
     np.testing.assert_allclose(here.q(), q, atol=1e-6)
 
 
-def test_keys_move_joints_tabs_and_the_view(visit):
+def test_keys_move_joints_tabs_and_view(visit):
     here = visit("#arm=Panda&view=pose", drawn=True)
     here.page.get_by_role("slider", name="Joint 1, angle").focus()
     here.page.keyboard.press("PageUp")
@@ -281,7 +279,7 @@ def test_keys_move_joints_tabs_and_the_view(visit):
     until(here.page, lambda: picture.screenshot() != before)
 
 
-def test_typed_values_are_taken_and_bad_ones_refused_in_words(visit):
+def test_typed_values_are_validated(visit):
     here = visit("#arm=Stanford arm&view=pose")
     field = here.page.get_by_label("Joint 2, angle, typed")
     field.fill("pi/2")
@@ -298,7 +296,7 @@ def test_typed_values_are_taken_and_bad_ones_refused_in_words(visit):
     np.testing.assert_allclose(here.q(), expected, atol=1e-6)
 
 
-def test_the_table_can_be_typed_in_and_a_bad_entry_keeps_the_last_good_arm(visit):
+def test_bad_table_entry_keeps_last_arm(visit):
     here = visit()
     here.page.locator("[data-cell='3-a']").fill("0.1")
     assert "17.5 mm" in here.page.locator(".dh .verdict").inner_text()
@@ -316,7 +314,7 @@ def test_the_table_can_be_typed_in_and_a_bad_entry_keeps_the_last_good_arm(visit
     np.testing.assert_allclose(here.pose(), forward_kinematics(mine, PANDA.home), atol=5.1e-5)
 
 
-def test_rows_are_added_removed_and_made_to_slide(visit):
+def test_table_rows_are_added_and_removed(visit):
     here = visit("#arm=Elbow arm")
     here.page.get_by_role("button", name="Add a row").click()
     here.page.get_by_label("Row 4, kind of joint").select_option("prismatic")
@@ -332,7 +330,7 @@ def test_rows_are_added_removed_and_made_to_slide(visit):
     assert again.page.locator("[data-cell='3-a']").input_value() == "0.088"
 
 
-def test_the_jacobian_is_pythons(visit):
+def test_shown_jacobian_equals_python(visit):
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     here = visit(f"#arm=UR10e&view=jacobian&q={','.join(map(str, q))}")
     cells = here.page.locator(".heat td").all_inner_texts()
@@ -340,7 +338,7 @@ def test_the_jacobian_is_pythons(visit):
     np.testing.assert_allclose(shown, jacobian(UR10E, q), atol=5.1e-4)
 
 
-def test_static_torques_are_the_homeworks_and_follow_the_ball(visit):
+def test_static_torques_follow_the_force_ball(visit):
     here = visit("#arm=Panda&view=torque", drawn=True)
     field = here.page.get_by_label("F x, N", exact=True)
     field.fill("-5")
@@ -400,7 +398,7 @@ PLAYED_AND_PAUSED = f"""(button) => new Promise((done) => {{
 }});"""
 
 
-def test_a_circle_is_traced_played_and_scrubbed(visit):
+def test_circle_is_traced_played_and_scrubbed(visit):
     here = visit("#arm=Panda (homework)&view=trace")
     here.page.get_by_role("button", name="Draw a circle from here").click()
     expect(here.page.locator(".trace .verdict")).to_contain_text("would have to pass their limits")
@@ -441,7 +439,7 @@ POINTED = """(canvas) => {
 }"""
 
 
-def test_ways_to_a_pose_are_chosen_in_the_picture_and_in_the_list(visit):
+def test_branches_are_chosen_in_picture_and_list(visit):
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
     here.page.get_by_role("button", name="Find the ways to this pose").click()
@@ -481,7 +479,7 @@ def typed(page, label, text):
     field.press("Enter")
 
 
-def test_chapter_1_an_offset_may_slide_along_parallel_axes_and_only_joint_3_tells_a_reversed_one(
+def test_chapter_1_offset_slides_on_parallel_axes(
     visit,
 ):
     page = visit(name="01_dh_tables").page
@@ -504,7 +502,7 @@ def test_chapter_1_an_offset_may_slide_along_parallel_axes_and_only_joint_3_tell
     assert "0.0 mm" not in verdict.inner_text()
 
 
-def test_live_figures_of_a_chapter_come_alive_when_they_come_into_view_and_share_one_context(visit):
+def test_live_figures_share_one_webgl_context(visit):
     page = visit(name="01_dh_tables").page
     figures = page.locator("[data-figure]").all()
     assert len(figures) >= 3
@@ -515,7 +513,7 @@ def test_live_figures_of_a_chapter_come_alive_when_they_come_into_view_and_share
     assert page.evaluate("ArmExplorer.inUse().figures") == len(figures) + 1
 
 
-def test_chapter_2_rank_comes_back_with_joints_3_and_5(visit):
+def test_chapter_2_joints_3_and_5_restore_rank(visit):
     page = visit(name="02_jacobian").page
     verdict = page.locator(".jacobian .verdict")
     lost = "Here the tip cannot move along y, move along z nor turn about x."
@@ -530,7 +528,7 @@ def test_chapter_2_rank_comes_back_with_joints_3_and_5(visit):
     assert verdict.inner_text().startswith("Rank 6")
 
 
-def test_chapter_3_one_circle_winds_and_two_others_do_not(visit):
+def test_chapter_3_only_one_circle_winds(visit):
     page = visit(name="03_circle_tracing").page
     verdict = page.locator(".trace .verdict")
     assert verdict.inner_text().startswith("Joint 5 and joint 7 would have to pass their limits")
@@ -548,7 +546,7 @@ def test_chapter_3_one_circle_winds_and_two_others_do_not(visit):
     assert page.locator(".plots .past").count() == 0
 
 
-def test_chapter_4_the_pen_pushed_down_is_too_much_for_joint_6(visit):
+def test_chapter_4_pushed_pen_overloads_joint_6(visit):
     page = visit(name="04_static_torque").page
     totals = page.locator(".bars .total")
     assert totals.nth(1).inner_text() == "21.81"
@@ -571,7 +569,7 @@ NAMELESS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']
 
 
 @pytest.mark.parametrize(("theme", "size"), [("light", "wide"), ("dark", "phone")])
-def test_every_tab_fits_the_page_and_wears_its_theme_and_all_in_it_has_a_name(visit, theme, size):
+def test_every_tab_fits_and_passes_axe(visit, theme, size):
     here = visit(theme=theme, size=size)
     card = here.page.locator("section.explorer")
     assert card.get_attribute("data-theme") == theme
@@ -588,7 +586,7 @@ def test_every_tab_fits_the_page_and_wears_its_theme_and_all_in_it_has_a_name(vi
     assert not card.locator("header, .views, canvas").locator("visible=true").count()
 
 
-def test_where_motion_is_unwelcome_the_arm_is_there_at_once(visit):
+def test_reduced_motion_skips_the_glide(visit):
     here = visit("#arm=UR10e&view=pose")
     here.page.emulate_media(reduced_motion="reduce")
     here.page.get_by_label("Joint 1, angle, typed").fill("90")
@@ -597,7 +595,7 @@ def test_where_motion_is_unwelcome_the_arm_is_there_at_once(visit):
     np.testing.assert_allclose(here.pose(), forward_kinematics(UR10E, UR10E.home), atol=5.1e-5)
 
 
-def test_without_webgl_the_numbers_still_work(browser):
+def test_numbers_work_without_webgl(browser):
     here = Reader(browser, "light", "wide", "file:")
     here.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
     page = here.open((HTML / "explorer.html").as_uri() + "#arm=Panda&view=pose")
@@ -632,7 +630,7 @@ def dragged(page, start, by, steps=8):
     until_still(page)
 
 
-def test_the_arm_is_held_by_its_links_and_its_tip(visit):
+def test_arm_is_dragged_by_links_and_tip(visit):
     """One visit for everything that a hand does: link, tip, why it stops, undo, pin and elbow, keys."""
     here = visit("#arm=Panda&view=pose&q=0.1,-0.4,0.3,1.6,0.2,1.9,0.4")
     page = here.page
@@ -672,7 +670,7 @@ def test_the_arm_is_held_by_its_links_and_its_tip(visit):
     assert forward_kinematics(PANDA, here.q())[2, 3] == pytest.approx(0.5, abs=1e-3)
 
 
-def test_a_tip_says_what_fades_and_then_why_it_stops(visit):
+def test_dragged_tip_explains_why_it_stops(visit):
     page = visit("#arm=Elbow arm&view=pose").page
     said = []
     for x in ("0.6", "0.69", "0.9"):
@@ -688,7 +686,7 @@ def test_a_tip_says_what_fades_and_then_why_it_stops(visit):
     assert "Joint 2 at its limit" in page.locator(".why").text_content()
 
 
-def test_nothing_grows_with_switches_keystrokes_and_views(visit):
+def test_memory_does_not_grow(visit):
     """Twenty explorers share one context, survive its loss, and leave nothing behind."""
     here = visit("#arm=Panda&view=table")
     here.leave()
@@ -759,7 +757,7 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
     here.troubles[:] = [one for one in here.troubles if not any(words in one for words in lost)]
 
 
-def test_a_thumb_may_swipe_past_a_slider(visit):
+def test_vertical_swipe_ignores_sliders(visit):
     """On a phone: large targets, a picture that stays, sliders that a vertical swipe leaves alone."""
     here = visit(
         "#arm=Panda&view=table", size="phone", script=USUAL, has_touch=True, is_mobile=True
@@ -796,7 +794,7 @@ def test_a_thumb_may_swipe_past_a_slider(visit):
     assert picture["y"] + picture["height"] < 844, "the picture is in view while one types"
 
 
-def test_a_pasted_table_and_one_summary_for_the_ear(visit):
+def test_pasted_table_is_announced_once(visit):
     here = visit("#arm=Panda&view=table")
     here.leave()
     page = here.page

@@ -89,7 +89,7 @@ def _until_connected(address):
     raise AssertionError(kernels)
 
 
-def test_sliders_and_python_move_the_same_arm(browser, lab):
+def test_sliders_and_python_share_one_arm(browser, lab):
     page = browser.new_page(viewport={"width": 1300, "height": 1400})
     page.add_init_script(UNDRAWN)
     page.set_default_timeout(180_000)  # a busy machine takes its time to start a kernel

@@ -90,7 +90,7 @@ def verdict(page, words):
 
 
 @wide
-def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
+def test_link_restores_typed_answer(page):
     verdict(page, "joint i turns about the axis of the frame before it")
     assert page.locator(".arm-judge td.off").count() == 15  # of 18: the last two axes are one
     ask(page, ELBOW)
@@ -111,7 +111,7 @@ def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
 
 
 @wide
-def test_a_report_of_what_is_not_right_can_be_copied(page):
+def test_report_of_wrong_answer_is_copied(page):
     """Asked, typed, read and said; also where the clipboard is closed, which it is to most."""
     button = page.get_by_role("button", name="Copy a report of this")
     verdict(page, "An example, with a mistake in it.")
@@ -140,7 +140,7 @@ def test_a_report_of_what_is_not_right_can_be_copied(page):
 
 
 @phone
-def test_torques_by_keys_alone(page):
+def test_torques_are_judged_by_keyboard(page):
     page.get_by_label("Question").focus()
     page.keyboard.press("ArrowDown")
     verdict(page, "Type or paste your answer.")
@@ -150,7 +150,7 @@ def test_torques_by_keys_alone(page):
 
 
 @wide
-def test_a_table_is_judged_and_shown_as_it_is_read(page):
+def test_table_reading_is_shown(page):
     page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
     page.get_by_label("Arm", exact=True).select_option("ELBOW")
     heads = "a (mm) alpha (deg) d (mm) theta"
@@ -187,7 +187,7 @@ SPOKEN = """() => {
 
 
 @phone
-def test_formulas_are_read_while_they_are_typed(page):
+def test_formulas_are_read_while_typed(page):
     ask(page, FORMULAS)
     verdict(page, "no value for L")
     read = page.locator(".arm-judge .read")
@@ -214,7 +214,7 @@ PASTED = """(field, text) => {
 
 
 @phone
-def test_what_is_pasted_is_judged_at_once_and_shown_after_it(page):
+def test_pasted_answer_is_judged_at_once(page):
     ask(page, "")
     page.locator(".arm-judge summary").click()
     page.get_by_label("Your own symbols").fill("L = 0.4")
@@ -225,7 +225,7 @@ def test_what_is_pasted_is_judged_at_once_and_shown_after_it(page):
 
 
 @wide
-def test_the_verdict_is_spoken_once_a_pause(page):
+def test_verdict_is_announced_after_a_pause(page):
     ask(page, "")
     verdict(page, "Type or paste your answer.")
     page.wait_for_timeout(600)  # longer than the pause before this answer is spoken
@@ -239,7 +239,7 @@ def test_the_verdict_is_spoken_once_a_pause(page):
 
 
 @phone
-def test_what_is_typed_never_becomes_part_of_the_page(page):
+def test_typed_markup_is_not_executed(page):
     hostile = "<img src=x onerror=window.hit=1>, 1, a_{<script>window.hit=2</script>}"
     ask(page, f"{hostile}\n1, 2, 3")
     read = page.locator(".arm-judge .read")
@@ -251,7 +251,7 @@ def test_what_is_typed_never_becomes_part_of_the_page(page):
 
 
 @both
-def test_it_fits_and_axe_finds_nothing_serious(page):
+def test_form_fits_and_passes_axe(page):
     assert page.evaluate(OUTSIDE) == []
     assert (
         page.get_by_role("region", name="How your answer is read").evaluate("e => e.tabIndex") == 0
@@ -293,7 +293,7 @@ def near(place):
     raise AssertionError("no judge came to life")
 
 
-def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(chapter):
+def test_chapter_form_hides_given_fields(chapter):
     page = chapter("02_jacobian")
     for name in ("judge", "explorer"):  # far away
         assert page.locator(f"script[src$='{name}.js']").count() == 0
@@ -321,14 +321,14 @@ def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(chapter):
         ("05_inverse_kinematics", 0, "1 2 3", "and q3 agree with no branch"),
     ],
 )
-def test_a_chapter_judges_what_it_asks(chapter, name, number, answer, words):
+def test_chapter_form_judges_its_question(chapter, name, number, answer, words):
     place = near(chapter(name).locator(".arm-judge").nth(number))
     place.get_by_label("Your answer", exact=True).fill(answer)
     place.locator(".verdict", has_text=words).wait_for()
 
 
 @phone
-def test_a_run_comes_from_a_file(page, tmp_path):
+def test_trajectory_file_is_judged(page, tmp_path):
     page.get_by_label("Question").select_option("trace")
     page.get_by_role("button", name="Show an example").click()
     verdict(page, "the path is drawn the other way round")
@@ -342,7 +342,7 @@ def test_a_run_comes_from_a_file(page, tmp_path):
 
 
 @both
-def test_the_field_to_type_in_is_in_the_first_screen_and_nothing_moves(page):
+def test_answer_field_is_on_first_screen(page):
     page.set_viewport_size(
         {"width": page.size["width"], "height": 844 if page.size["width"] < 800 else 800}
     )
@@ -358,7 +358,7 @@ def test_the_field_to_type_in_is_in_the_first_screen_and_nothing_moves(page):
 
 
 @phone
-def test_the_verdict_stands_above_the_keys_of_a_phone(page):
+def test_verdict_stays_above_phone_keyboard(page):
     page.set_viewport_size({"width": 390, "height": 500})  # what a keyboard leaves of 844
     page.evaluate("matchMedia = () => ({ matches: true })")
     field = page.get_by_label("Your answer", exact=True)
@@ -372,7 +372,7 @@ def test_the_verdict_stands_above_the_keys_of_a_phone(page):
 
 
 @phone
-def test_nothing_is_red_before_anything_was_typed(page):
+def test_untouched_form_shows_no_error(page):
     field = page.get_by_label("Your answer", exact=True)
     arms = page.get_by_label("Arm", exact=True)
     for question in ("jacobian", "torques", "table", "branches", "pose", "trace"):
@@ -405,7 +405,7 @@ TONES = """box => ["right", "so far", "rounded", "wrong"].map((grade) => {
 
 
 @phone
-def test_what_people_bring_is_told_on_a_phone(page):
+def test_common_answers_are_explained_on_phone(page):
     for case in questions_about("brought")[
         ::5
     ]:  # their words are tested once, by tests/test_judge.py
@@ -427,7 +427,7 @@ SWAPPED = "\n".join(ELBOW.splitlines()[3:] + ELBOW.splitlines()[:3])
 
 
 @phone
-def test_each_advice_is_a_button_that_sets_a_field(page):
+def test_advice_button_sets_its_field(page):
     ask(page, SWAPPED, "28.6479, 40.1070, -22.9183")
     offered = page.locator(".arm-judge .offer button")
     offered.first.wait_for()

@@ -92,7 +92,7 @@ def visit(readers, request):
     return reader
 
 
-def test_the_page_is_whole(visit):
+def test_page_loads_completely(visit):
     assert visit.page.locator("html").get_attribute("data-theme") == visit.theme
     assert visit.page.evaluate(BROKEN) == []
     assert visit.troubles == []
@@ -107,7 +107,7 @@ def resized(page, size):
 
 
 @pytest.mark.parametrize("size", WINDOWS)
-def test_everything_fits_the_screen_or_scrolls_and_says_so(visit, size):
+def test_page_fits_screen_or_scrolls(visit, size):
     """And lines have 66 to 75 letters where there is room, and code 14 pixels everywhere."""
     resized(visit.page, size)
     assert visit.page.evaluate("document.documentElement.scrollWidth") == WINDOWS[size]["width"]
@@ -136,7 +136,7 @@ UNMARKED = f"""(box) => {{
     ],
     indirect=["visit"],
 )
-def test_a_cut_would_be_noticed(visit, what):
+def test_fit_check_detects_cut_content(visit, what):
     """The test above means something: without its marks, what is too wide is found."""
     resized(visit.page, "small")
     assert visit.page.locator(f"{what}.more-right").first.evaluate(UNMARKED)
@@ -174,13 +174,13 @@ def serious(page):
     return found + page.evaluate(BAD)
 
 
-def test_axe_finds_nothing_serious_in_either_colours(visit):
+def test_page_passes_axe_in_both_themes(visit):
     found = serious(visit.page)
     assert not found, "\n".join(found)
 
 
 @pytest.mark.parametrize(("name", "pale"), [("explorer", "pre span"), ("glossary", "article p")])
-def test_axe_would_notice(browser, name, pale):
+def test_axe_detects_planted_faults(browser, name, pale):
     """The test above means something: a button without a name is found, and letters too pale on the
     dark page that was opened bright."""
     reader = Reader(browser, "light", "wide", "file:")
@@ -194,7 +194,7 @@ def test_axe_would_notice(browser, name, pale):
     reader.context.close()
 
 
-def test_it_weighs_no_more_than_three_megabytes(visit):
+def test_page_weighs_under_three_megabytes(visit):
     visit.page.evaluate(UNDRAWN)
     for stub in visit.page.locator(".arm-explorer").all():
         stub.evaluate(THERE)

@@ -21,14 +21,14 @@ def paper(browser):
 
 
 @pytest.mark.parametrize("name", pdf.names())
-def test_no_sentence_asks_for_a_mouse_or_a_script(paper, name):
+def test_pdf_mentions_no_mouse_or_script(paper, name):
     pdf.part(paper, name)
     text = paper.inner_text("article")
     assert len(text) > 500
     assert [found[0].strip() for found in SCREEN.finditer(text)] == []
 
 
-def test_a_reference_leads_to_a_title_and_not_to_the_page_before(browser):
+def test_pdf_reference_leads_to_its_title(browser):
     """A title that is moved to the next page leaves the beginning of its section behind."""
     page = browser.new_page()
     page.set_content(
@@ -43,7 +43,7 @@ def test_a_reference_leads_to_a_title_and_not_to_the_page_before(browser):
     page.close()
 
 
-def test_the_pages_that_are_printed_are_those_of_the_book():
+def test_pdf_has_the_pages_of_the_book():
     assert {*pdf.names(), *pdf.ALONE} == {
         str(path.relative_to(HTML).with_suffix(""))
         for path in HTML.rglob("*.html")

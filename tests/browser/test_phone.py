@@ -13,7 +13,7 @@ GAPS = """() => [...document.querySelectorAll(".doors a")].map(link => {
 })"""
 
 
-def test_the_bars_links_stay_apart(browser):
+def test_bar_links_do_not_overlap(browser):
     page = browser.new_page()
     page.goto((HTML / "where.html").as_uri())
     for width in (320, 360, 390):
@@ -25,7 +25,7 @@ def test_the_bars_links_stay_apart(browser):
     page.close()
 
 
-def test_the_list_of_arms_shows_a_name_on_a_phone(browser):
+def test_arm_list_shows_a_name_on_phone(browser):
     page = browser.new_page(viewport={"width": 390, "height": 844})
     page.goto((HTML / "03_circle_tracing.html").as_uri())
     instrument = page.locator(".cell .arm-explorer:not([data-figure])").first

@@ -11,7 +11,7 @@ from tests.searches import SEARCHES
 from tests.test_book import HTML, NAMES
 
 
-def test_over_http_nothing_else_is_asked_for(browser):
+def test_page_requests_no_other_host(browser):
     handler = partial(SimpleHTTPRequestHandler, directory=HTML)
     SimpleHTTPRequestHandler.log_message = lambda *_: None
     server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
@@ -30,7 +30,7 @@ READ = """performance.getEntriesByName('first-contentful-paint').length &&
     ["1em Source Serif", "600 1em Source Serif"].every((face) => document.fonts.check(face))"""
 
 
-def test_lines_hardly_move_when_the_letters_of_formulas_come_late(browser):
+def test_late_math_font_hardly_moves_lines(browser):
     reader = Reader(browser, "light", "phone", "file:", device_scale_factor=1.75, is_mobile=True)
     reader.page.add_init_script(UNTOUCHED)
 
@@ -55,7 +55,7 @@ UNSAID = """() => [...document.querySelectorAll(".display, div.table, pre")].fil
 })"""
 
 
-def test_boxes_are_ready_where_the_reader_scrolls(browser):
+def test_boxes_are_ready_when_scrolled_to(browser):
     """Without the order to make everything ready at once, which the other tests give."""
     reader = Reader(browser, "light", "phone", "file:")
     page = reader.page
@@ -71,7 +71,7 @@ def test_boxes_are_ready_where_the_reader_scrolls(browser):
     reader.context.close()
 
 
-def test_a_link_and_a_reload_lead_where_they_should_on_a_page_not_laid_out_yet(browser):
+def test_links_and_reloads_reach_far_sections(browser):
     """Opened at its top, a page lays out its far sections when a reader comes near."""
     reader = Reader(browser, "light", "phone", "file:")
     page, place = reader.page, "#exercises"
@@ -84,7 +84,7 @@ def test_a_link_and_a_reload_lead_where_they_should_on_a_page_not_laid_out_yet(b
     reader.context.close()
 
 
-def test_the_end_key_leads_to_the_end(browser):
+def test_end_key_scrolls_to_page_end(browser):
     """Far sections, which had no place yet, have one then."""
     reader = Reader(browser, "light", "wide", "file:")
     reader.page.goto((HTML / "02_jacobian.html").as_uri())
@@ -93,7 +93,7 @@ def test_the_end_key_leads_to_the_end(browser):
     reader.context.close()
 
 
-def test_forty_searches_find_their_section_first(browser):
+def test_searches_rank_their_section_first(browser):
     """By section, symptom, term and function; nine of ten bring the right one first. The index is
     built in pieces."""
     reader = Reader(browser, "light", "wide", "file:")
@@ -126,7 +126,7 @@ def drawn(page):
     return "dark" if page.locator("figure img").evaluate_all(how) != "none" else "light"
 
 
-def test_colours_follow_the_system_until_the_reader_chooses_and_then_stay(browser):
+def test_theme_follows_system_until_chosen(browser):
     context = browser.new_context(offline=True, color_scheme="dark")
     page = context.new_page()
     page.goto((HTML / "robot_data.html").as_uri())
@@ -151,7 +151,7 @@ def test_colours_follow_the_system_until_the_reader_chooses_and_then_stay(browse
     context.close()
 
 
-def test_without_scripts_the_page_is_there_in_the_systems_colours(browser):
+def test_page_without_scripts_follows_system(browser):
     context = browser.new_context(
         java_script_enabled=False, color_scheme="dark", viewport=SIZES["wide"]
     )
@@ -177,7 +177,7 @@ ASKED = re.compile(
 )
 
 
-def test_without_scripts_no_page_is_wider_than_a_phone_or_asks_for_what_is_not_there(browser):
+def test_page_without_scripts_fits_phone(browser):
     context = browser.new_context(
         java_script_enabled=False, offline=True, viewport=WINDOWS["small"]
     )
@@ -189,7 +189,7 @@ def test_without_scripts_no_page_is_wider_than_a_phone_or_asks_for_what_is_not_t
     context.close()
 
 
-def test_the_contents_open_on_a_phone_and_close_after_use(browser):
+def test_contents_open_and_close_on_phone(browser):
     reader = Reader(browser, "light", "phone", "file:")
     page = reader.open((HTML / "04_static_torque.html").as_uri())
     contents = page.locator("#contents")

@@ -38,7 +38,7 @@ def page(browser):
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_nothing_moves_when_a_live_part_comes(page, name):
+def test_live_part_keeps_the_still_height(page, name):
     """At any width."""
     address = (HTML / f"{name}.html").as_uri()
     page.route(LIVE, lambda route: route.abort())
@@ -62,7 +62,7 @@ def test_nothing_moves_when_a_live_part_comes(page, name):
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_without_a_script_pictures_and_forms_can_be_seen(browser, name):
+def test_stills_are_visible_without_script(browser, name):
     page = browser.new_page(java_script_enabled=False)
     page.goto((HTML / f"{name}.html").as_uri())
     for part in page.locator(".arm-explorer").all():
@@ -75,7 +75,7 @@ def test_without_a_script_pictures_and_forms_can_be_seen(browser, name):
     page.close()
 
 
-def test_what_is_chosen_and_typed_before_the_script_has_come_is_kept(browser):
+def test_entries_before_the_script_are_kept(browser):
     page = browser.new_page()
     late = []
     page.route(LIVE, lambda route: late.append(route))
