@@ -126,14 +126,14 @@ function minimizeError({ arm, target, rest, turns, limits }, start) {
     const step = solveDamped(columns, pulls, REST_WEIGHT + lambda);
     const next = [...q];
     free.forEach((k, i) => (next[k] = clamp(q[k] + step[i], limits[k])));
-    const there = linkFrames(arm, next);
-    const found = cost(there, next);
-    if (found >= least) {
+    const nextFrames = linkFrames(arm, next);
+    const nextCost = cost(nextFrames, next);
+    if (nextCost >= least) {
       lambda *= 6;
       continue;
     }
-    const gain = least - found;
-    [q, frames, least, lambda] = [next, there, found, Math.max(1e-5, lambda / 4)];
+    const gain = least - nextCost;
+    [q, frames, least, lambda] = [next, nextFrames, nextCost, Math.max(1e-5, lambda / 4)];
     if (gain < 1e-10) break;
   }
   return { q, frames, error: least };
@@ -248,9 +248,9 @@ export function swingElbow(arm, q, grab, pinnedPose, { turns = true } = {}) {
     free = still.length;
     if (!free) break;
     const moved = add(next, findElbowStep(arm, frames, still, grab));
-    const { q: there, error } = solvePose(arm, moved, pinnedPose, { rows: turns ? 6 : 3 });
-    if (!there.every(within) || error > 1e-4) break;
-    next = there;
+    const { q: solution, error } = solvePose(arm, moved, pinnedPose, { rows: turns ? 6 : 3 });
+    if (!solution.every(within) || error > 1e-4) break;
+    next = solution;
   }
   return { q: next, free };
 }

@@ -53,13 +53,13 @@ export const HOMEWORK = {
 function getMistakenColumns(arm, q, frames, mistake) {
   const c = makeChain(arm, q);
   const after = c.at.map((row) => row + 1);
-  const made = (options) => flatJacobian(c, frames, options);
+  const withChange = (options) => flatJacobian(c, frames, options);
   const mistaken = {
-    angular: () => joinHalves(made({}), made({ axis: after })),
-    z_i: () => made({ axis: after, origin: after }),
-    o_i: () => made({ origin: after }),
+    angular: () => joinHalves(withChange({}), withChange({ axis: after })),
+    z_i: () => withChange({ axis: after, origin: after }),
+    o_i: () => withChange({ origin: after }),
   };
-  const J = mistaken[mistake]?.() ?? made({});
+  const J = mistaken[mistake]?.() ?? withChange({});
   return q.map((_, k) => [0, 1, 2, 3, 4, 5].map((i) => J[i * c.dof + k]));
 }
 
@@ -151,13 +151,13 @@ class CircleSimulation {
       if (error instanceof SingularError) return false;
       throw error;
     }
-    const there = linkFrames(arm, this.q).at(-1);
+    const tip = linkFrames(arm, this.q).at(-1);
     const wanted = { ...first, o: getCirclePoint(first.o, run, next).o };
-    const distance = norm(minus(there.o, wanted.o));
-    const tilt = Math.atan2(norm(cross(there.z, first.z)), dot(there.z, first.z));
+    const distance = norm(minus(tip.o, wanted.o));
+    const tilt = Math.atan2(norm(cross(tip.z, first.z)), dot(tip.z, first.z));
     worst.largestTilt = Math.max(worst.largestTilt, tilt);
     worst.largestError = Math.max(worst.largestError, distance);
-    const missed = norm(getPoseError(there, wanted).slice(0, countTaskRows(arm)));
+    const missed = norm(getPoseError(tip, wanted).slice(0, countTaskRows(arm)));
     // Beyond this pose the joints would jump.
     if (run.method === "exact" && missed > REACH_TOLERANCE) return false;
     if ((n + 1) % this.every === 0 || n + 1 === run.steps) {

@@ -1,5 +1,5 @@
-// Inverse kinematics by damped steps, for any table: circles traced from where the arm stands, and
-// the other ways to reach a pose. None of it touches the page, so that a worker can do it.
+// Inverse kinematics by damped steps for any table: circles traced from the current pose, and other
+// branches of a pose. It does not use the page, so that a worker can run it.
 
 import { isJointVector, jointRange } from "../../judge/geometry/arm.js";
 import {
@@ -18,10 +18,10 @@ import { circlePath } from "../../judge/geometry/path.js";
 import { replaceAt } from "./text.js";
 import { countTaskRows } from "./verdicts.js";
 
-// How many joints are more than the pose (or, below six, the place) asks for.
+// Count the joints beyond those that the task needs.
 const countSpareJoints = (arm) => Math.max(0, movingRows(arm).length - countTaskRows(arm));
 
-// The small motion (v, then ω) that is missing from a tip to a frame.
+// Return the small motion (v, then ω) from the tip to a frame.
 export function getPoseError(tip, wanted) {
   const turn = ["x", "y", "z"].reduce(
     (sum, axis) => plus(sum, cross(tip[axis], wanted[axis])),
@@ -32,7 +32,7 @@ export function getPoseError(tip, wanted) {
 
 export const dotProduct = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
 
-// Levenberg and Marquardt's step x, for which |J x - e|² + damping |x|² is least, from the columns
+// Return the Levenberg-Marquardt step x that minimizes |J x - e|² + damping |x|², from the columns
 // of J and from Jᵀ e.
 export const solveDamped = (columns, pull, damping) =>
   solveLinear(
@@ -40,8 +40,9 @@ export const solveDamped = (columns, pull, damping) =>
     pull,
   );
 
-// The joint vector that brings the tip to the frame `wanted`, or that many rows of it, by steps
-// damped by the error (Sugihara 2011); `held` is the index of a joint that must not move.
+// Solve for joint values that bring the tip to the frame `wanted`, or match its first `rows`
+// entries, by steps damped by the error (Sugihara 2011). `lockedJoint` is the index in q of a joint
+// that must not move.
 export function solvePose(
   arm,
   start,
@@ -64,11 +65,11 @@ export function solvePose(
   }
 }
 
-// For the wall that faces each axis, the circle's plane and which way round it goes.
+// The circle's plane and sense of rotation on the wall that faces each axis.
 const CIRCLE_PLANES = { x: ["zy", 1], y: ["zx", -1], z: ["yx", 1] };
 
-// Where the tip should be at a share of the way round a circle that begins at `top` and hangs below
-// it in the plane with this normal axis, and how fast it should go.
+// Return the tip's position and velocity at a share of a circle. The circle begins at `top` and
+// hangs below it in the plane with this normal axis.
 export function getCirclePoint(top, { normal = "x", radius = 0.1, seconds = 1 }, share) {
   const [plane, sense] = CIRCLE_PLANES[normal];
   const centre = top.map((v, i) => v - ("xyz"[i] === plane[0] ? radius : 0));
@@ -77,12 +78,12 @@ export function getCirclePoint(top, { normal = "x", radius = 0.1, seconds = 1 },
   return { o: path.position(t), v: path.velocity(t) };
 }
 
-const NUDGE = 0.05; // rad or m, out of a pose in which no small motion helps
+const NUDGE = 0.05; // rad or m; moves a joint out of a pose where no small motion helps
 
-// What a search finds from a pose, `found`, or from a little beside it, joint by joint: a singular
-// pose holds it.
-export function searchAround(found, q, search) {
-  let best = found;
+// Return the best result of searches from a little beside q, joint by joint, or the given one. A
+// singular pose holds back a search that starts in it.
+export function searchAround(result, q, search) {
+  let best = result;
   for (const k of q.keys()) {
     for (const nudge of [NUDGE, -NUDGE]) {
       const other = search(replaceAt(q, k, q[k] + nudge));
@@ -92,15 +93,15 @@ export function searchAround(found, q, search) {
   return best;
 }
 
-// `reach`, out of a singular pose too.
+// Solve as `solvePose` does, and from around the start if that is singular.
 export function solvePoseFromSingular(arm, start, wanted, options) {
   const search = (q) => solvePose(arm, q, wanted, options);
-  const found = search(start);
-  const stalled = found.error > 1e-6 && isAtPose(found.q, start);
-  return stalled ? searchAround(found, start, search) : found;
+  const result = search(start);
+  const stalled = result.error > 1e-6 && isAtPose(result.q, start);
+  return stalled ? searchAround(result, start, search) : result;
 }
 
-// The same numbers on every machine and at every visit.
+// The same random numbers on every machine and at every visit.
 function makeRandomGenerator(seed) {
   return () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
 }
@@ -115,12 +116,13 @@ export function drawRandomPose(arm, roll = Math.random) {
 const MAX_BRANCHES = 16;
 
 /**
- * Find the joint vectors with the tip at the same pose: by the arm's closed form, which names them,
- * else from many starts. Where the arm has a joint to spare, joint 3 is held, so that the ways can
- * be counted. Where joints can move with the tip at rest, their ways are one family; the list
- * holds one of them.
+ * Find joint values with the tip at the same pose: by the arm's closed form, which names the
+ * branches, else from many random starts.
+ * If the arm has a spare joint, joint 3 is locked so that the solutions can be counted. If joints
+ * can move while the tip stays, their solutions form a family, of which the list has one member.
  * @param {import("../../judge/geometry/arm.js").Arm} arm
  * @param {number[]} q
+ * @returns {import("./state.js").BranchSet}
  */
 export function findBranches(arm, q, tries = 300) {
   const target = linkFrames(arm, q).at(-1);
@@ -130,23 +132,23 @@ export function findBranches(arm, q, tries = 300) {
   const lockedJoint = countSpareJoints(arm) ? 2 : -1;
   const roll = makeRandomGenerator(1);
   const families = [];
-  const found = [];
-  const take = (branch, label) => {
+  const solutions = [];
+  const addBranch = (branch, label) => {
     if (families.some((family) => isInFamily(arm, family, branch))) return;
-    if (found.some(({ q: other }) => measureJointDistance(arm, other, branch) < 1e-3)) return;
+    if (solutions.some(({ q: other }) => measureJointDistance(arm, other, branch) < 1e-3)) return;
     const moving = findFreeJoints(arm, branch, target, lockedJoint);
-    found.push(label ? { q: branch, label } : { q: branch });
+    solutions.push(label ? { q: branch, label } : { q: branch });
     if (moving.length) families.push({ moving, q: branch });
   };
   const closedForm = solveClosedForm(arm, target, hasOrientation);
-  for (const { q: branch, name } of closedForm) take(wrapAngles(arm, branch), name);
-  take(wrapAngles(arm, q));
-  for (let n = 0; !closedForm.length && n < tries && found.length < MAX_BRANCHES; n++) {
+  for (const { q: branch, name } of closedForm) addBranch(wrapAngles(arm, branch), name);
+  addBranch(wrapAngles(arm, q));
+  for (let n = 0; !closedForm.length && n < tries && solutions.length < MAX_BRANCHES; n++) {
     const start = drawRandomPose(arm, roll).map((v, i) => (i === lockedJoint ? q[i] : v));
     const { q: branch, error } = solvePose(arm, start, target, { lockedJoint });
-    if (error < 1e-9) take(wrapAngles(arm, branch));
+    if (error < 1e-9) addBranch(wrapAngles(arm, branch));
   }
-  return { list: found, families, lockedJoint, target, hasOrientation };
+  return { list: solutions, families, lockedJoint, target, hasOrientation };
 }
 
 // The branches of the arm's closed form, if its targets are those of the explorer; else none.
@@ -156,11 +158,11 @@ function solveClosedForm(arm, target, hasOrientation) {
   return solveInverse(arm, form, hasOrientation ? target : target.o);
 }
 
-// rad or m along the null space: small beside a turn, large beside what a double root gives way by
+// rad or m; small beside a turn, large beside the play of a double root
 const NULL_SPACE_STEP = 0.1;
 
-// The joints that can move from here while the tip stays: those of a null direction along which a
-// solution really lies.
+// Find the joints that can move while the tip stays: those of a null direction that leads to
+// another solution.
 function findFreeJoints(arm, q, target, lockedJoint = -1) {
   const rows = countTaskRows(arm);
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
@@ -180,14 +182,13 @@ function findFreeJoints(arm, q, target, lockedJoint = -1) {
   return [...moving].sort((p, r) => p - r);
 }
 
-// Whether a way differs from a family's only in the joints that move along it.
+// Return whether a solution differs from a family's member only in the joints that move.
 function isInFamily(arm, { moving, q }, branch) {
   const there = branch.map((v, i) => (moving.includes(i) ? q[i] : v));
   return measureJointDistance(arm, q, there) < 1e-3;
 }
 
-// Revolute joints brought to within half a turn, or into their limits where whole turns can do
-// that.
+// Wrap revolute joints to half a turn, or into their limits if whole turns can do that.
 function wrapAngles(arm, q) {
   return movingRows(arm).map((row, i) => {
     if (arm.rows[row].kind !== "revolute") return q[i];
@@ -205,6 +206,6 @@ function measureJointDistance(arm, p, q) {
   return Math.max(...movingRows(arm).map((row, i) => Math.abs(gap(row, i))));
 }
 
-// Whether an arm at q stands at a joint vector that may have been rounded.
+// Return whether q equals joint values that may have been rounded.
 export const isAtPose = (branch, q) =>
   branch.length === q.length && branch.every((v, i) => Math.abs(v - q[i]) < 1e-4);

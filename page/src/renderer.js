@@ -230,15 +230,15 @@ export class Figure {
     const { camera, controls, size } = this;
     this.fitted = camera.aspect;
     const foot = Math.min(0.3, this.foot() / this.height);
-    const held = points.map((p) => new Vector3(...p));
-    new Box3().setFromPoints(held).getCenter(controls.target);
+    const vectors = points.map((p) => new Vector3(...p));
+    new Box3().setFromPoints(vectors).getCenter(controls.target);
     camera.position.copy(controls.target).addScaledVector(INITIAL_VIEW, 3 * size);
     Object.assign(camera, { near: size / 50, far: size * 40 });
     camera.updateProjectionMatrix();
     for (let step = 0; step < 4; step++) {
       controls.update();
       camera.updateMatrixWorld();
-      const { min, max } = new Box3().setFromPoints(held.map((p) => p.clone().project(camera)));
+      const { min, max } = new Box3().setFromPoints(vectors.map((p) => p.clone().project(camera)));
       const away = camera.position.clone().sub(controls.target);
       const lift = Math.max(0, Math.min(foot, (max.y - min.y) / 2 - 1 + 2 * foot));
       const half = away.length() * Math.tan((camera.fov * Math.PI) / 360);

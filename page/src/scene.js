@@ -175,13 +175,13 @@ export class ArmPicture {
     const force = wrench.slice(0, 3);
     const shown = view === "torque";
     const size = norm(force);
-    const way = size
+    const direction = size
       ? scaled((MAX_ARROW_SHARE * this.size) / (size + HALF_LENGTH_FORCE), force)
       : [0, 0, 0];
-    this.force.point(minus(tip, way), way, 0.007 * this.size);
+    this.force.point(minus(tip, direction), direction, 0.007 * this.size);
     this.force.visible &&= shown;
     this.handle.visible = shown;
-    this.handle.position.fromArray(minus(tip, way));
+    this.handle.position.fromArray(minus(tip, direction));
     this.tip = tip;
     if (shown && !this.shown.force) this.fit();
     this.shown.force = shown;
@@ -189,14 +189,14 @@ export class ArmPicture {
 
   // Return the force whose arrow starts at a point.
   forceFrom(point) {
-    const way = minus(this.tip, point);
+    const direction = minus(this.tip, point);
     const length = Math.min(
-      norm(way),
+      norm(direction),
       MAX_ARROW_SHARE * this.size * (100 / (100 + HALF_LENGTH_FORCE)),
     );
     if (length < 0.015 * this.size) return [0, 0, 0];
     const size = (HALF_LENGTH_FORCE * length) / (MAX_ARROW_SHARE * this.size - length);
-    return scaled(size / norm(way), way);
+    return scaled(size / norm(direction), direction);
   }
 
   drawPath(state) {
@@ -229,9 +229,9 @@ export class ArmPicture {
     const hidden = measureTipOffset(state, derived) && highlightedBranch === null;
     const shown = view === "branches" && !hidden ? branches : null;
     if (this.shown.branches !== shown) this.ghostArms(state.arm, shown);
-    this.ghosts.children.forEach((/** @type {any} */ shape, way) => {
-      shape.visible = !isAtPose(shown.list[way].q, q);
-      shape.pose(shape.userData, way === highlightedBranch ? 0.97 : 0.3);
+    this.ghosts.children.forEach((/** @type {any} */ shape, i) => {
+      shape.visible = !isAtPose(shown.list[i].q, q);
+      shape.pose(shape.userData, i === highlightedBranch ? 0.97 : 0.3);
     });
   }
 
@@ -268,10 +268,14 @@ export class ArmPicture {
     this.fading.children.forEach((/** @type {any} */ arrow, i) => {
       const lost = fading[Math.floor(i / 2)];
       const side = i % 2 ? -this.size : this.size;
-      const way = lost
-        ? scaled(side * (0.04 + 0.1 * getFadingStrength(lost)), lost.way)
+      const vector = lost
+        ? scaled(side * (0.04 + 0.1 * getFadingStrength(lost)), lost.direction)
         : [0, 0, 0];
-      arrow.point(lost ? plus(tip, scaled(0.03 * side, lost.way)) : tip, way, 0.004 * this.size);
+      arrow.point(
+        lost ? plus(tip, scaled(0.03 * side, lost.direction)) : tip,
+        vector,
+        0.004 * this.size,
+      );
     });
   }
 
@@ -288,11 +292,11 @@ export class ArmPicture {
     const { barrier } = this;
     barrier.visible = short > 0.004 * this.size && !hold.moving;
     if (!barrier.visible) return;
-    const way = new Vector3(...minus(hold.target, tip)).normalize();
-    placeRod(barrier.way, tip, hold.target, 0.002 * this.size);
+    const direction = new Vector3(...minus(hold.target, tip)).normalize();
+    placeRod(barrier.rod, tip, hold.target, 0.002 * this.size);
     barrier.spot.position.set(...hold.target);
-    barrier.wallPart.position.set(...plus(tip, scaled(0.006 * this.size, way.toArray())));
-    barrier.wallPart.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), way);
+    barrier.wallPart.position.set(...plus(tip, scaled(0.006 * this.size, direction.toArray())));
+    barrier.wallPart.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), direction);
   }
 
   // Fit the whole arm and the tips of its frames into the view.
@@ -344,11 +348,11 @@ export class ArmPicture {
 
   // Return the index of the ghost under a pixel, or null.
   findBranchAt(pixel) {
-    const gaps = this.ghosts.children.flatMap(({ visible, userData }, way) => {
+    const gaps = this.ghosts.children.flatMap(({ visible, userData }, i) => {
       const hit = visible && this.findLinkAt(pixel, 7, getLinkSegments(this.arm, userData));
-      return hit ? [{ way, gap: hit.gap }] : [];
+      return hit ? [{ i, gap: hit.gap }] : [];
     });
-    return gaps.sort((p, q) => p.gap - q.gap)[0]?.way ?? null;
+    return gaps.sort((p, q) => p.gap - q.gap)[0]?.i ?? null;
   }
 
   dispose() {
@@ -378,10 +382,10 @@ function makeBarrier(size, look) {
   const group = /** @type {any} */ (new Group());
   const ink = new MeshBasicMaterial({ color: look.bad });
   const wallPart = makeSquare(0.16 * size, makePaneMaterial(look.bad, 0.3));
-  const [way, spot] = [makeRod(ink), makeBall(ink)];
+  const [rod, spot] = [makeRod(ink), makeBall(ink)];
   spot.scale.setScalar(0.01 * size);
-  Object.assign(group, { wallPart, way, spot, visible: false });
-  group.add(wallPart, way, spot);
+  Object.assign(group, { wallPart, rod, spot, visible: false });
+  group.add(wallPart, rod, spot);
   return group;
 }
 

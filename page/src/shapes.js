@@ -117,7 +117,7 @@ class InstancedSolids extends InstancedMesh {
   }
 }
 
-// Return a vector perpendicular to `way`, from the base axis that is least parallel to it.
+// Return a vector perpendicular to `direction`, from the base axis that is least parallel to it.
 function findPerpendicular(direction, length) {
   return cross(direction, Math.abs(direction[2]) < 0.7 * length ? [0, 0, 1] : [1, 0, 0]);
 }

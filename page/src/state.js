@@ -175,11 +175,16 @@ function stepThroughHistory(state, from, to) {
   const step = state[from].at(-1);
   if (!step) return null;
   const { gesture: _, ...kept } = step;
-  const here = {
+  const current = {
     gesture: null,
     ...Object.fromEntries(UNDO_FIELDS.map((key) => [key, state[key]])),
   };
-  return { ...kept, playing: false, [from]: state[from].slice(0, -1), [to]: [...state[to], here] };
+  return {
+    ...kept,
+    playing: false,
+    [from]: state[from].slice(0, -1),
+    [to]: [...state[to], current],
+  };
 }
 
 // Select another arm of the list, at its home pose unless q is given.
@@ -211,12 +216,12 @@ function moveAlongTrace({ trace, arm }, progress) {
 
 /**
  * Return the state of an explorer that has just been opened.
- * @param {Partial<State> & { arm: Arm, q: number[] }} given
+ * @param {Partial<State> & { arm: Arm, q: number[] }} fields
  * @returns {State}
  */
-export const makeInitialState = (given) => ({
-  base: given.arm,
-  reference: given.arm,
+export const makeInitialState = (fields) => ({
+  base: fields.arm,
+  reference: fields.arm,
   wrench: [0, 0, 0, 0, 0, 0],
   unit: "deg",
   view: "pose",
@@ -228,7 +233,7 @@ export const makeInitialState = (given) => ({
   past: [],
   future: [],
   ...EMPTY,
-  ...given,
+  ...fields,
 });
 
 // Values that follow from an arm, joint values and a wrench. Each is computed at its first use.
@@ -305,11 +310,11 @@ class Derived {
 export function measureTipOffset({ branches }, { frames }) {
   if (!branches) return null;
   const { x, y, z, o } = frames.at(-1);
-  const far = norm(minus(o, branches.target.o));
-  const turned = branches.hasOrientation
+  const distance = norm(minus(o, branches.target.o));
+  const turn = branches.hasOrientation
     ? Math.max(...Object.entries({ x, y, z }).map(([k, v]) => norm(minus(v, branches.target[k]))))
     : 0;
-  return far > 5e-4 || turned > 2e-3 ? { far, turned } : null;
+  return distance > 5e-4 || turn > 2e-3 ? { distance, turn } : null;
 }
 
 export class Store {

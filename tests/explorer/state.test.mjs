@@ -110,7 +110,7 @@ test("ways are marked once the tip has left the pose, and come back with it", ()
     store.dispatch({ type: "moveJoints", q: values });
     return measureTipOffset(store.state, store.derived);
   };
-  assert.ok(left([0.2, 1.2, -0.8]).far > 0.02);
+  assert.ok(left([0.2, 1.2, -0.8]).distance > 0.02);
   for (const way of store.state.branches.list) assert.equal(left(way.q), null);
 });
 

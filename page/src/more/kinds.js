@@ -198,9 +198,9 @@ function buildWindingFigure(host, spec) {
   const run = () =>
     asked(
       { arm: store.state.arm, q: start, run: { method: "exact", steps: 180, radius } },
-      (found) => {
+      (newResult) => {
         if (live.signal.aborted) return;
-        result = found;
+        result = newResult;
         show();
         live.refresh();
       },
@@ -233,13 +233,14 @@ function buildBranchesFigure(host, spec) {
   const live = makeLive(host, spec, {
     state: { view: "branches" },
     side: [list],
-    message: ({ arm, branches: found }) => (found ? describeBranches(arm, found) : "Computing …"),
+    message: ({ arm, branches: branchSet }) =>
+      branchSet ? describeBranches(arm, branchSet) : "Computing …",
   });
   const { store } = live;
   let gone = false;
-  runJob("branches", { arm: store.state.arm, q: store.state.q }).then((found) => {
+  runJob("branches", { arm: store.state.arm, q: store.state.q }).then((branchSet) => {
     if (gone) return;
-    store.dispatch({ type: "setBranches", arm: store.state.arm, branches: found });
+    store.dispatch({ type: "setBranches", arm: store.state.arm, branches: branchSet });
     const button = ({ q }, i) => {
       const style = `border-left: 6px solid ${getBranchColour(i)}`;
       const onclick = () => store.dispatch({ type: "glide", q });
@@ -249,12 +250,12 @@ function buildBranchesFigure(host, spec) {
         `${i + 1}`,
       );
     };
-    list.replaceChildren(...found.list.map(button));
+    list.replaceChildren(...branchSet.list.map(button));
     live.refresh();
   });
-  live.follow(({ q, branches: found }) => {
+  live.follow(({ q, branches: branchSet }) => {
     [...list.children].forEach((button, i) => {
-      const here = found?.list[i]?.q.every((v, k) => Math.abs(v - q[k]) < 1e-3);
+      const here = branchSet?.list[i]?.q.every((v, k) => Math.abs(v - q[k]) < 1e-3);
       button.setAttribute("aria-checked", String(Boolean(here)));
     });
   });

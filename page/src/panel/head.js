@@ -35,7 +35,7 @@ export function makeHeader(store, { arms, link, goTo, stage, card, announce }) {
 }
 
 const makeButton = (text, title, onclick) => h("button", { title, onclick }, text);
-const setPressed = (one, is) => updateAttribute(one, "aria-pressed", String(is));
+const setPressed = (item, is) => updateAttribute(item, "aria-pressed", String(is));
 
 function makeArmName() {
   const root = h("span.name");
@@ -53,18 +53,18 @@ function makeArmChoice(store, arms, stage) {
     "aria-label": "Arm",
     onchange: () => choose(arms[root.selectedIndex]),
   });
-  let listed = null;
+  let listedName = null;
   function list({ arm, base }) {
-    const own = arm === base ? null : arm.name;
-    if (listed === own && root.options.length) return;
-    listed = own;
-    const known = arms.map((one) => h("option", { value: one.name }, getDisplayName(one.name)));
-    root.replaceChildren(...known, ...(own ? [h("option", {}, own)] : []));
+    const typedName = arm === base ? null : arm.name;
+    if (listedName === typedName && root.options.length) return;
+    listedName = typedName;
+    const known = arms.map((item) => h("option", { value: item.name }, getDisplayName(item.name)));
+    root.replaceChildren(...known, ...(typedName ? [h("option", {}, typedName)] : []));
   }
   function update(state) {
     const { arm, base } = state;
     list(state);
-    const index = arm === base ? arms.findIndex((one) => one.name === arm.name) : arms.length;
+    const index = arm === base ? arms.findIndex((item) => item.name === arm.name) : arms.length;
     if (root.selectedIndex !== index) root.selectedIndex = index;
   }
   return { root, update };
@@ -77,7 +77,7 @@ function makeUnitButtons(store) {
   });
   return {
     root: h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units),
-    update: ({ unit }) => units.forEach((one) => setPressed(one, one.dataset.unit === unit)),
+    update: ({ unit }) => units.forEach((item) => setPressed(item, item.dataset.unit === unit)),
   };
 }
 

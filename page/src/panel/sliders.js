@@ -27,24 +27,24 @@ export function makeSliders(store, { announce, signal }) {
   const root = h("div.sliders", { role: "group", "aria-label": "Joints" });
   const error = h("p.error");
   let lines = [];
-  let shown = /** @type {any} */ ({});
+  let rendered = /** @type {any} */ ({});
 
   const acts = makeJointActions(store, error, announce);
 
-  function lay({ arm, unit }) {
-    shown.abort?.abort();
+  function rebuild({ arm, unit }) {
+    rendered.abort?.abort();
     const abort = new AbortController();
     signal.addEventListener("abort", () => abort.abort(), { signal: abort.signal });
     lines = movingRows(arm).map((index, i) =>
       makeJointLine(arm.rows[index], { index, i, unit, signal: abort.signal }, acts),
     );
     const none = h("p.words", {}, "No joint moves this arm.");
-    root.replaceChildren(...(lines.length ? lines.map((one) => one.root) : [none]), error);
-    shown = { rows: arm.rows, unit, abort };
+    root.replaceChildren(...(lines.length ? lines.map((line) => line.root) : [none]), error);
+    rendered = { rows: arm.rows, unit, abort };
   }
 
   function update(state) {
-    if (shown.rows !== state.arm.rows || shown.unit !== state.unit) lay(state);
+    if (rendered.rows !== state.arm.rows || rendered.unit !== state.unit) rebuild(state);
     lines.forEach((line, i) => showJoint(line, state.q[i], state));
   }
   return { root, update };

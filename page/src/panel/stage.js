@@ -158,7 +158,7 @@ function makeTipBar(store, shown) {
     keep.hidden = countTaskRows(arm) < 6;
     updateAttribute(pin, "aria-pressed", String(pinned));
     setText(pin, pinned ? describePin(hold) : "Pin the tip");
-    swing.forEach((one) => (one.hidden = !pinned || !hold.free));
+    swing.forEach((button) => (button.hidden = !pinned || !hold.free));
   }
   return { root, update };
 }
@@ -189,6 +189,6 @@ function swingElbowBy(store, sense) {
   const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
   const sign = sense * Math.sign(lead);
   const moved = q.map((v, k) => v + sign * SWING_STEP * direction[k]);
-  const there = solvePose(arm, moved, hold.pinned, { rows: hold.turns ? 6 : 3 });
-  store.dispatch({ type: "moveJoints", q: there.q, hold, gesture: "swing" });
+  const solution = solvePose(arm, moved, hold.pinned, { rows: hold.turns ? 6 : 3 });
+  store.dispatch({ type: "moveJoints", q: solution.q, hold, gesture: "swing" });
 }

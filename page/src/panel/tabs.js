@@ -4,7 +4,7 @@ import { h } from "../dom.js";
 import { VIEWS } from "../views/index.js";
 
 export function makeTabs(store, views, tools) {
-  const made = new Map();
+  const builtViews = new Map();
   const several = views.length > 1;
   const tabs = views.map((name) => makeTab(name, tools.id));
   tabs.forEach((tab, i) => {
@@ -33,13 +33,13 @@ export function makeTabs(store, views, tools) {
 
   function update(state, derived) {
     const name = state.view;
-    if (!made.has(name)) made.set(name, VIEWS[name].build(store, tools));
-    const view = made.get(name);
+    if (!builtViews.has(name)) builtViews.set(name, VIEWS[name].build(store, tools));
+    const view = builtViews.get(name);
     if (panel.firstChild !== view.root) show(name, view);
     view.update(state, derived);
   }
-  const summary = (state, derived) => made.get(state.view)?.summary?.(state, derived) ?? "";
-  const dispose = () => made.forEach((view) => view.dispose?.());
+  const summary = (state, derived) => builtViews.get(state.view)?.summary?.(state, derived) ?? "";
+  const dispose = () => builtViews.forEach((view) => view.dispose?.());
   return { root: h("div.views", {}, strip, panel), update, summary, dispose };
 }
 

@@ -20,7 +20,7 @@ export function build(store, { goTo, announce }) {
   const find = h("button.main", { onclick: search });
   const root = h("div.branches", {}, h("div.row", {}, find), message, list);
   const ask = makeLatestJob("branches");
-  let shown;
+  let rendered;
 
   function search() {
     const { arm, q } = store.state;
@@ -34,19 +34,19 @@ export function build(store, { goTo, announce }) {
 
   function update(state, derived) {
     const { branches, unit, arm } = state;
-    if (shown?.branches !== branches || shown.unit !== unit || shown.arm !== arm) {
+    if (rendered?.branches !== branches || rendered.unit !== unit || rendered.arm !== arm) {
       const light = (highlightedBranch) => store.dispatch({ type: "setFields", highlightedBranch });
       const buttons = (branches?.list ?? []).map((branch, i) =>
         makeBranchButton(branch, i, state, { goTo, light }),
       );
-      if (shown?.arm !== arm) find.textContent = describeSearch(state);
+      if (rendered?.arm !== arm) find.textContent = describeSearch(state);
       list.replaceChildren(...buttons.map((button) => h("li", {}, button)));
-      shown = { branches, unit, arm, buttons };
+      rendered = { branches, unit, arm, buttons };
     }
     const left = measureTipOffset(state, derived);
     root.classList.toggle("left", Boolean(left));
     setText(message, describeView(state, left));
-    shown.buttons.forEach((button, i) => {
+    rendered.buttons.forEach((button, i) => {
       updateAttribute(button, "aria-current", String(isAtPose(branches.list[i].q, state.q)));
     });
   }
@@ -90,14 +90,16 @@ const formatBranchLabel = (label) =>
 function describeView({ branches, arm }, left) {
   const where = describeTarget(arm);
   if (!branches) {
-    const shown = "is shown in a colour of its own; choose one to go there.";
-    return `Each way that the same ${where} can be reached ${shown}`;
+    const rendered = "is shown in a colour of its own; choose one to go there.";
+    return `Each way that the same ${where} can be reached ${rendered}`;
   }
   const choose =
     branches.list.length > 1 ? " Choose one, here or in the picture, to go there." : "";
   if (!left) return describeBranches(arm, branches) + choose;
   const gone =
-    left.far > 5e-4 ? `${formatFixed(1000 * left.far, 0)} mm from there` : "turned away from it";
+    left.distance > 5e-4
+      ? `${formatFixed(1000 * left.distance, 0)} mm from there`
+      : "turned away from it";
   const back = `Choose one to go back, or find the ways to this ${where}.`;
   return `These lead to the ${where} where the tip was before; it is now ${gone}. ${back}`;
 }

@@ -59,13 +59,13 @@ class HomeworkView {
     return h("div.homework", {}, this.played, this.others);
   }
 
-  put(runs) {
+  setRuns(runs) {
     this.store.dispatch({ type: "setFields", runs });
   }
 
   edit(patch) {
     const { runs } = this.store.state;
-    this.put(runs.map((run, i) => (i === this.chosen ? { ...run, ...patch } : run)));
+    this.setRuns(runs.map((run, i) => (i === this.chosen ? { ...run, ...patch } : run)));
   }
 
   key(...of) {
@@ -80,7 +80,7 @@ class HomeworkView {
   async compute() {
     const { store, results, start } = this;
     const { arm, runs } = store.state;
-    for (const run of runs.filter((one) => !results.has(this.key(one)))) {
+    for (const run of runs.filter((candidate) => !results.has(this.key(candidate)))) {
       const id = this.key(run);
       results.set(id, null);
       results.set(id, await runJob("run", { arm, q: start, run }));
@@ -95,26 +95,26 @@ class HomeworkView {
     const { store } = this;
     const { runs, arm, circle } = store.state;
     const known = runs.map((run) => this.resultOf(run));
-    const way = ({ path }) => path.map((q) => linkFrames(arm, q).at(-1).o);
+    const getTipPath = ({ path }) => path.map((q) => linkFrames(arm, q).at(-1).o);
     const tipPaths = known.flatMap((result, i) =>
-      result ? [{ points: way(result), colour: getBranchColour(i) }] : [],
+      result ? [{ points: getTipPath(result), colour: getBranchColour(i) }] : [],
     );
     store.dispatch({ type: "setFields", tipPaths });
     const path = known[this.chosen]?.path;
     if (path?.length < 2) store.dispatch({ type: "setFields", trace: null });
     else if (path && store.state.trace !== path)
       store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: null });
-    this.lay();
+    this.showRuns();
     this.announce(() => this.verdict.textContent);
   }
 
-  lay() {
+  showRuns() {
     const { runs, arm } = this.store.state;
     const run = runs[this.chosen];
     this.played.hidden = !run;
     this.others.hidden = Boolean(run);
     this.list.hidden = runs.length < 2;
-    this.list.replaceChildren(...runs.map((one, i) => this.line(one, i)));
+    this.list.replaceChildren(...runs.map((run, i) => this.line(run, i)));
     this.fields.update(run);
     setText(this.verdict, run ? describeResult(this.resultOf(run), arm) : "");
     if (run) this.drawWall();
@@ -146,12 +146,12 @@ class HomeworkView {
       this.shown = { arm: state.arm };
       // the event calls update again
       if (!state.runs.length || !first)
-        return this.put([makeStartingRun(state.arm, state.base) ?? []].flat());
+        return this.setRuns([makeStartingRun(state.arm, state.base) ?? []].flat());
     }
     if (this.shown.runs !== state.runs) {
       this.shown.runs = state.runs;
       this.chosen = Math.max(0, Math.min(this.chosen, state.runs.length - 1));
-      this.lay();
+      this.showRuns();
       this.compute();
     }
     this.plots.update(this.store.state);

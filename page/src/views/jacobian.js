@@ -40,7 +40,7 @@ export function makeHeatTable(point) {
   const table = h("table.heat", name, h("thead", {}, head), body);
   let [buttons, cells, shown] = [[], [], null];
 
-  function lay(arm) {
+  function rebuild(arm) {
     shown = arm;
     const moving = movingRows(arm);
     buttons = moving.map((row) =>
@@ -53,7 +53,7 @@ export function makeHeatTable(point) {
   }
 
   function update({ arm, highlightedRow }, columns) {
-    if (shown !== arm) lay(arm);
+    if (shown !== arm) rebuild(arm);
     const on = movingRows(arm).indexOf(highlightedRow);
     buttons.forEach((button, k) => updateAttribute(button, "aria-pressed", String(k === on)));
     const largest = [0, 3].map((from) =>

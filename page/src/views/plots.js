@@ -15,7 +15,7 @@ export function makePlots(store) {
   const root = h("div.plots");
   let [cursors, shown] = [[], []];
 
-  function lay({ arm, trace, unit, wrench }) {
+  function rebuild({ arm, trace, unit, wrench }) {
     const torques = quantity.value === "torque";
     const rows = trace && (torques ? computeTorquesAlong(arm, trace, wrench) : trace);
     const plotOf = (row, i) =>
@@ -24,15 +24,15 @@ export function makePlots(store) {
         rows.map((place) => place[i]),
         torques ? describeTorquePlot(arm.rows[row]) : describeJointPlot(arm.rows[row], unit),
       );
-    const made = rows ? movingRows(arm).map(plotOf) : [];
-    cursors = made.map(({ cursor }) => cursor);
-    root.replaceChildren(...made.map(({ figure }) => figure));
+    const plots = rows ? movingRows(arm).map(plotOf) : [];
+    cursors = plots.map(({ cursor }) => cursor);
+    root.replaceChildren(...plots.map(({ figure }) => figure));
   }
 
   function update(state) {
     const { arm, trace, unit, wrench, progress } = state;
     const shows = [arm, trace, unit, wrench, quantity.value];
-    if (shows.some((one, i) => one !== shown[i])) lay(state);
+    if (shows.some((value, i) => value !== shown[i])) rebuild(state);
     shown = shows;
     for (const { line, value, textAt } of cursors) {
       updateAttribute(line, "x1", String(progress * WIDTH));

@@ -72,7 +72,7 @@ function makeGrid(store, { change, complain, announce }) {
   });
   const name = { "aria-label": "Denavit-Hartenberg table, standard convention" };
   const table = h("table.entries", name, h("thead", {}, units), body);
-  let shown = /** @type {any} */ ({});
+  let rendered = /** @type {any} */ ({});
 
   function typed(i, [key, letter, angle], input, whole) {
     const { unit, arm } = store.state;
@@ -86,11 +86,11 @@ function makeGrid(store, { change, complain, announce }) {
   function update({ arm, unit }) {
     const root = /** @type {ShadowRoot} */ (body.getRootNode());
     const typing = body.contains(root.activeElement) && root.activeElement.matches("input");
-    const reshaped = shown.rows?.length !== arm.rows.length || shown.unit !== unit;
-    if (!reshaped && (shown.rows === arm.rows || typing)) return;
+    const reshaped = rendered.rows?.length !== arm.rows.length || rendered.unit !== unit;
+    if (!reshaped && (rendered.rows === arm.rows || typing)) return;
     units.replaceChildren(...makeColumnHeaders(unit));
     body.replaceChildren(...arm.rows.map((_, i) => makeTableRow(i, arm, unit, { change, typed })));
-    shown = { rows: arm.rows, unit };
+    rendered = { rows: arm.rows, unit };
   }
   return { root: makeScrollRegion("Denavit-Hartenberg table", table), update };
 }
