@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from typing import Any
 
 from helpers.arm import Arm, Body, Joint, Row
-from helpers.inputs import ArmError, must_be
+from helpers.inputs import ArmError, require_type
 
 
 def to_json(arm: Arm) -> dict[str, Any]:
     """An arm as plain data: entries as they are written, no entry for a limit that is not known."""
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     bodies = [{"mass": body.mass, "com": list(body.com)} for body in arm.bodies]
     kept = {"values": dict(arm.values), "bodies": bodies, "home": list(arm.home)}
     return {"name": arm.name, "rows": [*map(_plain, arm.rows)], **kept, "source": arm.source}

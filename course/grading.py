@@ -19,7 +19,7 @@ from course.files import within
 from course.handed_in import HandIn, of_another, read_hand_in
 from course.marking import mark_sheet
 from course.store import Course
-from helpers.inputs import whole
+from helpers.inputs import whole_number
 
 _PATIENCE = 600  # seconds for a student beyond those of the notebook: then something hangs
 _HOW = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
@@ -35,7 +35,7 @@ def grade(folder: Path, out: Path, jobs: int = 1, seconds: int = 0) -> list[dict
     marked twice: who handed in the same files as when it was written keeps the mark. Notebooks are
     run for so many seconds, and not at all for 0.
     """
-    whole(jobs, "jobs", least=1)
+    whole_number(jobs, "jobs", least=1)
     course = store.load(folder)
     alone = [
         replace(course, secret="", sheets={student: sheet})

@@ -13,7 +13,7 @@ import numpy as np
 
 from course.topics import BY_NAME, Given, Part, Rng, drawn, lacks, question_parts
 from helpers.arm import Arm, Body
-from helpers.inputs import ArmError, listed, must_be, one_of, whole
+from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
 
 __all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
@@ -81,11 +81,11 @@ def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> S
     that does not suit the arm, and for an arm of which no pose can be found away from singular ones
     at which every slip shows.
     """
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if topics is None:
         topics = suiting(arm)
-    for topic in listed(topics, "topics", f"some of {', '.join(TOPICS)}"):
-        if lacking := lacks(one_of(topic, "topic", TOPICS), arm):
+    for topic in tuple_of_items(topics, "topics", f"some of {', '.join(TOPICS)}"):
+        if lacking := lacks(require_choice(topic, "topic", TOPICS), arm):
             raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
     own = _with_other_lengths(arm, seed)
     return Sheet(own, {topic: drawn(topic, own, _generator(seed, topic)) for topic in topics})
@@ -116,7 +116,7 @@ def suiting(arm: Arm) -> tuple[str, ...]:
 def _generator(seed: int | str, label: str) -> Rng:
     """A generator of its own for each label, from the bytes of the seed."""
     if not isinstance(seed, str):
-        seed = str(whole(seed, "seed"))
+        seed = str(whole_number(seed, "seed"))
     digest = hashlib.sha256(f"{label}\n{seed}".encode()).digest()
     return np.random.default_rng(list(digest))
 

@@ -222,7 +222,7 @@ def test_vectorized_trace_matches_stepwise_trace(name, method, monkeypatch):
         tip = forward_kinematics(arm, start)[:3, 3]
         path = circle(tip - [0, 0, 0.05], 0.05, "zx", 4.0, 200)
     slow = trace(arm, start, path, method=method, jacobian=same_jacobian)
-    monkeypatch.delattr(tracing, "_one_by_one")
+    monkeypatch.delattr(tracing, "_steps_in_turn")
     fast = trace(arm, start, path, method=method)
     np.testing.assert_allclose(fast.q, slow.q, atol=3e-12)
     np.testing.assert_allclose(fast.q_dot, slow.q_dot, atol=1e-9)
@@ -276,16 +276,16 @@ def test_branch_change_is_detected():
     path = circle(tip - [0, 0, 0.05], 0.05, "zx", 4.0, 100)
     run = trace(UR10E, start, path, method="exact")
     course = sample_path(path, "exact", run.poses[0, :3, :3])
-    assert at_once._on_branch(UR10E, run.q, course, plain_inverse())
+    assert at_once._is_on_branch(UR10E, run.q, course, plain_inverse())
     flipped = run.q.copy()
     flipped[50:] = follow(partial(ur, UR10E), run.poses[50:], ur(UR10E, run.poses[50]).q[0])
     np.testing.assert_allclose(forward_kinematics(UR10E, flipped), run.poses, atol=1e-9)
     assert np.abs(flipped[50] - run.q[50]).max() > 0.5
-    assert not at_once._on_branch(UR10E, flipped, course, plain_inverse())
+    assert not at_once._is_on_branch(UR10E, flipped, course, plain_inverse())
     for share, near in ((0.1, True), (0.5, False)):
         moved = run.q.copy()
         moved[51] += share * (run.q[51] - run.q[50])
-        assert at_once._on_branch(UR10E, moved, course, plain_inverse()) == near
+        assert at_once._is_on_branch(UR10E, moved, course, plain_inverse()) == near
 
 
 def test_exact_method_uses_given_jacobian():

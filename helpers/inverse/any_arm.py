@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import must_be
+from helpers.inputs import require_type
 from helpers.inverse.by_structure import candidates
 from helpers.inverse.shoulder import elbow, has_rod, is_elbow_arm, rod
 from helpers.inverse.solutions import Found, Solutions, each_branch, must_be_rigid, poses, positions
@@ -63,7 +63,7 @@ def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> S
 
     Source: Pieper (1968); the axes as lines: Elias and Wen (2025).
     """
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     for closed_form, fits, description in _OWN_FORMS:
         if fits(arm):
             return replace(closed_form(arm, targets, start), structure=description)

@@ -9,7 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, common_shape, floats, must_be, number, whole
+from helpers.inputs import (
+    ArmError,
+    broadcast_shape,
+    finite_number,
+    float_array,
+    require_type,
+    whole_number,
+)
 from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
 from helpers.kinematics import jacobian_entries, tip_entries
 from helpers.program import RowMotion, Value, get_program, run_batch
@@ -80,17 +87,17 @@ def solve(
     starts. `start` has shape (..., dof); home unless given. Raises ArmError for bad shapes or
     numbers. Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if not arm.dof:
         raise ArmError(f"{arm.name} has no joints; expected an arm with one joint or more")
     goal, shape = _goal(arm, targets)
     start = arm.joint_vector(arm.home if start is None else start, "start")
-    shape = common_shape("targets and start", shape, start.shape[:-1])
+    shape = broadcast_shape("targets and start", shape, start.shape[:-1])
     goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
     start = np.broadcast_to(start, (*shape, arm.dof)).reshape(-1, arm.dof)
-    whole(iterations, "iterations")
-    whole(restarts, "restarts")
-    number(tolerance, "tolerance", "a positive number of m and rad", above=0)
+    whole_number(iterations, "iterations")
+    whole_number(restarts, "restarts")
+    finite_number(tolerance, "tolerance", "a positive number of m and rad", above=0)
 
     bounds = arm.limits if limits else (np.full(arm.dof, -np.inf), np.full(arm.dof, np.inf))
     rule = _Rule(bounds, tolerance, iterations)
@@ -252,7 +259,7 @@ def _worst(error: Array) -> Array:
 
 
 def _goal(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
-    targets = floats(
+    targets = float_array(
         targets, f"{arm.name}: targets", "poses (..., 4, 4) or positions (..., 3) in m"
     )
     if targets.shape[-2:] == (4, 4):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be
+from helpers.inputs import ArmError, require_type
 from helpers.inverse.geometry import REACH, Links, facing, two_links
 from helpers.inverse.solutions import Found, Solutions, each_branch, positions, shifted
 from helpers.rows import NumericRow
@@ -134,7 +134,7 @@ def is_elbow_arm(arm: Arm) -> bool:
 
 def require_elbow_arm(arm: Arm) -> None:
     """Raise ArmError for an arm that `elbow` does not solve."""
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if not is_elbow_arm(arm):
         raise ArmError(
             f"{arm.name} is no elbow arm; expected three revolute joints, alpha_1 = 90 or -90"
@@ -156,7 +156,7 @@ def has_rod(arm: Arm) -> bool:
 
 def require_rod(arm: Arm) -> None:
     """Raise ArmError for an arm that `rod` does not solve."""
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if not has_rod(arm):
         raise ArmError(
             f"{arm.name} has no rod through its shoulder; expected joints R, R, P with alpha ="

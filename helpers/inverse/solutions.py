@@ -11,7 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, common_shape, floats, must_be, must_be_callable, numbers
+from helpers.inputs import (
+    ArmError,
+    broadcast_shape,
+    finite_array,
+    float_array,
+    require_callable,
+    require_type,
+)
 
 Array = NDArray[np.float64]
 
@@ -107,7 +114,7 @@ class Solutions:
         shape (..., dof). Raises ArmError for another shape.
         """
         start = self.arm.joint_vector(q)
-        common_shape("q and the targets", start.shape[:-1], self.distance.shape)
+        broadcast_shape("q and the targets", start.shape[:-1], self.distance.shape)
         start = start[..., None, :]
         found = _turned_towards(self.arm, self.q, start)
         change = np.abs(found - start).max(axis=-1)
@@ -125,14 +132,14 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
     joint keeps its value. Raises ArmError at the first target that no branch reaches within the
     joint limits.
     """
-    must_be_callable(solver, "solver", "a closed form with its arm put in, as partial(ur, UR10E)")
-    path, q = [], floats(start, "start", "joint values (dof,)")
-    wanted = floats(targets, "targets", "positions (n, 3) or poses (n, 4, 4)")
+    require_callable(solver, "solver", "a closed form with its arm put in, as partial(ur, UR10E)")
+    path, q = [], float_array(start, "start", "joint values (dof,)")
+    wanted = float_array(targets, "targets", "positions (n, 3) or poses (n, 4, 4)")
     if wanted.ndim not in (2, 3):
         raise ArmError(f"targets have shape {wanted.shape}; expected (n, 3) or (n, 4, 4)")
     for step, target in enumerate(wanted):
         found = solver(target.copy(), start=q.copy())
-        must_be(found, Solutions, "what solver gives")
+        require_type(found, Solutions, "what solver gives")
         q = found.nearest(q)
         if np.isnan(q).any():
             raise ArmError(
@@ -168,7 +175,7 @@ def each_branch(
     one axis for each. `free` holds an array for each joint, by its index, that was ever chosen.
     """
     start = np.zeros(arm.dof) if start is None else arm.joint_vector(start, "start")
-    shape = common_shape("targets and start", targets.shape[:-1], start.shape[:-1])
+    shape = broadcast_shape("targets and start", targets.shape[:-1], start.shape[:-1])
     choices = tuple(map(len, branches))
     count, many, dof = math.prod(shape), math.prod(choices), arm.dof
     targets, start = _columns(targets, shape), _columns(start, shape)
@@ -227,7 +234,7 @@ def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
 
 def positions(arm: Arm, targets: ArrayLike) -> Array:
     """Targets as positions of shape (..., 3); raises ArmError for anything else."""
-    return numbers(
+    return finite_array(
         targets, f"{arm.name}: targets", "(..., 3), finite positions in m", (3,), many=True
     )
 
@@ -236,7 +243,7 @@ def poses(arm: Arm, targets: ArrayLike) -> Array:
     """Targets as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN
     or infinity."""
     wanted = "(..., 4, 4), poses of finite numbers"
-    transforms = numbers(targets, f"{arm.name}: targets", wanted, (4, 4), many=True)
+    transforms = finite_array(targets, f"{arm.name}: targets", wanted, (4, 4), many=True)
     return transforms.reshape(*transforms.shape[:-2], 16)
 
 

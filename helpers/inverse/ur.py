@@ -32,7 +32,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be
+from helpers.inputs import ArmError, require_type
 from helpers.inverse.geometry import (
     NOISE,
     REACH,
@@ -75,7 +75,7 @@ def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solution
     ArmError for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any)
     degrees and a_1 = a_4 = a_5 = 0, or for a target that is no pose.
     """
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if not is_ur_arm(arm):
         raise ArmError(
             f"{arm.name} is no arm of the UR family; expected six revolute joints, alpha = (+-90,"

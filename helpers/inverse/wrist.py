@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, fixed
-from helpers.inputs import ArmError, must_be
+from helpers.inputs import ArmError, require_type
 from helpers.inverse.geometry import SINGULAR, unwound, wrist_centre
 from helpers.inverse.shoulder import (
     ELBOW_BRANCHES,
@@ -161,7 +161,7 @@ def is_stanford_arm(arm: Arm) -> bool:
 
 
 def _require_right_angled_wrist(arm: Arm) -> None:
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if not has_right_angled_wrist(arm):
         raise ArmError(
             f"{arm.name} has no spherical wrist; expected six rows, the last three revolute with"
