@@ -14,6 +14,7 @@ from nbclient import NotebookClient
 
 from tools.citations import cite
 from tools.numbering import find_mistakes, renumber
+from tools.setup_note import write_setup_note
 
 KERNEL = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
@@ -39,6 +40,13 @@ def draws_only(cell: nbformat.NotebookNode, below: nbformat.NotebookNode) -> boo
     return bool(is_code and has_caption and not REPORTS_RESULT.search(cell.source))
 
 
+def dress(notebook: nbformat.NotebookNode, page: str) -> None:
+    """Write what the other cells of a notebook determine: its note, folds and citations."""
+    write_setup_note(notebook, page)
+    hide_drawing_code(notebook)
+    cite(notebook)
+
+
 def refresh(path: Path) -> None:
     """Run a notebook in its own folder and write it back with its outputs."""
     notebook = nbformat.read(path, as_version=4)
@@ -56,8 +64,7 @@ def refresh(path: Path) -> None:
                 output["metadata"] = {}
         if cell.cell_type == "code":
             cell.metadata.pop("jupyter", None)
-    hide_drawing_code(notebook)
-    cite(notebook)
+    dress(notebook, path.stem)
     nbformat.write(notebook, path)
 
 

@@ -1,0 +1,55 @@
+"""The note below each notebook's title: what the notebook is and how to get `helpers`.
+
+`tools/refresh.py` writes it, with the addresses that `book/_config.yml` has by then. The pages
+leave it out (tag `remove-cell`), since they are the readable book and run nothing.
+"""
+
+from pathlib import Path
+
+import nbformat
+import yaml
+
+CONFIG = Path(__file__).parents[1] / "book/_config.yml"
+CELL_ID = "setup-note"
+PACKAGE = "manipulator-homework-helpers[explorer]"
+IMPORT_COMMENT = "# No module helpers? The note above says how to get it.\n"
+
+
+def setup_note(page: str, book_address: str = "", repository: str = "") -> str:
+    """Return the note of a notebook.
+
+    Args:
+        page: the notebook's name without its ending.
+        book_address: where the book is published, with a slash at the end, if it is.
+        repository: the address of the repository, if it has one.
+    """
+    book = "*Robot homework companion*"
+    if book_address:
+        book = f"[{book}]({book_address}{page}.html), where it is easiest to read"
+    source, hint = f"{PACKAGE} @ git+{repository}", ""
+    if not repository:
+        source = "./companion[explorer]"
+        hint = ", with the folder of the book's repository in place of `./companion`"
+    return (
+        f"> A notebook of the {book}. Run it, change it, try things; *Run All* takes a minute."
+        " It needs the package `helpers`, which `make lab` in the repository installs. Elsewhere"
+        f" (Colab, VS Code, a folder of your own) run this in a new cell first{hint}:\n>\n"
+        f'> ```\n> %pip install "{source}"\n> ```'
+    )
+
+
+def read_addresses(config: Path = CONFIG) -> tuple[str, str]:
+    """Return the addresses of the published book and of its repository, empty while not set."""
+    settings = yaml.safe_load(config.read_text(encoding="utf-8"))
+    return settings["html"]["baseurl"], settings["repository"]["url"]
+
+
+def write_setup_note(notebook: nbformat.NotebookNode, page: str) -> None:
+    """Write the note below the title, and a comment that points to it above the first import."""
+    cells = [cell for cell in notebook.cells if cell.get("id") != CELL_ID]
+    note = nbformat.v4.new_markdown_cell(setup_note(page, *read_addresses()), id=CELL_ID)
+    note.metadata["tags"] = ["remove-cell"]
+    notebook.cells = [cells[0], note, *cells[1:]]
+    code = next((cell for cell in cells if "from helpers" in cell.source), None)
+    if code is not None and IMPORT_COMMENT not in code.source:
+        code.source = code.source.replace("from helpers", f"{IMPORT_COMMENT}from helpers", 1)
