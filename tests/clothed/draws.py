@@ -1,0 +1,268 @@
+"""Draws: a question, its numbers and their clothes, by seed."""
+
+from dataclasses import dataclass, replace
+from random import Random
+
+import numpy as np
+
+from tests.clothed import cells, labels, layouts, numbers
+from tests.clothed.mistakes import draw_mistake
+from tests.clothed.questions import TOPICS, Question, draw_question
+from tests.clothed.surroundings import dress_surroundings
+from tests.clothed.tables import dress_table
+
+#: Layouts whose tool prints numbers in a format of its own.
+TOOL_PRINTS = ("NumPy print", "MATLAB print", "SymPy pretty")
+#: Circles are long: nobody types them by hand.
+_TRACE_LAYOUTS = (
+    "nested list", "NumPy print", "MATLAB print", "MATLAB literal", "Markdown table", "CSV",
+    "spreadsheet", "pandas frame", "tabulate", "spaced columns", "Julia", "JSON", "HTML table",
+    "LaTeX tabular",
+)  # fmt: skip
+
+#: Layouts in which a bare number before a value is plainly its joint's number.
+_NUMBERED = (
+    "lines", "bullets", "Markdown table", "CSV", "spreadsheet", "Word table", "HTML table",
+    "prettytable", "tabulate", "org table", "pandas frame", "pandas series",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Draw:
+    """A clothed answer.
+
+    Attributes:
+        question: what is asked, with its right numbers.
+        text: the paste.
+        typed: number texts that stand in it, undecorated.
+        angles: the setting beside the field.
+        features: name and value of each feature.
+        mistake: name of the mistake of a twin, or "".
+    """
+
+    question: Question
+    text: str
+    typed: tuple[str, ...]
+    angles: str
+    features: dict[str, str]
+    mistake: str = ""
+
+
+def draw_answer(seed: int, index: int) -> Draw:
+    """Draw a right answer."""
+    question = _question_of(seed, index)
+    return _dress(question, question, Random(f"clothes {seed} {index}"))
+
+
+def draw_twin(seed: int, index: int) -> Draw:
+    """Draw the same answer in the same clothes with one mistake in it."""
+    question = _question_of(seed, index)
+    name, mistaken = draw_mistake(question, Random(f"mistake {seed} {index}"))
+    dressed = _dress(question, mistaken, Random(f"clothes {seed} {index}"))
+    return replace(dressed, mistake=name)
+
+
+def _question_of(seed: int, index: int) -> Question:
+    topic = TOPICS[index % len(TOPICS)]
+    return draw_question(Random(f"question {seed} {index}"), topic)
+
+
+def _dress(question: Question, answer: Question, rng: Random) -> Draw:
+    """Dress the numbers of an answer (right or mistaken) to a question."""
+    if question.topic == "table":
+        block, typed, marks = dress_table(answer.arm, rng)
+        values, angles = np.zeros((1, 1)), "rad"
+    else:
+        block, typed, values, marks = _dress_numbers(question, answer.right, rng)
+        angles = marks.pop("setting")
+    text = dress_surroundings(block, question, values, rng, marks)
+    inner = ("sentence", "footnote", "name")
+    features = {"topic": question.topic, "arm": question.arm.name}
+    features |= {name: x for name, x in marks.items() if name not in inner}
+    return Draw(question, text, tuple(typed), angles, features)
+
+
+def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
+    """Lay out numbers; return block, number texts, numbers as typed, and features."""
+    is_list = len(values) == 1 and question.topic != "branches"
+    layout_name, layout = _draw_layout(question.topic, is_list, rng)
+    family = layout.family
+    has_angles = "angle" in question.kinds
+    unit, place, setting = _draw_unit(question, layout_name, layout, rng)
+    factors = np.array([_factor(kind, unit) for kind in question.kinds])
+    typed = values * factors
+    style = numbers.draw_format(
+        rng, family, angles=has_angles and "length" not in question.kinds and unit != "deg",
+        commas=layout.commas,
+    )  # fmt: skip
+    if factors.min() < 0.1:
+        style = replace(style, digits=style.digits + 3)
+    texts = [[numbers.write_number(x, style, family)[0] for x in row] for row in typed]
+    decoration = cells.draw_decoration(rng, family, typed.shape, layout_name)
+    marks = {
+        "layout": layout_name, "family": family, "number": style.kind,
+        "unit": unit or "none", "unit place": place, "decoration": decoration.pattern,
+        "decorated": "no" if decoration.pattern == "{x}" else "one" if decoration.cell else "all",
+        "setting": setting,
+    }  # fmt: skip
+    if layout_name in TOOL_PRINTS:
+        marks["number"] = "tool's own"
+    for feature in ("comma", "plus", "bare_point"):
+        if getattr(style, feature):
+            marks["number: " + feature] = "yes"
+    if style.minus != "-":
+        marks["number: Unicode minus"] = "yes"
+    if decoration.pattern in cells.FOOTNOTES:
+        marks["footnote"] = cells.FOOTNOTES[decoration.pattern]
+    numbering = layout_name in _NUMBERED
+    columns, label_style = _columns(question, layout, numbering, rng)
+    marks["labels"] = label_style if layout.labelled else "none"
+    if place == "label":
+        columns = [
+            f"{name} [{_plain_unit(kind, unit)}]"
+            for name, kind in zip(columns, question.kinds, strict=True)
+        ]
+    spelled = {kind: _spelled(kind, unit, family, rng) for kind in ("angle", "length", "torque")}
+    dressed = []
+    for i, row in enumerate(texts):
+        dressed.append([])
+        for j, text in enumerate(row):
+            after = spelled.get(question.kinds[j], "") if place == "cell" else ""
+            dressed[-1].append(_cell(text, after, decoration, (i, j), typed[i, j]))
+    name = rng.choice(_NAMES[question.topic])
+    marks["name"] = name
+    heading = _plain_unit(question.kinds[0], unit) if place == "heading" else ""
+    rows, corner = _row_names(question, len(values), is_list, rng)
+    grid = layouts.Grid(dressed, typed, columns, rows, corner, name, heading)
+    marks["sentence"] = _sentence(question, unit, place, rng)
+    block = layout.write(grid, rng)
+    if layout_name in ("Python list", "array(...)") and unit == "deg" and rng.random() < 0.4:
+        inner = block.split(" = ")[-1]
+        block = f"{name} = {rng.choice(('np.radians', 'np.deg2rad'))}({inner})"
+        marks["unit place"], marks["setting"], marks["sentence"] = "np.radians", "rad", ""
+    kept = [] if layout_name in TOOL_PRINTS else [text for row in texts for text in row]
+    return block, kept, typed, marks
+
+
+_NAMES = {
+    "jacobian": ("J", "J", "Jv", "J0", "jac"),
+    "torques": ("tau", "tau", "tau", "torques", "T"),
+    "trace": ("q", "Q", "q_traj", "theta"),
+    "branches": ("q", "solutions", "sols", "theta"),
+    "pose": ("q", "q", "theta", "q_sol"),
+}
+
+
+def _draw_layout(topic: str, is_list: bool, rng: Random):
+    table = layouts.LIST_LAYOUTS if is_list else dict(layouts.TABLE_LAYOUTS)
+    if topic == "branches" or (topic == "torques" and not is_list):
+        table = table | layouts.ROW_LAYOUTS
+    if topic == "trace":
+        table = {name: table[name] for name in _TRACE_LAYOUTS}
+    name = rng.choices(list(table), [layout.weight for layout in table.values()])[0]
+    return name, table[name]
+
+
+def _draw_unit(question: Question, layout_name: str, layout: layouts.Layout, rng: Random):
+    """Draw unit, where it stands, and the setting beside the field.
+
+    A third of the angles are typed in degrees, since people check them by eye. Half of the torques
+    have no unit, since programs print none. A unit that is not the SI unit always stands somewhere.
+    """
+    if question.topic == "jacobian":
+        return "", "nowhere", "rad"
+    handwritten = layout.family in ("text", "markdown", "html", "latex")
+    places = {"nowhere": 40, "sentence": 12}
+    if handwritten:
+        places |= {"cell": 30 if len(question.right) < 9 else 4}
+    if handwritten and layout.labelled and layout.family != "latex":
+        places |= {"label": 10}
+    if layout_name in ("Markdown table", "spreadsheet", "CSV", "Word table", "plain sentence"):
+        places |= {"heading": 15}
+    place = rng.choices(list(places), list(places.values()))[0]
+    if len(question.right) > 1 and place == "heading":
+        place = "label"
+    if question.topic == "torques":
+        scaled = place in ("cell", "sentence", "heading") and layout.family != "latex"
+        if scaled and layout_name not in TOOL_PRINTS and rng.random() < 0.12:
+            return rng.choice(list(cells.SCALED_TORQUES)), place, "rad"
+        return "N m", place, "rad"
+    if rng.random() >= 0.35:
+        return "rad", place, "rad"
+    setting = "deg" if place == "nowhere" or rng.random() < 0.5 else "rad"
+    return "deg", place, setting
+
+
+def _factor(kind: str, unit: str) -> float:
+    if kind == "angle" and unit == "deg":
+        return 180 / np.pi
+    return cells.SCALED_TORQUES.get(unit, 1.0) if kind == "torque" else 1.0
+
+
+def _spelled(kind: str, unit: str, family: str, rng: Random) -> str:
+    if family not in cells.TORQUE_UNITS or not unit:
+        return ""
+    if kind == "length":
+        return r"\,\mathrm{m}" if family == "latex" else " m"
+    if kind == "torque":
+        return unit if unit in cells.SCALED_TORQUES else rng.choice(cells.TORQUE_UNITS[family])
+    return rng.choice(cells.ANGLE_UNITS.get((family, unit), ("",)))
+
+
+def _plain_unit(kind: str, unit: str) -> str:
+    if kind == "length":
+        return "m"
+    return {"N m": "Nm"}.get(unit, unit.strip())
+
+
+def _cell(text: str, unit: str, decoration: cells.Decoration, place, value: float) -> str:
+    """Write a cell with its unit and decoration."""
+    if not decoration.applies(place):
+        return text + unit
+    older = f"{value * 1.25 + 0.5:.3f}"
+    inner = text + unit if decoration.outside_unit else text
+    dressed = decoration.pattern.format(x=inner, o=older, u="0.001")
+    return dressed if decoration.outside_unit else dressed + unit
+
+
+def _columns(
+    question: Question, layout: layouts.Layout, numbering: bool, rng: Random
+) -> tuple[list[str], str]:
+    kinds, joints = question.kinds, question.joints
+    if question.topic == "jacobian":
+        style = rng.choice(("J{n}", "q{n}", "joint {n}", "{n}", "Col {n}", "J_{n}", "θ{n}"))
+        return [style.format(n=n) for n in joints], style
+    style, names = labels.draw_labels(
+        rng, layout.family, kinds, joints, question.arm.name, numbering=numbering
+    )
+    return names, style
+
+
+def _row_names(question: Question, count: int, is_list: bool, rng: Random):
+    if question.topic == "jacobian":
+        return list(rng.choice(labels.JACOBIAN_ROWS)), rng.choice(("", "row", " "))
+    if is_list:
+        return [""], rng.choice(("Joint", "joint", "i", "#", ""))
+    style = rng.choice(labels.ROW_STEMS[question.topic])
+    names = [style.format(n=i + 1, z=i) for i in range(count)]
+    corner = {"trace": ("step", "k", "i", ""), "branches": ("#", "Solution", "", "Branch")}
+    return names, rng.choice(corner.get(question.topic, ("pose", "#", "")))
+
+
+def _sentence(question: Question, unit: str, place: str, rng: Random) -> str:
+    if place != "sentence" or not unit:
+        return ""
+    if question.topic == "torques":
+        shown = unit.strip()
+        return rng.choice(
+            (f"All torques in {shown}.", f"Joint torques ({shown}):", f"Units: {shown}")
+        )
+    full = "degrees" if unit == "deg" else "radians"
+    slide = " (d3 in m)" if "length" in question.kinds else ""
+    return rng.choice(
+        (
+            f"All angles in {full}{slide}.",
+            f"Joint angles in {full}{slide}:",
+            f"(angles: {unit}){slide}",
+        )
+    )
