@@ -1,4 +1,4 @@
-"""The arm as a value: its checks, its changes, and how it reads."""
+"""Test the arm as an immutable value: its checks, changed copies and printed form."""
 
 import pickle
 from dataclasses import FrozenInstanceError, replace
@@ -13,12 +13,18 @@ from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.laws import ALL_ARMS, arm_id, joint_vectors
 
 
-def test_arm_equals_its_copy_and_is_immutable():
-    twin = replace(PANDA)
-    assert twin == PANDA
-    assert hash(twin) == hash(PANDA)
+def test_arm_equals_its_copy():
+    copy = replace(PANDA)
+    assert copy == PANDA
+    assert hash(copy) == hash(PANDA)
     assert pickle.loads(pickle.dumps(PANDA)) == PANDA
+
+
+def test_arm_differs_from_arm_of_other_values():
     assert PANDA.with_values(a_3=0.09) != PANDA
+
+
+def test_arm_is_immutable():
     with pytest.raises(FrozenInstanceError):
         PANDA.name = "mine"
 
@@ -47,7 +53,13 @@ def test_with_row_changes_one_entry():
     bent = PANDA.with_row(4, alpha="pi/3")
     assert bent.rows[3] == replace(PANDA.rows[3], alpha="pi/3")
     assert replace(bent, rows=PANDA.rows) == PANDA
+
+
+def test_with_bodies_of_nothing_removes_bodies():
     assert PANDA.with_bodies(()) == replace(PANDA, bodies=())
+
+
+def test_with_row_rejects_a_joint():
     with pytest.raises(ArmError, match="a row has no joint; expected a, alpha, d, theta, limits"):
         PANDA.with_row(4, joint=Joint())
 
@@ -57,8 +69,11 @@ def test_with_row_changes_limits_effort_and_mass():
     tight = PANDA.with_row(4, limits=(1, 2), effort=9, mass=4)
     assert tight.rows[3].joint == replace(joint, lower=1, upper=2, effort=9)
     assert tight.bodies[3] == replace(body, mass=4)
-    back = dict(limits=(joint.lower, joint.upper), effort=joint.effort, mass=body.mass)
-    assert tight.with_row(4, **back) == PANDA
+    original = dict(limits=(joint.lower, joint.upper), effort=joint.effort, mass=body.mass)
+    assert tight.with_row(4, **original) == PANDA
+
+
+def test_with_row_rejects_invalid_limits_and_missing_mass():
     with pytest.raises(ArmError, match="joint limits are 3; expected two numbers"):
         PANDA.with_row(4, limits=3)
     with pytest.raises(ArmError, match=r"a row has no mass; expected a, .*, speed, effort$"):
@@ -127,10 +142,10 @@ def test_markdown_table_shows_symbols():
     ],
 )
 def test_bad_input_raises_arm_error(make, words):
-    with pytest.raises(ArmError) as told:
+    with pytest.raises(ArmError) as error:
         make()
-    assert words in str(told.value)
-    assert isinstance(told.value, ValueError)
+    assert words in str(error.value)
+    assert isinstance(error.value, ValueError)
 
 
 @pytest.mark.parametrize(
@@ -145,9 +160,9 @@ def test_bad_input_raises_arm_error(make, words):
 def test_angle_over_a_turn_warns_at_its_line(make):
     with pytest.warns(
         UserWarning, match=r"an angle is -?\d+, in radians; for degrees .* deg'$"
-    ) as told:
+    ) as warnings:
         make()
-    assert [warning.filename for warning in told] == [__file__]
+    assert [warning.filename for warning in warnings] == [__file__], "see the warning's stacklevel"
 
 
 @pytest.mark.parametrize("angle", [-2 * np.pi, "90 deg", "5*pi", 1.5])

@@ -1,9 +1,9 @@
-"""Every public function told nonsense: an ArmError that names the argument, shows what was given
-and says what was expected.
+"""Call every public function with invalid arguments and check the messages of its ArmErrors.
 
-The functions are found by introspection, and called with every argument: with RIGHT's own value for
-it, or else with SHARED's of that name. What one kind of argument may get wrong in all its ways, and
-the words for it, are tested where it is checked: `test_inputs.py`.
+A message names the argument, shows the invalid value and states what was expected. The functions
+are found by introspection. Each is called with valid arguments, of which one is replaced: RIGHT
+holds values for one function, SHARED holds values for all arguments of a name. `test_inputs.py`
+tests every way in which one kind of argument can be invalid.
 """
 
 import importlib
@@ -64,7 +64,7 @@ DERIVED = derive.derive(AXES, np.eye(4))
 MASSLESS = PANDA.with_bodies(())
 
 # fmt: off
-# What an argument of that name is given by every function.
+# Valid values of arguments, by name, for every function that has such an argument.
 SHARED = dict(
     J=np.ones((3, 2)), a=0.1, a_3=0.1, actual=1, alpha="pi/2", also=(ELBOW,), angles="rad",
     angular_first=False, answer="J", arm=PANDA, arms=(), ax=FLAT, axes=GRID, base="a",
@@ -87,7 +87,7 @@ SHARED = dict(
     velocity=PATH.velocity, view="xz", views=["table"],
     wrench=[0.0] * 6, written="−π/2", x=[0.0, 1.0, 2.0], y=[0.0, 1.0, 2.0],
 )
-# What else it is given by one; for a method its object too.
+# Valid values for one function only. A method also needs its object, `self`.
 RIGHT = {
     "arm.Arm": dict(rows=[revolute(a="l")], values={"l": 1.0}, bodies=[Body(1, (0, 0, 0))],
         source="anything"),
@@ -179,7 +179,7 @@ RIGHT = {
 }
 # fmt: on
 
-# What is left to Python or to Matplotlib, and where any value will do.
+# Arguments that are not tested: Python or Matplotlib checks them, or any value is valid.
 FREE = {
     *("actual", "ax", "book_only", "colour", "colours", "dashed", "expected", "link", "many"),
     *("negative", "display", "self", "title", "what", "arm.Arm source"),
@@ -192,7 +192,7 @@ FREE = {
     *("plotting.angle text", "plotting.dimension text", "plotting.postures titles"),
 }
 
-# What a message calls an argument, where that is not its name.
+# The words for an argument in its messages, where they differ from its name.
 CALLED = {
     "arm.Arm.joint_vector q": "anything",
     "arm.Body com": "centre of mass",
@@ -210,18 +210,18 @@ CALLED = {
     "explorer.ArmExplorer reference": "arm is",
 }
 
-# Vectors of one length: one number fewer is told like what is no number.
+# Vectors of a fixed length. A vector that is too short gives the same message as no number.
 VECTORS = ("centre", "direction", "normal", "point", "q", "start", "step", "wrench")
 ANY_LENGTH = {"inverse.follow start", "explorer.ArmExplorer q", "explorer.ArmExplorer wrench"}
 
-# One pose where others take many: a list of one is refused.
+# Arguments that take a single pose only. A list with one pose is rejected.
 ONE = {
     *("motion.trace start", "motion.circle_below start", "motion.self_motion start"),
     *("motion.self_motion direction", "motion.self_motion_directions q"),
     "plotting.arm_2d q",
 }
 
-# Numbers just out of an argument's range; the message is the same.
+# Numbers just outside the range of an argument. They give the same message as no number.
 OUTSIDE = {
     **dict.fromkeys(("below", "length", "period", "radius", "motion.self_motion speed"), (0, -1)),
     "motion.self_motion step": (0, -1),
@@ -232,7 +232,7 @@ OUTSIDE = {
     **{"derive.derive tolerance": (0,), "statics.with_payload mass": (-1,)},
 }
 
-# What is wrong in one function's own way.
+# Invalid values with a message of their own: function, replaced arguments, part of the message.
 # fmt: off
 SPECIAL = [
     ("arm.Arm", dict(rows=[]), 'mine: rows are (); expected one Row or more'),
@@ -288,7 +288,7 @@ SPECIAL = [
 ]
 # fmt: on
 
-# What the helpers make and readers only read; and what gets what its callers have checked.
+# Classes that only the helpers create, and functions whose callers have checked the arguments.
 MADE = {
     "derive.Derivation", "derive.Line", "derive.DerivationStep",
     "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Report",
@@ -297,22 +297,22 @@ MADE = {
     "motion.UnreachableError",
     "show.MarkdownOutput", "slips.Census", "slips.TableSlip",
 }  # fmt: skip
-# The checks themselves, and what stands under arm, symbolic and kinematics.
-DOOR = {"command_line", "deprecated", "formulas", "inputs", "rows", "polynomials", "program"}
+# Modules without checks of their own: the checks themselves, and internals of other modules.
+INTERNAL = {"command_line", "deprecated", "formulas", "inputs", "rows", "polynomials", "program"}
 
 
-def public():
-    """The name and the object of every public function, class, and method of a public class."""
+def find_public():
+    """Yield name and object of every public function, class, and method of a public class."""
     for module in pkgutil.iter_modules(helpers.__path__):
-        if module.name in DOOR:
+        if module.name in INTERNAL:
             continue
-        found = importlib.import_module(f"helpers.{module.name}")
-        for name in getattr(found, "__all__", None) or _own(found):
-            thing = getattr(found, name)
-            if callable(thing) and not isinstance(thing, type(motion.Rates)):
-                yield f"{module.name}.{name}", thing
-            if inspect.isclass(thing):
-                methods = vars(thing).items()
+        imported = importlib.import_module(f"helpers.{module.name}")
+        for name in getattr(imported, "__all__", None) or _defined_in(imported):
+            member = getattr(imported, name)
+            if callable(member) and not isinstance(member, type(motion.Rates)):
+                yield f"{module.name}.{name}", member
+            if inspect.isclass(member):
+                methods = vars(member).items()
                 yield from (
                     (f"{module.name}.{name}.{n}", m)
                     for n, m in methods
@@ -320,13 +320,14 @@ def public():
                 )
 
 
-def _own(module):
+def _defined_in(module):
+    """Return the public callables that a module without __all__ defines itself."""
     return [
         name
-        for name, thing in vars(module).items()
-        if getattr(thing, "__module__", "") == module.__name__
+        for name, member in vars(module).items()
+        if getattr(member, "__module__", "") == module.__name__
         and not name.startswith("_")
-        and callable(thing)
+        and callable(member)
     ]
 
 
@@ -336,27 +337,28 @@ def _settings_kept():
         yield
 
 
-PUBLIC = dict(public())
+PUBLIC = dict(find_public())
 
 
-def said(table, name, argument, otherwise=None):
-    """What a table says of an argument: of this function's, or else of all by that name."""
-    return table.get(f"{name} {argument}", table.get(argument, otherwise))
+def look_up(table, name, argument, default=None):
+    """Return a table's entry for one function's argument, or else for all of that name."""
+    return table.get(f"{name} {argument}", table.get(argument, default))
 
 
-def right(name):
-    """A call that works, with every argument."""
-    own, parameters = RIGHT.get(name, {}), inspect.signature(PUBLIC[name]).parameters.values()
+def valid_arguments(name):
+    """Return a valid value for every argument of a public function."""
+    specific, parameters = RIGHT.get(name, {}), inspect.signature(PUBLIC[name]).parameters.values()
     named = [p.name for p in parameters if p.kind is not p.VAR_KEYWORD]
-    missing = {*named} - {*own} - {*SHARED}
+    missing = {*named} - {*specific} - {*SHARED}
     assert not missing, f"{name}: give {missing} a right value, in RIGHT or in SHARED"
-    return {argument: SHARED.get(argument) for argument in named} | own
+    return {argument: SHARED.get(argument) for argument in named} | specific
 
 
-CALLS = {name: right(name) for name in sorted(set(PUBLIC) - MADE)}
+CALLS = {name: valid_arguments(name) for name in sorted(set(PUBLIC) - MADE)}
 
 
-def cases():
+def invalid_arguments():
+    """Yield function, argument and an invalid value for it."""
     for name, call in CALLS.items():
         for argument, value in call.items():
             if argument in FREE or f"{name} {argument}" in FREE:
@@ -364,19 +366,19 @@ def cases():
             yield name, argument, 1j
             if isinstance(value, np.ndarray):
                 yield name, argument, np.full_like(value, np.nan, dtype=float)
-                if not name.startswith("checks."):  # a number of any size gets a verdict
+                if not name.startswith("checks."):  # the checks give a verdict on any finite number
                     yield name, argument, np.full_like(value, 1e308, dtype=float)
             if argument in VECTORS and f"{name} {argument}" not in ANY_LENGTH and np.ndim(value):
                 yield name, argument, np.asarray(value)[..., :-1]
             if f"{name} {argument}" in ONE:
                 yield name, argument, np.asarray(value)[None]
-            for number in said(OUTSIDE, name, argument, ()):
+            for number in look_up(OUTSIDE, name, argument, ()):
                 yield name, argument, number
 
 
 def test_tables_name_only_public_functions():
-    assert set(RIGHT) <= set(CALLS)
-    assert set(PUBLIC) >= MADE
+    assert set(RIGHT) <= set(CALLS), "a name in RIGHT is not public"
+    assert set(PUBLIC) >= MADE, "a name in MADE is not public"
 
 
 @pytest.mark.parametrize("name", CALLS)
@@ -384,19 +386,19 @@ def test_valid_call_is_accepted(name):
     PUBLIC[name](**CALLS[name])
 
 
-@pytest.mark.parametrize(("name", "argument", "bad"), list(cases()))
+@pytest.mark.parametrize(("name", "argument", "bad"), list(invalid_arguments()))
 def test_invalid_argument_is_named_in_the_message(name, argument, bad):
-    with pytest.raises(ArmError) as told:
+    with pytest.raises(ArmError) as error:
         PUBLIC[name](**{**CALLS[name], argument: bad})
-    before, _, after = re.split("(expected|its free joints are) ", str(told.value), maxsplit=1)
-    called = re.escape(said(CALLED, name, argument, argument).strip())
-    assert re.search(rf"(?<!\w){called}(?!\w)", before)
-    assert len(after) > 3
-    assert isinstance(bad, np.ndarray) or str(bad) in before
+    before, _, after = re.split("(expected|its free joints are) ", str(error.value), maxsplit=1)
+    called = re.escape(look_up(CALLED, name, argument, argument).strip())
+    assert re.search(rf"(?<!\w){called}(?!\w)", before), "the message must name the argument"
+    assert len(after) > 3, "the message must state what was expected"
+    assert isinstance(bad, np.ndarray) or str(bad) in before, "the message must show the value"
 
 
 @pytest.mark.parametrize(("name", "changed", "message"), SPECIAL)
 def test_special_invalid_input_has_its_message(name, changed, message):
-    with pytest.raises(ArmError) as told:
+    with pytest.raises(ArmError) as error:
         PUBLIC[name](**{**CALLS[name], **changed})
-    assert message in str(told.value)
+    assert message in str(error.value)

@@ -1,4 +1,4 @@
-"""The built pages: whole, linked, and needing nothing from elsewhere."""
+"""Test the built pages: complete, with working links, and with no file from another server."""
 
 import json
 import os
@@ -26,12 +26,12 @@ every_page = pytest.mark.parametrize("name", NAMES)
 
 
 class Page(HTMLParser):
-    """What a test needs to know of a page: its ids, links, loaded files and pictures."""
+    """Parse a page's ids, links, loaded files, pictures and meta tags."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
         self.ids, self.links, self.loads, self.pictures, self.meta = set(), [], [], [], {}
-        self.within = []  # the last span
+        self.span_classes = []  # of the last <span> before this point
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
@@ -44,30 +44,37 @@ class Page(HTMLParser):
         if tag in ("script", "img", "iframe", "source") and attrs.get("src"):
             self.loads.append(attrs["src"])
         if tag == "img":
-            self.pictures.append(attrs | {"in": self.within})
+            self.pictures.append(attrs | {"in": self.span_classes})
         if attrs.get("role") == "img":
             self.pictures.append({"alt": attrs["aria-label"], "src": "", "in": []})
         if tag == "meta" and "name" in attrs:
             self.meta[attrs["name"]] = attrs.get("content", "")
         parts = (attrs.get("class") or "").split()
-        self.within = parts if tag == "span" else self.within
+        self.span_classes = parts if tag == "span" else self.span_classes
 
 
 @cache
 def page(path: Path) -> Page:
+    """Return the parsed page, which is read once."""
     return Page(path.read_text(encoding="utf-8"))
 
 
-def local(url: str) -> str:
+def local_path(url: str) -> str:
+    """Return the file part of a URL, without query and fragment."""
     return unquote(urldefrag(url)[0].split("?")[0])
 
 
 def wait_until_built():
-    """`make test` builds the book beside the first tests, and then writes how that ended."""
-    ended = os.environ.get("BUILT")
-    while ended and not (ROOT / ended).exists():
+    """Wait for `make test`, which builds the book beside the first tests.
+
+    It then writes the exit status of the build into the file that BUILT names.
+    """
+    status_file = os.environ.get("BUILT")
+    while status_file and not (ROOT / status_file).exists():
         time.sleep(0.2)
-    assert not ended or (ROOT / ended).read_text("utf-8").strip() == "0", "`make book` has failed"
+    assert not status_file or (ROOT / status_file).read_text("utf-8").strip() == "0", (
+        "`make book` has failed"
+    )
     assert (HTML / "index.html").exists(), "the book is not built: run `make book` first"
 
 
@@ -88,7 +95,7 @@ def test_page_loads_only_local_files(name):
     here = HTML / f"{name}.html"
     for url in page(here).loads:
         assert not re.match(r"(https?:)?//", url), url
-        assert url.startswith(("data:", "#")) or (here.parent / local(url)).exists(), url
+        assert url.startswith(("data:", "#")) or (here.parent / local_path(url)).exists(), url
 
 
 @every_page
@@ -97,16 +104,18 @@ def test_page_links_have_targets(name):
     for url in page(here).links:
         if re.match(r"(https?|mailto|javascript):", url):
             continue
-        target = here if not local(url) else here.parent / local(url)
+        target = here.parent / local_path(url) if local_path(url) else here
         assert target.exists(), url
         anchor = urldefrag(url)[1]
-        if anchor and target.suffix == ".html" and "=" not in anchor:  # a state of the explorer
+        if (
+            anchor and target.suffix == ".html" and "=" not in anchor
+        ):  # "=" marks a state of the explorer
             assert unquote(anchor) in page(target).ids, url
 
 
 @every_page
 def test_pictures_have_alt_text(name):
-    """A drawing, and all that is cut from it, has those of its place."""
+    """The panels of a drawing take the alternative text of their span."""
     for picture in page(HTML / f"{name}.html").pictures:
         alt = picture.get("alt")
         assert alt is not None, picture
@@ -115,12 +124,18 @@ def test_pictures_have_alt_text(name):
 
 
 @every_page
-def test_page_has_description_and_no_raw_markup(name):
+def test_page_has_a_description(name):
     assert len(page(HTML / f"{name}.html").meta.get("description", "")) > 40
+
+
+@every_page
+def test_page_has_no_unrendered_markup(name):
     text = (HTML / f"{name}.html").read_text(encoding="utf-8")
     body = re.sub(r"(?s)<(pre|script|style|code)\b.*?</\1>", "", text)
     assert not re.search(r"\{(ref|eq|doc|numref|cite|footcite:p)\}`", body)
-    assert not re.search(r"```\{|Alias for field number", body)  # Python's, of a named tuple
+    assert not re.search(
+        r"```\{|Alias for field number", body
+    )  # the latter is a default docstring of namedtuple
 
 
 @pytest.mark.parametrize("name", OLD_IDS)
@@ -141,22 +156,22 @@ def test_page_offers_the_notebook_of_the_repository(path):
     assert (HTML / link).read_bytes() == path.read_bytes()
 
 
-UNREAD = re.compile(r"(?s)<(pre|script|style|code|math|svg)\b.*?</\1>|<[^>]*>")
+NOT_TEXT = re.compile(r"(?s)<(pre|script|style|code|math|svg)\b.*?</\1>|<[^>]*>")
 TEX = re.compile(r"\\[(\[A-Za-z]|\$")
 
 
 @every_page
 def test_formulas_are_mathml_not_tex(name):
-    """No TeX is left, beside it or within."""
+    """No TeX is left in the text or as an annotation of the MathML."""
     text = (HTML / f"{name}.html").read_text(encoding="utf-8")
-    assert TEX.findall(UNREAD.sub(" ", text)) == []
+    assert TEX.findall(NOT_TEXT.sub(" ", text)) == []
     assert "<annotation" not in text
 
 
 def test_math_font_has_every_character_used():
-    """It was cut once, for more than this book says."""
+    """The font file was once reduced to a list of characters, so a new formula may need another."""
     text = " ".join(path.read_text(encoding="utf-8") for path in HTML.rglob("*.html"))
-    letters = {*unescape("".join(re.findall("<m[ino]\\b[^>]*>(.*?)</m", text)))}
-    unseen = {*"\u2061\u200b"}  # marks of a function, and of an empty place
-    face = TTFont(HTML / "_static" / "vendor" / "stix" / "stix-two-math.woff2")
-    assert letters - unseen <= {*map(chr, face.getBestCmap())}
+    characters = {*unescape("".join(re.findall("<m[ino]\\b[^>]*>(.*?)</m", text)))}
+    invisible = {*"\u2061\u200b"}  # function application, zero-width space
+    font = TTFont(HTML / "_static" / "vendor" / "stix" / "stix-two-math.woff2")
+    assert characters - invisible <= {*map(chr, font.getBestCmap())}

@@ -1,4 +1,4 @@
-"""Each mistake of the corpus's catalogue is named, and no number of an answer vanishes."""
+"""Test that the checks name each mistake of the corpus and ignore no number of an answer."""
 
 import json
 import re
@@ -21,7 +21,8 @@ from tests.corpus.machine import Machine
 from tests.mixed import arm_of, heavy
 from tests.test_judge import in_python
 
-# The judge's keys of what is planted here under another, and what it says of it that is true too.
+# For some planted mistakes the judge names another cause that is also true. Keys and values are
+# beginnings of cause keys.
 ALSO = {
     "table.twist": ("table.no twist", "table.angle:alpha"),
     "table.no twist": ("table.angle:alpha",),
@@ -30,40 +31,40 @@ ALSO = {
 }
 
 
-def names(report, mistakes, made):
-    """Whether a report names a mistake that gives these numbers."""
-    true = [key for key, x in mistakes.items() if tables.alike(x, made)]
-    also = tuple(key for one in true for start, keys in ALSO.items()
-                 if one.startswith(start) for key in keys)  # fmt: skip
-    firsts = [cause.split(" + ")[0] for cause in report.causes]
-    return any(one in true or one.startswith(also) for one in firsts)
+def names_mistake(report, mistakes, typed):
+    """Return whether a report names a mistake that gives the typed numbers."""
+    true = [key for key, numbers in mistakes.items() if tables.alike(numbers, typed)]
+    also = tuple(key for cause in true for start, keys in ALSO.items()
+                 if cause.startswith(start) for key in keys)  # fmt: skip
+    named = [causes.split(" + ")[0] for causes in report.causes]
+    return any(cause in true or cause.startswith(also) for cause in named)
 
 
-def shown(mistakes, right):
-    """Those that show in five digits."""
-    for key, made in mistakes.items():
-        if made.shape != right.shape or np.abs(made - right).max() > 5e-3:
-            yield key, made
+def visible(mistakes, right):
+    """Yield the mistakes that change a shape, or an entry by more than 5e-3."""
+    for key, typed in mistakes.items():
+        if typed.shape != right.shape or np.abs(typed - right).max() > 5e-3:
+            yield key, typed
 
 
 HERE = Path(__file__).parent
 CAUSE = re.compile(r'(?:makeCause|put)\(\s*"([^"]+)"|\["((?:J|ik|pose|table|tau|trace)\.[^"]+)"')
-# No mistakes: how a wrong entry is told.
-TOLD = {"J.entries", "J.entry signs"}
+# These keys describe wrong entries. They are no causes.
+DESCRIPTIONS = {"J.entries", "J.entry signs"}
 
 
 def test_every_cause_has_a_test_case():
-    """In tests/cases.json, in the corpus, or in a test."""
+    """The case is in tests/cases.json, in the corpus, or in a test file."""
     files = [*HERE.glob("*.py"), *HERE.glob("corpus/*.py"), HERE / "cases.json"]
     planted = "".join(file.read_text("utf-8") for file in files)
     sources = (HERE.parent / "judge").glob("*/*.js")
-    found = CAUSE.findall("".join(file.read_text("utf-8") for file in sources))
-    keys = {key for pair in found for key in pair if "." in key} - TOLD
+    matches = CAUSE.findall("".join(file.read_text("utf-8") for file in sources))
+    keys = {key for pair in matches for key in pair if "." in key} - DESCRIPTIONS
     assert len(keys) > 80
     sentences = json.loads((HERE.parent / "judge" / "sentences.json").read_text("utf-8"))
-    assert not keys - {*sentences}, "its sentence in judge/sentences.json"
-    never = {key for key in keys if not re.search(re.escape(key) + '(?:[":]| [+])', planted)}
-    assert not never, "a line of questions in tests/cases.json whose cause it is"
+    assert not keys - {*sentences}, "add a sentence for each to judge/sentences.json"
+    untested = {key for key in keys if not re.search(re.escape(key) + '(?:[":]| [+])', planted)}
+    assert not untested, "add a question with each cause to tests/cases.json"
 
 
 @pytest.mark.parametrize("name", ["UR10E_HOMEWORK", "STANFORD", "PANDA.lock(3)"])
@@ -73,9 +74,9 @@ def test_jacobian_mistake_is_named(name):
     right = m.jacobian(q)
     mistakes = dict([*jacobians.before(m, q, rng), *jacobians.of_tables(m, q, rng)])
     mistakes |= {key: write(right) for key, write in jacobians.after(m, q, rng)}
-    for key, made in shown(mistakes, right):
-        report = checks.compare_jacobian(made.round(5), arm_of(m), q)
-        assert names(report, mistakes, made), (key, report)
+    for key, typed in visible(mistakes, right):
+        report = checks.compare_jacobian(typed.round(5), arm_of(m), q)
+        assert names_mistake(report, mistakes, typed), (key, report)
 
 
 @pytest.mark.parametrize("name", ["PANDA", "STANFORD"])
@@ -85,20 +86,20 @@ def test_torque_mistake_is_named(name):
     mistakes = dict(torques.mistakes(m, links, q, F, rng))
     right = torques.weight(m, links, q) - torques.force(m, F, q)
     arm = arm_of(m) if name == "PANDA" else heavy(m, links)
-    for key, made in shown(mistakes, right):
-        report = checks.compare_torques(made.round(5), arm, q, F)
-        assert names(report, mistakes, made), (key, report)
+    for key, typed in visible(mistakes, right):
+        report = checks.compare_torques(typed.round(5), arm, q, F)
+        assert names_mistake(report, mistakes, typed), (key, report)
 
 
 @pytest.mark.parametrize("name", ["PANDA.lock(3)", "UR10E_HOMEWORK"])
 def test_table_mistake_is_named(name):
     m = KNOWN[name]
     mistakes = tables.mistakes(m, np.random.default_rng(5))
-    held = {key: tables.numbers(rows) for key, rows in mistakes.items()}
+    typed = {key: tables.numbers(rows) for key, rows in mistakes.items()}
     for key, rows in mistakes.items():
         report = checks.compare_tables(arm_of(Machine(rows)), arm_of(m))
-        free = report.mark or report.figures.get("same machine")  # as tests/test_tables.py tries
-        assert names(report, held, held[key]) or free, (key, report)
+        free = report.mark or report.figures.get("same machine")  # see tests/test_tables.py
+        assert names_mistake(report, typed, typed[key]) or free, (key, report)
 
 
 RIGHT = [case for case in QUESTIONS if case["grade"] == "right" and case["answer"]]
@@ -111,9 +112,9 @@ DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 @example(case=DICTIONARIES, place=1.0)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
 def test_stray_number_is_never_ignored(case, place):
-    """Into right work, at any blank: refused, wrong, part of an entry, or shown back."""
+    """A number put into right work at any blank makes it rejected, wrong, or is quoted."""
     text = case["answer"]
-    blanks = [0, *(k for k, sign in enumerate(text) if sign.isspace()), len(text)]
+    blanks = [0, *(k for k, character in enumerate(text) if character.isspace()), len(text)]
     at = blanks[round(place * (len(blanks) - 1))]
     try:
         report = in_python({**typed_fields(case), "answer": f"{text[:at]} 99.125 {text[at:]}"})
@@ -138,7 +139,7 @@ def test_which_selects_one_of_two_answers():
 
 
 def test_small_gravity_error_is_not_rounding():
-    """g = 9.8 on light links under a large push: many units off, a thousandth of the torques."""
+    """With g = 9.8 on light links the error is a thousandth of the torques."""
     light = UR10E.with_bodies([Body(body.mass / 40, body.com) for body in UR10E.bodies])
     push = [0, 0, -20, 3, 0, 0]
     mine = static_torque(light, Q, push) - 0.01 / 9.81 * static_torque(light, Q, [0] * 6)

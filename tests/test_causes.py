@@ -1,7 +1,7 @@
-"""Each cause that a checker can name and that the stored corpus and the errata do not hold, once.
+"""Test causes and figures of reports that neither the corpus nor the errata cover.
 
-What the mistake makes of right work comes from the corpus's own kinematics, or from an arm of two
-slides, whose joints are the path itself.
+The mistaken numbers come from the corpus's own kinematics, or from an arm of two slides, whose
+joint values are the coordinates of its tip.
 """
 
 import math
@@ -27,7 +27,8 @@ SLEDGE = Arm("sledge", [prismatic(alpha=H, theta=H), prismatic()])
 CIRCLE = motion.circle((0.3, 0.0, 0.3), 0.1, "xz", 5.0, 40)
 
 
-def run(slides):
+def check_slides(slides):
+    """Return the report on a trajectory of the arm of two slides."""
     return checks.compare_trace(slides, SLEDGE, CIRCLE)
 
 
@@ -42,18 +43,18 @@ def run(slides):
     ],
 )
 def test_exchanged_axes_of_path_are_named(slides, cause, said):
-    report = run(slides)
+    report = check_slides(slides)
     assert cause in {key.split(":")[0] for keys in report.causes for key in keys.split(" + ")}
     assert said in report.headline
     assert report.grade == "wrong"
 
 
 def test_sliding_joints_are_never_called_degrees():
-    """Euler's method strays from the circle as far with as without a factor that no slide has."""
+    """Euler's method leaves the circle by as much with a factor of degrees as without it."""
     theta = 2 * np.pi * np.arange(40) / 40
     steps = 0.1 * 2 * np.pi / 40 * np.stack([np.cos(theta), -np.sin(theta)], axis=1)
     slides = np.cumsum([[0.3, 0.4], *steps], axis=0)
-    assert "trace.degrees" not in run(slides).causes
+    assert "trace.degrees" not in check_slides(slides).causes
 
 
 @pytest.mark.parametrize(
@@ -67,28 +68,41 @@ def test_left_handed_target_is_wrong(turn):
     assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "wrong"
 
 
-def test_report_figures_hold_counts_and_errors():
+def test_branch_report_counts_right_and_wrong_answers():
     found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
     typed = [*found.q[1:3], [9.0, 9.0, 9.0]]
-    wanted = {"found": tuple(found.branches[1:3]), "right": 2, "of": 4, "wrong": 1}
-    assert checks.compare_branches(typed, found).figures == wanted
+    expected = {"found": tuple(found.branches[1:3]), "right": 2, "of": 4, "wrong": 1}
+    assert checks.compare_branches(typed, found).figures == expected
+
+
+def test_branches_in_degrees_are_named():
+    found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
     degrees = checks.compare_branches(np.degrees(found.q).round(1), found)
     assert (degrees.causes, degrees.figures["right"], degrees.figures["of"]) == (
         ("ik.degrees",),
         0,
         4,
     )
+
+
+def test_pose_report_gives_position_and_orientation_error():
     T = np.array([[1, 0, 0, 0.7], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]])
     off = np.outer([0.03, 0.04, 0, 0], [0, 0, 0, 1])
     far = checks.compare_pose([0, 0, 0], ELBOW, T + off)
     assert far.figures == {"position_error": pytest.approx(0.05), "orientation_error": 0.0}
     turned = checks.compare_pose([0.25, 0, 0], ELBOW, T).figures["orientation_error"]
     assert turned == pytest.approx(0.25)
-    ahead = run(CIRCLE.positions[:, [2, 0]] + [0.03, 0.04])
+
+
+def test_trace_report_gives_the_position_error():
+    ahead = check_slides(CIRCLE.positions[:, [2, 0]] + [0.03, 0.04])
     assert ahead.figures["position_error"] == pytest.approx(0.05)
     assert ahead.figures["run"].position_error == pytest.approx(0.05)
     assert (ahead.topic, ahead.figures["tool_turn"]) == ("trace", 0.0)
-    assert run(CIRCLE.positions[:7]).findings[0].mine == (7, 3)
+
+
+def test_trace_report_gives_the_wrong_shape():
+    assert check_slides(CIRCLE.positions[:7]).findings[0].mine == (7, 3)
 
 
 @pytest.mark.parametrize("typed", [{"theta1": 0.0, "theta2": 0.0, "theta3": 0.0}, ("0", "0", "0")])

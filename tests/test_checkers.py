@@ -1,8 +1,7 @@
-"""The checkers on work as students hand it in: every form, every digit, every slip of the errata by
-name.
+"""Test the checks on work in the forms in which students submit it.
 
-What is right and what each slip makes of it comes from the corpus's own kinematics or from the
-triangle named below.
+The right numbers and those of each slip of the errata come from the corpus's own kinematics, or
+from the plane triangle of links 2 and 3.
 """
 
 import math
@@ -28,17 +27,20 @@ J3 = KNOWN["ELBOW"].jacobian(Q)
 q1, q2, q3 = sp.symbols("q_1 q_2 q_3")
 
 
-def test_truncated_digits_and_tolerance_are_accepted():
+def test_truncated_digits_are_accepted_and_noted():
     cut = np.trunc(J3 * 1e4) / 1e4
     report = checks.compare_jacobian(cut, ELBOW, Q)
     assert report.agrees
     assert "your digits are cut" in str(report)
+
+
+def test_jacobian_tolerance_is_applied():
     off = J3 + 1e-3
     assert checks.compare_jacobian(off, ELBOW, Q, tolerance=1.1e-3).agrees
     assert checks.compare_jacobian(off, ELBOW, Q, tolerance=0.9e-3).grade == "wrong"
 
 
-# The door
+# Forms of the input
 
 
 c, s = sp.cos, sp.sin
@@ -96,7 +98,7 @@ def test_table_source_records_units_and_conversions():
         Arm.from_table("q1 L1 0 0\nq2 0 0 0")
 
 
-# Slips of the errata, of arms or forms that the page does not know; the others are in cases.json.
+# Slips of the errata on arms or input types that the page does not have. cases.json has the rest.
 
 
 def slip_12(q):
@@ -112,17 +114,19 @@ SLIPS = {
     "12": (lambda: checks.compare_branches([slip_12(ASIDE.q[0])], ASIDE), "ik.plus for minus"),
     "15": (lambda: checks.compare_branches([(H, *ASIDE.q[0, 1:])], ASIDE), "ik.quarter turn"),
 }
-# Runs, below; 5, velocities in mm/s, and 11, a run about the origin, as what becomes of them.
-RUNS = {"5", "10", "11", "19", "20", "21"}
+# Slips of trajectories, tested further below.
+TRACE_SLIPS = {"5", "10", "11", "19", "20", "21"}
 
 
 def test_every_slip_of_the_errata_has_a_case():
-    told = {case["about"].split()[1] for case in questions_about("slip ")} | {*SLIPS} | RUNS
-    assert told == {str(n) for n in range(1, 28)}
+    tested = (
+        {case["about"].split()[1] for case in questions_about("slip ")} | {*SLIPS} | TRACE_SLIPS
+    )
+    assert tested == {str(n) for n in range(1, 28)}
 
 
 def test_q_without_locked_joint_is_rejected():
-    """Slip 25: which joints there should be is said; seven of an arm with one locked are read."""
+    """Slip 25: the message lists the joints that q must have."""
     with pytest.raises(ArmError, match=r"6 values.*q_1, q_2, q_3, q_4"):
         checks.compare_jacobian(np.zeros((6, 6)), PANDA, np.delete(BENT, 2))
 
@@ -136,37 +140,37 @@ def test_slip_is_named(slip):
 # Traces
 
 
-def homeworks(steps):
-    """The homework's circle, as a task of the corpus and as the checkers have it."""
+def homework_circle(steps):
+    """Return the homework's circle as a task of the corpus and as a path of the helpers."""
     task = Task(KNOWN["PANDA.lock(3)"], np.delete(HOME, 2), "zy", 0.1, 5, steps)
     return task, circle(task.path()["centre"], 0.1, "zy", 5, steps)
 
 
-TASK, PATH = homeworks(400)
+TASK, PATH = homework_circle(400)
 GOOD = TASK.run()
 ARM = PANDA.lock(3)
 
 
-def turned(q):
-    """Slip 19: z_i and o_i in the angular half alone."""
+def jacobian_of_slip_19(q):
+    """Return the Jacobian with z_i in place of z_(i-1) in its angular rows."""
     J = TASK.machine.jacobian(q)
     return np.vstack([J[:3], recipe(TASK.machine, q, axis=1, origin=1)[3:]])
 
 
-def linear(q):
+def linear_jacobian(q):
     return TASK.machine.jacobian(q)[:3]
 
 
-def traced(q, **how):
-    return checks.compare_trace(q, ARM, PATH, **how)
+def check_trace(q, **options):
+    return checks.compare_trace(q, ARM, PATH, **options)
 
 
 def test_trace_is_read_from_any_layout():
-    assert traced(GOOD).agrees
+    assert check_trace(GOOD).agrees
     times = np.c_[PATH.times, GOOD].round(6)
     for mine in (GOOD[:-1], GOOD.T, times, "\n".join(",".join(map(str, row)) for row in times)):
-        assert traced(mine).agrees
-    assert traced(np.degrees(GOOD), angles="deg").agrees
+        assert check_trace(mine).agrees
+    assert check_trace(np.degrees(GOOD), angles="deg").agrees
 
 
 @pytest.mark.parametrize(
@@ -178,14 +182,14 @@ def test_trace_is_read_from_any_layout():
         (np.where(np.arange(401)[:, None] == 200, GOOD + 0.5, GOOD), "trace.jump"),
         (np.vstack([GOOD, GOOD[1]]), "trace.one more"),  # slip 20
         (TASK.run(late=1), "trace.next velocity"),  # slip 21
-        (TASK.run(J=turned), "J.z_i angular"),  # slip 19
+        (TASK.run(J=jacobian_of_slip_19), "J.z_i angular"),  # slip 19
         (TASK.run(rate=1e3), "trace.millimetres"),  # slip 5
         (TASK.run(rate=-1), "trace.other side"),
         (TASK.run(radius=0.05), "trace.scaled"),
-        (TASK.run(radius=0.09), None),  # nobody's number: where it is off, and no more
+        (TASK.run(radius=0.09), None),  # no known mistake gives 0.09: no cause is named
         (TASK.run(dt=5 / 800), "trace.fraction"),
         (TASK.run(radius=0.05, dt=5 / 800), "trace.fraction + trace.scaled"),
-        (TASK.run(rule=lambda q, v: np.linalg.pinv(linear(q)) @ v), "trace.position only"),
+        (TASK.run(rule=lambda q, v: np.linalg.pinv(linear_jacobian(q)) @ v), "trace.position only"),
         (TASK.run(J=lambda q: recipe(TASK.machine, TASK.start)), "trace.jacobian held"),
         (TASK.run(rate=1e-3).round(8), "J.millimetres"),  # a Jacobian in mm
         (GOOD[0:1] + 0 * GOOD, None),
@@ -193,19 +197,20 @@ def test_trace_is_read_from_any_layout():
     ],
 )
 def test_trace_mistake_is_named(q, cause):
-    report = traced(q)
+    report = check_trace(q)
     assert report.grade == "wrong"
     assert report.causes[:1] == ((cause,) if cause else ()), str(report)
 
 
-# Slip 11: joints from inverse kinematics, the centre added in some coordinates only; slip 10: the
-# plain inverse at q = 0, where the homework's UR10e has rank 3, as floating point gives it.
+# Slip 11: joint angles by inverse kinematics, with the centre added in some coordinates only.
+# Slip 10: the inverse of J at q = 0, where the homework's UR10e has rank 3 up to round-off.
 
 CIRCLE = circle((0.3, 0.2, 0.6), 0.1, "zx", 5, 200)
 ABOVE_UR = circle(SIX.tip([0] * 6)[:3, 3] - [0, 0, 0.1], 0.1, "zy", 5, 200)
 
 
-def elbow_run(missing):
+def trace_of_elbow(missing):
+    """Return joint angles on the circle, without these shares of the centre's coordinates."""
     q, rows = None, []
     for point in CIRCLE.positions - np.multiply(missing, (0.3, 0.2, 0.6)):
         found = np.array(elbow(ELBOW, point).q)
@@ -216,14 +221,14 @@ def elbow_run(missing):
     return np.array(rows)
 
 
-def plain_inverse():
+def trace_by_plain_inverse():
     task = Task(SIX, np.zeros(6), "zy", 0.1, 5, 200)
     return task.run(rule=lambda q, v: np.linalg.inv(SIX.jacobian(q)) @ [*v, 0, 0, 0])
 
 
 def test_whole_turns_are_unwound_and_jumps_named():
-    """As atan2 leaves them; on the path to another branch; and off it."""
-    q = elbow_run((0, 0, 0))
+    """The jumps are those of atan2, one to another branch, and one off the path."""
+    q = trace_of_elbow((0, 0, 0))
     wound = q + 2 * math.pi * (np.arange(201)[:, None] >= 77) * [1, 0, -1]
     report = checks.compare_trace(wound, ELBOW, CIRCLE)
     assert report.agrees
@@ -235,32 +240,36 @@ def test_whole_turns_are_unwound_and_jumps_named():
         report = checks.compare_trace(mine, ELBOW, CIRCLE)
         assert report.causes == ("trace.jump",), str(report)
         assert words in str(report)
-    few = homeworks(24)[1]  # astray, and so 24 times as long as the path
+    few = homework_circle(24)[1]  # astray, and so 24 times as long as the path
     wild = np.cos(np.outer(np.arange(25), [1, 2, 3, 5, 7, 11]) + 1)
     report = checks.compare_trace(wild, ARM, few)
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
 def test_large_steps_are_not_jumps_but_open_circle_is_named():
-    """Joint 5 turns by 0.3 rad in each of twenty steps."""
-    task, path = homeworks(20)
+    """Joint 5 turns by 0.3 rad per step. With dt = T/21 the circle stays open."""
+    task, path = homework_circle(20)
     right, open_ = (task.run(method="rk4", dt=5 / n).round(4) for n in (20, 21))
     assert checks.compare_trace(right, ARM, path).agrees
     assert checks.compare_trace(open_, ARM, path).causes == ("trace.open",)
 
 
 def test_runge_kutta_hides_no_mistake():
-    """Runge's and Kutta's; and velocities in mm/s in too few steps and digits to be told."""
-    task, path = homeworks(40)
-    by_rk4 = task.run(J=turned, method="rk4").round(5)
+    task, path = homework_circle(40)
+    by_rk4 = task.run(J=jacobian_of_slip_19, method="rk4").round(5)
     assert checks.compare_trace(by_rk4, ARM, path).causes[0] == "J.z_i angular"
+
+
+def test_wild_trace_names_no_mistake_of_velocity():
+    """With velocities in mm/s, 40 steps and three decimals are too few to name the cause."""
+    task, path = homework_circle(40)
     typed = [",".join(f"{x:.3f}" for x in row) for row in task.run(rate=1e3)]
     report = checks.compare_trace("\n".join(typed), ARM, path)
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
 def test_rounded_entry_does_not_excuse_others():
-    q = elbow_run((0, 0, 0))
+    q = trace_of_elbow((0, 0, 0))
     typed = [[f"{x:.4f}" for x in row] for row in q]
     typed[5][0] = f"{q[5, 0]:.1f}"
     assert checks.compare_trace("\n".join(map(",".join, typed)), ELBOW, CIRCLE).agrees
@@ -278,17 +287,17 @@ def test_rounded_entry_does_not_excuse_others():
     ],
 )
 def test_missing_circle_centre_is_named(missing, cause):
-    report = checks.compare_trace(elbow_run(missing), ELBOW, CIRCLE)
+    report = checks.compare_trace(trace_of_elbow(missing), ELBOW, CIRCLE)
     assert report.causes == (cause,), str(report)
-    assert checks.compare_trace(elbow_run((0, 0, 0)), ELBOW, CIRCLE).agrees
+    assert checks.compare_trace(trace_of_elbow((0, 0, 0)), ELBOW, CIRCLE).agrees
 
 
 def test_singular_jacobian_is_named():
-    report = checks.compare_trace(plain_inverse(), UR10E_HOMEWORK, ABOVE_UR)
+    report = checks.compare_trace(trace_by_plain_inverse(), UR10E_HOMEWORK, ABOVE_UR)
     assert report.causes == ("trace.no inverse:0",), str(report)
     assert "rank 3 of 6" in report.headline
     assert not report.notes
-    stretched = np.vstack([np.zeros(3), elbow_run((0, 0, 0))[1:]])
+    stretched = np.vstack([np.zeros(3), trace_of_elbow((0, 0, 0))[1:]])
     report = checks.compare_trace(stretched, ELBOW, CIRCLE)
     assert report.causes == ("trace.no inverse:0",), str(report)
     assert "rank 2 of 3" in report.headline
@@ -301,5 +310,5 @@ def test_trace_of_other_lengths_is_named():
             for k, a, *rest in KNOWN["PANDA.lock(3)"].rows
         ]
     )
-    report = traced(TASK.run(machine=other))
+    report = check_trace(TASK.run(machine=other))
     assert report.causes == ("table.length:a_3:a_6",), str(report)

@@ -1,4 +1,4 @@
-"""The check line: it prints when right, and it cannot pass when wrong."""
+"""Test `check`: it prints a line if the values agree and raises if they differ."""
 
 import numpy as np
 import pytest

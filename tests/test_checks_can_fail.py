@@ -1,10 +1,10 @@
-"""A check that compares a thing with itself proves nothing, however green its line: every check of
-the book is read here.
+"""Test that every check of the book can fail.
 
-The statements are read in their order, and each name stands for what it was bound to last. So
-written out, the two sides of `check(label, actual, expected)` must differ, and at least one must
-rest on the helpers: arithmetic that never leaves the cell would stay green whatever became of them.
-And only a literal may be `book_only`: two derivations agree on any arm.
+A check that compares a value with itself proves nothing. The test reads the statements of a chapter
+in order and replaces each name by the expression that was last assigned to it. Three rules hold for
+`check(label, actual, expected)`: the two expanded sides differ; at least one of them depends on the
+helpers, since arithmetic within the cell would pass whatever the helpers do; and `book_only` checks
+expect a literal, since two derivations agree for any arm.
 """
 
 import ast
@@ -16,74 +16,76 @@ import nbformat
 import pytest
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
-# Checks of the reader's own algebra or of a slip's arithmetic, which have no helper to ask.
+# Labels of checks on algebra or on a slip's arithmetic, for which no helper exists.
 BY_HAND = {
     "the appendix's 40 pi, in mm/s",
     "at rest only dP/dq is left",
 }
-HELPED = "helped"  # begins a word for what rests on the helpers
+HELPED = "helped"  # prefix of symbols that depend on the helpers
 
 
-class Written(ast.NodeTransformer):
-    """What has been read: of each name a word for what it is, of each text its word."""
+class SymbolTable(ast.NodeTransformer):
+    """Give each distinct expression a symbol and each name the symbol of its last value."""
 
     def __init__(self):
-        self.names, self.words, self.numbers = {}, {}, count()
+        self.names, self.symbols, self.numbers = {}, {}, count()
 
     def visit_Name(self, node):
         return ast.Name(self.names.get(node.id, node.id))
 
     def visit_scope(self, node):
-        """What a comprehension, a lambda or a function binds is its own."""
+        """Leave names alone that a comprehension, lambda or function binds itself."""
         bound = [part.target for part in getattr(node, "generators", ())] or [node.args]
-        parts = [part for place in bound for part in ast.walk(place)]
-        own = {getattr(part, "id", None) or getattr(part, "arg", None) for part in parts}
-        outside = self.names
-        self.names = {name: word for name, word in outside.items() if name not in own}
+        parts = [part for target in bound for part in ast.walk(target)]
+        local = {getattr(part, "id", None) or getattr(part, "arg", None) for part in parts}
+        outer = self.names
+        self.names = {name: symbol for name, symbol in outer.items() if name not in local}
         self.generic_visit(node)
-        self.names = outside
+        self.names = outer
         return node
 
     visit_ListComp = visit_SetComp = visit_GeneratorExp = visit_DictComp = visit_scope
     visit_Lambda = visit_FunctionDef = visit_scope
 
-    def new(self, *parts):
+    def new_symbol(self, *parts):
+        """Return an unused symbol, which depends on the helpers if one of its parts does."""
         return f"{HELPED * any(HELPED in part for part in parts)}_{next(self.numbers)}"
 
-    def word(self, node):
-        """The word for an expression; two that are written alike have the same."""
-        written = self.visit(deepcopy(node))
-        text = ast.unparse(written)
-        if isinstance(written, ast.Name):
+    def symbol(self, node):
+        """Return the symbol of an expression; equal expressions share one."""
+        expanded = self.visit(deepcopy(node))
+        text = ast.unparse(expanded)
+        if isinstance(expanded, ast.Name):
             return text
-        return self.words.get(text) or self.words.setdefault(text, self.new(text))
+        return self.symbols.get(text) or self.symbols.setdefault(text, self.new_symbol(text))
 
-    def bind(self, target, word):
+    def bind(self, target, symbol):
+        """Assign a symbol to a name, or its items to the names of a tuple."""
         if isinstance(target, ast.Name):
-            self.names[target.id] = word
+            self.names[target.id] = symbol
         elif isinstance(target, ast.Tuple | ast.List):
             for i, part in enumerate(target.elts):
                 self.bind(
-                    part, self.word(ast.Subscript(ast.Name(word, ast.Load()), ast.Constant(i)))
+                    part, self.symbol(ast.Subscript(ast.Name(symbol, ast.Load()), ast.Constant(i)))
                 )
         else:  # x[i] = y, x.a = y, *x
-            self.change(target, ast.Name(word, ast.Load()))
+            self.change(target, ast.Name(symbol, ast.Load()))
 
     def change(self, target, *values):
-        """Each name in a target is another thing from here on."""
+        """Give each name in a changed target a new symbol."""
         names = [node.id for node in ast.walk(target) if isinstance(node, ast.Name)]
         before = [self.names.get(name, name) for name in names]
-        word = self.new(*before, *map(self.word, values))
-        self.names |= dict.fromkeys(names, word)
+        symbol = self.new_symbol(*before, *map(self.symbol, values))
+        self.names |= dict.fromkeys(names, symbol)
 
     def read(self, node):
-        """A statement, or what it is made of, in order; gives the checks in it, written out."""
+        """Read a statement and yield its checks: the call, and the symbols of both sides."""
         match node:
             case ast.ImportFrom(module=module, names=names):
                 start = HELPED if (module or "").startswith(("helpers", "course")) else ""
                 self.names |= {n.asname or n.name: f"{start}_{module}_{n.name}" for n in names}
             case ast.FunctionDef(name=name):
-                self.names[name] = self.word(node)
+                self.names[name] = self.symbol(node)
                 return
             case ast.Call(func=ast.Name(id="check")):
                 yield node, *self.sides(node)
@@ -95,40 +97,44 @@ class Written(ast.NodeTransformer):
             yield from self.read(child)
         match node:
             case ast.Assign(targets=[ast.Tuple(elts=targets)], value=ast.Tuple(elts=values)):
-                for target, word in zip(targets, [*map(self.word, values)], strict=True):
-                    self.bind(target, word)
+                for target, symbol in zip(targets, [*map(self.symbol, values)], strict=True):
+                    self.bind(target, symbol)
             case ast.Assign(targets=targets, value=value):
-                word = self.word(value)
+                symbol = self.symbol(value)
                 for target in targets:
-                    self.bind(target, word)
+                    self.bind(target, symbol)
             case ast.AugAssign(target=target, value=value):
                 self.change(target, value)
 
     def sides(self, call):
+        """Return the symbols of `actual` and `expected` of a check."""
         named = {key.arg: key.value for key in call.keywords}
-        given = [*call.args[1:], *(named[name] for name in ("actual", "expected") if name in named)]
-        if isinstance(given[0], ast.Starred):
-            return [self.word(ast.Subscript(given[0].value, ast.Constant(i))) for i in (0, 1)]
-        return [self.word(side) for side in given[:2]]
+        both = [*call.args[1:], *(named[name] for name in ("actual", "expected") if name in named)]
+        if isinstance(both[0], ast.Starred):
+            return [self.symbol(ast.Subscript(both[0].value, ast.Constant(i))) for i in (0, 1)]
+        return [self.symbol(side) for side in both[:2]]
 
 
-def complaints(sources):
-    written, found = Written(), []
-    for node, actual, expected in (c for s in sources for c in written.read(ast.parse(s))):
+def find_weak_checks(sources):
+    """Return a message for each check in the cells that cannot fail."""
+    table, messages = SymbolTable(), []
+    for node, actual, expected in (c for s in sources for c in table.read(ast.parse(s))):
         label = ast.literal_eval(node.args[0]) if isinstance(node.args[0], ast.Constant) else "?"
         if actual == expected:
-            found.append(f"{label}: both sides are {ast.unparse(node.args[1])}")
+            messages.append(f"{label}: both sides are {ast.unparse(node.args[1])}")
         elif HELPED not in actual + expected and label not in BY_HAND:
-            found.append(f"{label}: neither side rests on the helpers")
+            messages.append(f"{label}: neither side depends on the helpers")
         if HELPED in expected and any(key.arg == "book_only" for key in node.keywords):
-            found.append(f"{label}: open, though what is expected is computed for any arm")
-    return found
+            messages.append(
+                f"{label}: book_only, though the expected value is computed for any arm"
+            )
+    return messages
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebook_checks_compare_independent_values(path):
     cells = nbformat.read(path, as_version=4).cells
-    assert complaints(cell.source for cell in cells if cell.cell_type == "code") == []
+    assert find_weak_checks(cell.source for cell in cells if cell.cell_type == "code") == []
 
 
 HEAD = "from helpers import kinematics\nfrom helpers.robots import PANDA\n"
@@ -136,7 +142,7 @@ J = "J = kinematics.jacobian(PANDA, q)\n"
 
 
 @pytest.mark.parametrize(
-    ("source", "red"),
+    ("source", "is_weak"),
     [
         (f"{J}K = J\ncheck('J', K[:3], J[:3])", True),
         (f"{J}check('J', kinematics.jacobian(PANDA, q), J)", True),
@@ -150,5 +156,5 @@ J = "J = kinematics.jacobian(PANDA, q)\n"
         ("p = [0, 0, PANDA.values['d_1']]\ncheck('p', tip, p, 1, book_only=True)", True),
     ],
 )
-def test_self_comparison_is_detected(source, red):
-    assert bool(complaints([HEAD, source])) == red
+def test_self_comparison_is_detected(source, is_weak):
+    assert bool(find_weak_checks([HEAD, source])) == is_weak

@@ -1,4 +1,4 @@
-"""Tables in both conventions describe the same arm."""
+"""Test that tables in the standard and the modified convention describe the same arm."""
 
 import numpy as np
 from hypothesis import given
@@ -10,7 +10,7 @@ from tests.laws import elementary_motions, joint_vectors, random_arms
 
 
 def slow_modified(rows, q) -> np.ndarray:
-    """Craig's product Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(theta_i) Trans_z(d_i)."""
+    """Return Craig's product Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(theta_i) Trans_z(d_i)."""
     T = np.eye(4)
     for turn, tilt in elementary_motions(Arm("modified", rows), q):
         T = T @ tilt @ turn

@@ -1,4 +1,7 @@
-"""Tables out of joint axes, against the product of exponentials, which knows nothing of tables."""
+"""Test tables derived from joint axes against the product of exponentials.
+
+The product of exponentials uses no DH table.
+"""
 
 import math
 from itertools import pairwise
@@ -28,13 +31,13 @@ PANDA = [  # the maker's zero pose, in which his table is written
 PANDA_FLANGE = np.array([[1, 0, 0, 0.088], [0, -1, 0, 0], [0, 0, -1, 0.926], [0, 0, 0, 1]])
 
 
-def entries(arm):
-    """The table as numbers: (a, alpha, d, theta) for each row."""
+def numeric_rows(arm):
+    """Return (a, alpha, d, theta) of each row as numbers."""
     return [[arm.number(e) for e in (row.a, row.alpha, row.d, row.theta)] for row in arm.rows]
 
 
-def moved(axis, q):
-    """The motion of space by a joint, 4x4, by the matrix exponential of its twist."""
+def joint_motion(axis, q):
+    """Return the 4x4 matrix exponential of a joint's twist times q."""
     z, p, T = np.array(axis.direction), np.array(axis.point), np.eye(4)
     if axis.joint.kind == "prismatic":
         T[:3, 3] = q * z
@@ -45,11 +48,11 @@ def moved(axis, q):
     return T
 
 
-def exponentials(axes, tip, q):
-    """The tip's pose: the joints' motions one after the other, then the drawn pose."""
+def tip_by_exponentials(axes, tip, q):
+    """Return the tip's pose: the product of all joint motions and the pose at q = 0."""
     T = np.eye(4)
     for axis, value in zip(axes, q, strict=True):
-        T = T @ moved(axis, value)
+        T = T @ joint_motion(axis, value)
     return T @ tip
 
 
@@ -60,9 +63,8 @@ def random_pose(rng):
     return T
 
 
-def some_axes(rng, n):
-    """Axes with every relation to the one before: skew, meeting, parallel, one line, either way
-    round."""
+def random_axes(rng, n):
+    """Return n axes, each skew, meeting, parallel, collinear or perpendicular to the one before."""
     axes = [Axis(tuple(rng.normal(size=3)), tuple(rng.normal(size=3)))]
     while len(axes) < n:
         p, z = np.array(axes[-1].point), np.array(axes[-1].direction)
@@ -86,19 +88,19 @@ def some_axes(rng, n):
 @pytest.mark.parametrize("seed", range(60))
 def test_derived_arm_matches_product_of_exponentials(seed, negative):
     rng = np.random.default_rng(seed)
-    axes, tip = some_axes(rng, rng.integers(1, 8)), random_pose(rng)
+    axes, tip = random_axes(rng, rng.integers(1, 8)), random_pose(rng)
     found = derive(axes, tip, negative=negative)
     poses = rng.uniform(-3, 3, (5, len(axes)))
-    theirs = [exponentials(axes, tip, q) for q in poses]
+    theirs = [tip_by_exponentials(axes, tip, q) for q in poses]
     np.testing.assert_allclose(forward_kinematics(found.arm, poses), theirs, atol=1e-10)
     assert len(axes) <= len(found.arm.rows) <= len(axes) + 2
 
 
 @pytest.mark.parametrize("seed", range(20))
 def test_derivation_steps_match_frames_and_normals(seed):
-    """The frames, the feet of the normals and the four numbers of each step belong together."""
+    """Frames, feet of the normals and the four numbers of each step must agree."""
     rng = np.random.default_rng(seed)
-    found = derive(some_axes(rng, 6), random_pose(rng))
+    found = derive(random_axes(rng, 6), random_pose(rng))
     frames = link_frames(found.arm, np.zeros(6))
     np.testing.assert_allclose(found.frames, frames, atol=1e-9)
     for step, (before, after) in zip(found.steps, pairwise(frames), strict=True):
@@ -133,20 +135,20 @@ def test_panda_axes_give_the_makers_table():
 
 
 def test_tip_given_as_point_keeps_z_direction():
-    """The elbow arm of two links: the last frame keeps the direction of z."""
+    """A point has no axes, so the last frame keeps its z axis."""
     found = derive([Axis((0, 0, 0), Z), Axis((0.4, 0, 0), Z)], (0.4, 0.3, 0))
-    assert entries(found.arm) == [[0.4, 0, 0, 0], [0.3, 0, 0, RIGHT]]
+    assert numeric_rows(found.arm) == [[0.4, 0, 0, 0], [0.3, 0, 0, RIGHT]]
     on_axis = derive([Axis((0, 0, 0), Z)], (0, 0, 0.5))
-    assert entries(on_axis.arm) == [[0, 0, 0.5, 0]]
+    assert numeric_rows(on_axis.arm) == [[0, 0, 0.5, 0]]
     nearly = derive([Axis((0, 0, 0), (0, 0, 1e100)), Axis((0, 0, 5e-10), Y)], (0.3, 0, 0))
-    assert entries(nearly.arm) == [[0, -RIGHT, 0, 0], [0.3, 0, 0, 0]]
+    assert numeric_rows(nearly.arm) == [[0, -RIGHT, 0, 0], [0.3, 0, 0, 0]]
 
 
 def test_turned_tip_adds_a_fixed_row():
     found = derive(
         [Axis((0, 0, 0), Z)], [[0, -1, 0, 1], [1, 0, 0, 0], [0, 0, 1, 0.2], [0, 0, 0, 1]]
     )
-    assert entries(found.arm) == [[1, 0, 0.2, 0], [0, 0, 0, RIGHT]]
+    assert numeric_rows(found.arm) == [[1, 0, 0.2, 0], [0, 0, 0, RIGHT]]
     assert found.arm.rows[1].joint.kind == "fixed"
     assert (found.steps[1].case, found.steps[1].opposite) == ("coincident", False)
 
@@ -160,8 +162,7 @@ def test_slide_without_point_passes_through_next_axis():
 
 
 def test_nearly_parallel_axes_warn_unless_tolerated():
-    """A tilt of 1e-5 puts the common normal kilometres away; a tolerance above it does not, and
-    says what it costs."""
+    """A tilt of 1e-5 puts the common normal kilometres away, unless the tolerance is larger."""
     axes = [Axis((0, 0, 0), Z), Axis((0.3, 0.1, 0), (0, 1e-5, 1))]
     words = "a tolerance above 1e-05 takes them for parallel"
     with pytest.warns(UserWarning, match=f"^arm: z_0 and z_1 are .* {words}$"):
@@ -174,7 +175,7 @@ def test_nearly_parallel_axes_warn_unless_tolerated():
 
 
 def test_rounded_right_angle_becomes_exact_if_tolerated():
-    """Right within a hundredth of the tolerance, else a letter with the value that was typed."""
+    """Otherwise the angle becomes a symbol with the value that was typed."""
     axes = [Axis((0, 0, 0), Z), Axis((0, 0, 0.2), (0, -math.sin(1.5708), math.cos(1.5708)))]
     exact, taken = (derive(axes, (0, 1, 0.2), tolerance=t).arm for t in (1e-9, 1e-3))
     assert exact.rows[0].alpha == "alpha_1"
@@ -202,16 +203,16 @@ def test_joint_limits_are_kept():
 
 
 def test_masses_give_gravity_torque_of_the_drawing():
-    """Gravity torques against the derivative of the drawing's potential energy."""
+    """The torques are compared with the derivative of the potential energy of the drawing."""
     rng = np.random.default_rng(4)
-    axes, tip = some_axes(rng, 5), random_pose(rng)
+    axes, tip = random_axes(rng, 5), random_pose(rng)
     masses, centres = rng.uniform(0, 3, 5), rng.normal(size=(5, 3))
     arm = derive(axes, tip).with_bodies(masses, centres)
 
     def energy(q):
         T, total = np.eye(4), 0.0
         for axis, value, mass, centre in zip(axes, q, masses, centres, strict=True):
-            T = T @ moved(axis, value)
+            T = T @ joint_motion(axis, value)
             total += 9.81 * mass * (T @ [*centre, 1])[2]
         return total
 

@@ -1,5 +1,6 @@
-"""What a student holds, taken as numbers: the values, shapes and units that each form has by hand,
-the calls that a function gets, and the words in which the rest is refused.
+"""Test how checks convert what students pass: values, shapes, units, function calls, messages.
+
+The expected values and units are written by hand.
 """
 
 import math

@@ -16,7 +16,7 @@ every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: f"{arm.name}, {
 
 
 def tensors(arm, seed=5):
-    """Inertia tensors of clouds of points, so that a rigid body can have them."""
+    """Return inertia tensors of point clouds, which a rigid body can have."""
     points = np.random.default_rng(seed).normal(scale=0.1, size=(len(arm.rows), 9, 3))
     square = np.einsum("nki,nkj->nij", points, points)
     return np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(3) - square
@@ -33,7 +33,7 @@ def test_torque_at_rest_equals_gravity_torque(arm, shape):
 
 
 def kinetic_energy(arm, inertias, q, q_dot, h=1e-6):
-    """From how the links' frames differ a moment earlier and later; no velocity is propagated."""
+    """Return the kinetic energy (J) from finite differences of the link frames."""
     ahead, behind = (link_frames(arm, q + step * q_dot)[1:] for step in (h, -h))
     energy = 0.0
     for body, tensor, after, before, T in zip(
@@ -49,7 +49,7 @@ def kinetic_energy(arm, inertias, q, q_dot, h=1e-6):
 
 @every_arm
 def test_torque_matches_lagranges_equation(arm):
-    """d/dt dK/dq_dot - dK/dq + dP/dq, with K from frames alone, for inertias of any direction."""
+    """The right side is d/dt dK/dq_dot - dK/dq + dP/dq, with K from link frames alone."""
     rng, inertias, h = np.random.default_rng(6), tensors(arm), 1e-3
     q, q_dot, q_ddot = rng.uniform(-1, 1, (3, arm.dof))
 

@@ -1,5 +1,4 @@
-"""Other folders and other systems: nothing depends on where it is started, and nothing on what
-Windows does differently."""
+"""Test that nothing depends on the working folder or on the operating system."""
 
 import os
 import re
@@ -35,8 +34,9 @@ def code(path):
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebook_opens_no_files(path):
-    """All that one needs are its imports, so it may stand and start anywhere. The instructors' page
-    makes a course of files, in a temporary folder to which it goes first.
+    """A notebook then runs in any folder.
+
+    The instructors' page writes files of a course, but only in a temporary folder.
     """
     text = code(path)
     if path.stem == "instructors":
@@ -59,7 +59,7 @@ def test_file_names_are_valid_on_windows():
 
 
 def test_simulated_processor_changes_only_the_last_digit():
-    """What `make elsewhere` starts every kernel with."""
+    """`make elsewhere` starts every kernel with this simulation."""
     code = "from math import sin; import numpy as np; x = np.arange(1.0, 99.0);"
     code += "print(*np.cos(x).tolist(), *map(sin, x), np.einsum('i,i', x, x / 7), np.sin(0.0))"
 

@@ -1,4 +1,4 @@
-"""The engine that runs the judge: asked from any thread, started late, and limited."""
+"""Test the JavaScript engine of the judge: its threads, its late start and its limits."""
 
 import subprocess
 import sys

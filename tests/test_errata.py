@@ -1,5 +1,4 @@
-"""The errata page and the slip boxes say of the reports only what stands in them, each in the same
-way."""
+"""Test that the errata page and the slip boxes agree and quote what the reports contain."""
 
 import re
 from pathlib import Path
@@ -9,8 +8,8 @@ import pytest
 
 BOOK = Path(__file__).parents[1] / "book"
 REPORTS = ("Panda report", "UR10e report", "Elbow and Stanford report")
-# What each slip is, from the reports themselves; a change here is a change of what the book accuses
-# somebody of.
+# The kind of each slip, decided from the reports themselves. A change here changes what the book
+# accuses a report of.
 KINDS = {
     "Wrong result": {12, 15, 18, 19, 20, 22, 27},
     "Wrong word": {1, 3, 4, 5, 6, 11, 13, 16, 17},
@@ -20,7 +19,7 @@ KINDS = {
     "Unproved": {7, 10},
     "Withdrawn": {24, 26},
 }
-# What the report itself says a few lines before or later, in its favour: box and entry tell it.
+# Words of box and entry that mention what the report says in its favour.
 IN_FAIRNESS = {
     3: "mended by the report itself",
     4: "a picture may be lost",
@@ -110,7 +109,7 @@ def test_box_agrees_with_its_entry_and_has_a_proof(number):
     assert _kind(text) == _kind(entry)
     assert proved
     if _kind(text) == "Wrong word":
-        assert "right" in text, "say that the formula or result beside the word is right"
+        assert "right" in text, "state that the formula or result beside the word is right"
 
 
 @pytest.mark.parametrize(("number", "words"), IN_FAIRNESS.items())

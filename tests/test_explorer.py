@@ -1,5 +1,4 @@
-"""The explorer: its JavaScript against Python, its bundle against its sources, its stub and its
-traits."""
+"""Test the explorer: JavaScript against Python, bundles against sources, stubs and traits."""
 
 import hashlib
 import json

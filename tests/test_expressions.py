@@ -1,4 +1,4 @@
-"""Table entries: what is read is what was written, and nothing else can be written."""
+"""Test table entries: valid formulas are read right, and all other text is rejected."""
 
 from fractions import Fraction
 from functools import partial

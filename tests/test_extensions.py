@@ -1,4 +1,4 @@
-"""The Sphinx extensions in tools: what becomes of boxes, formulas, code and drawings."""
+"""Test the Sphinx extensions in tools: boxes, formulas, code and drawings."""
 
 import re
 import xml.etree.ElementTree as ET

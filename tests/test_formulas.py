@@ -1,4 +1,4 @@
-"""The short form of a formula: the same value, and as a textbook writes it."""
+"""Test the short form of formulas: it keeps the value and reads as in a textbook."""
 
 import re
 

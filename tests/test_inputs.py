@@ -1,5 +1,4 @@
-"""The door: what is let in comes out ready to compute with, and what is not is told whole
-sentences."""
+"""Test the checks of arguments: valid input is converted, invalid input has a full message."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""`pip install .` in a bare environment, as a student types it."""
+"""Test `pip install .` in a bare environment, as a student types it."""
 
 import shutil
 import subprocess

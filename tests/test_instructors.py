@@ -1,4 +1,4 @@
-"""The instructors' page to the letter: an arm and a chapter added as it tells are taken."""
+"""Test that an arm and a chapter added as the instructors' page describes are accepted."""
 
 import inspect
 

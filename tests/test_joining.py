@@ -1,4 +1,4 @@
-"""Runs joined end to end."""
+"""Test trajectories that are joined end to end."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What people paste, through the judge's two doors: Python's, and the page's under Node.js."""
+"""Test pasted answers in Python and on the page, which runs under Node.js here."""
 
 import json
 import random

@@ -1,4 +1,4 @@
-"""The numeric view: laws that hold for every arm and every batch shape."""
+"""Test the numeric kinematics by laws that hold for every arm and batch shape."""
 
 import subprocess
 import sys
@@ -73,9 +73,13 @@ def test_link_frames_of_random_arms_match_motions(arm, seed):
 
 
 @every_arm
-def test_large_and_right_angles_keep_precision(arm):
+def test_right_angles_keep_precision(arm):
     q = joint_vectors(arm, ()) * 0 + np.pi
     np.testing.assert_allclose(forward_kinematics(arm, q), slow_frames(arm, q)[-1], atol=1e-14)
+
+
+@every_arm
+def test_whole_turns_keep_the_pose(arm):
     turns = np.where([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints], 200 * np.pi, 0)
     q = joint_vectors(arm, ())
     np.testing.assert_allclose(
@@ -85,8 +89,7 @@ def test_large_and_right_angles_keep_precision(arm):
 
 @every_arm
 def test_jacobian_matches_complex_step_derivative(arm):
-    """By complex steps through the tests' own product, to the last digit; at home too, where axes
-    line up."""
+    """The poses include home, where axes line up."""
     for q in (*joint_vectors(arm, (3,), seed=3), np.array(arm.home)):
         np.testing.assert_allclose(jacobian(arm, q), complex_step_jacobian(arm, q), atol=1e-14)
 
@@ -98,14 +101,13 @@ def test_jacobian_of_random_arms_matches_derivative(arm, seed):
 
 
 def test_right_angles_leave_exact_zeros():
-    """At home the UR10e's axes are exactly upright: quarter turns leave no 6e-17 behind."""
+    """The UR10e's axes at home are parallel or perpendicular, without round-off of 6e-17."""
     T = link_frames(UR10E_HOMEWORK, np.zeros(6))
     np.testing.assert_array_equal(np.abs(T[:, :3, :3]), np.round(np.abs(T[:, :3, :3])))
 
 
 def test_jacobian_of_wrist_about_its_tip():
-    """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes
-    are many."""
+    """All axes meet in the tip, so no joint moves it."""
     wrist = Arm("wrist", [revolute(alpha="-pi/2"), revolute(alpha="pi/2"), revolute()])
     q = joint_vectors(wrist, (5,))
     J = jacobian(wrist, q)
@@ -124,5 +126,5 @@ def test_import_does_not_load_sympy_or_matplotlib():
         "import sys, helpers.kinematics, helpers.robots; print(sorted({'sympy', 'matplotlib',"
         " 'IPython'} & set(sys.modules)))"
     )
-    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert told.stdout.strip() == "[]"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]", "these modules were imported"

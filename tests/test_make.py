@@ -1,4 +1,4 @@
-"""What the Makefile promises: a failed build stays failed, a reader's copies stay a reader's."""
+"""Test the Makefile: a failed build stays failed, and a reader's copies are kept."""
 
 import shutil
 import subprocess
@@ -8,7 +8,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOK = "book/01_dh_tables.ipynb"
-# A book as Sphinx builds it: a warning fails the build, and is given only when the page is written.
+# A stand-in for Sphinx: a warning fails the build, but appears only while its page is written.
 BUILDER = """#!/bin/sh
 echo build "$@" >> builds
 mkdir -p book/_build/html
@@ -23,7 +23,7 @@ pytestmark = pytest.mark.skipif(not shutil.which("make"), reason="make is not in
 
 @pytest.fixture
 def project(tmp_path):
-    """The Makefile in a folder with a blank and an umlaut, its environment already installed."""
+    """Return a folder with a blank and an umlaut that has the Makefile and an environment."""
     root = tmp_path / "my übung"
     (root / ".venv/bin").mkdir(parents=True)
     (root / "book").mkdir()
@@ -62,7 +62,7 @@ def test_failed_build_fails_until_fixed(project):
     assert make(project, "book")[0] == 0
     built = builds.read_text("utf-8")
     assert make(project, "book")[0] == 0
-    assert builds.read_text("utf-8") == built, "what is up to date is not built again"
+    assert builds.read_text("utf-8") == built, "an up-to-date book must not be built again"
 
 
 def test_changed_tools_rebuild_every_page(project):
@@ -80,11 +80,11 @@ def test_make_book_prints_a_file_url(project):
 
 
 def test_make_lab_opens_copies_and_keeps_them(project):
-    """A copy is the book's own file, and one that is there stays."""
+    """A new copy equals the book's file. An existing copy is not overwritten."""
     code, said = make(project, "lab")
     assert code == 0
     assert str(project / "my") in said
-    assert "jupyter lab my" in said, "JupyterLab sees nothing but the copies"
+    assert "jupyter lab my" in said, "JupyterLab must open the folder of copies"
     copy = project / "my" / Path(NOTEBOOK).name
     assert copy.read_bytes() == (project / NOTEBOOK).read_bytes()
     for name in (copy.name, "own.ipynb"):

@@ -1,5 +1,4 @@
-"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they
-are."""
+"""Test traced paths: orders of the methods, remedies at singular poses, and reports."""
 
 from contextlib import nullcontext
 from dataclasses import replace

@@ -1,7 +1,7 @@
-"""What nbval does not see: notebooks never run, pictures without words, cells too long to read.
+"""Test what nbval does not check in the notebooks.
 
-nbval compares text, LaTeX, HTML, Markdown and SVG outputs byte for byte, but passes a notebook that
-was never run, and does not compare PNG pictures or anything about a tagged cell.
+nbval compares text, LaTeX, HTML, Markdown and SVG outputs byte for byte. It passes a notebook that
+was never run, and does not compare PNG pictures or cells with certain tags.
 """
 
 import re

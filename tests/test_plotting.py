@@ -1,6 +1,6 @@
-"""Figures: they draw what the table says, on the axes they are given, the same way every time.
+"""Test that figures draw what the table says, on the given axes and reproducibly.
 
-Where their names and arrows stand is held by the chapters' stored figures, which nbval compares.
+nbval compares the chapters' stored figures, which covers the places of names and arrows.
 """
 
 import xml.etree.ElementTree as ET

@@ -1,5 +1,4 @@
-"""The tape: what is recorded gives what the formulas give, in floats and in rows, with nothing that
-is not needed."""
+"""Test recorded programs: they give the formula's values with no needless step."""
 
 import operator
 import threading

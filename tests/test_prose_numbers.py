@@ -1,8 +1,8 @@
-"""A number in a chapter's prose stands, rounded, in a cell of that chapter, as source or output:
-nobody else would notice when it is no longer true.
+"""Test that every number in a chapter's prose appears, rounded, in a cell of the chapter.
 
-Looked at is every number with a unit or with more than two digits. A report's own words (the block
-quotes of the slips) are not the book's numbers, nor are those of names, indices and exponents.
+Otherwise nobody would notice when a number is no longer true. The test reads every number with a
+unit or with more than two digits. It skips block quotes of the reports, names, indices and
+exponents.
 """
 
 import re
@@ -49,7 +49,7 @@ def prose(cells):
 
 
 def numbers_of(cells):
-    """Every number in the code and in the printed outputs, as it stands or as Python reads it."""
+    """Return all numbers in code and printed outputs."""
     texts = []
     for cell in cells:
         if cell.cell_type == "code":
@@ -61,7 +61,8 @@ def numbers_of(cells):
     return np.unique(np.array(found, float))
 
 
-def without_a_cell(cells):
+def find_unbacked_numbers(cells):
+    """Return the numbers of the prose that no cell contains after rounding and change of unit."""
     have = numbers_of(cells)
     missing = []
     for match in re.finditer(NUMBER + f"(?:{UNIT})?", prose(cells)):
@@ -75,7 +76,7 @@ def without_a_cell(cells):
     return missing
 
 
-def _cells(prose, source, output=""):
+def _make_cells(prose, source, output=""):
     code = nbformat.v4.new_code_cell(source)
     code.outputs = [nbformat.v4.new_output("stream", text=output)]
     return [nbformat.v4.new_markdown_cell(prose), code]
@@ -97,9 +98,9 @@ def _cells(prose, source, output=""):
     ],
 )
 def test_number_without_cell_is_detected(prose, source, output, missing):
-    assert without_a_cell(_cells(prose, source, output)) == missing
+    assert find_unbacked_numbers(_make_cells(prose, source, output)) == missing
 
 
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 def test_prose_numbers_appear_in_a_cell(path):
-    assert without_a_cell(nbformat.read(path, as_version=4).cells) == []
+    assert find_unbacked_numbers(nbformat.read(path, as_version=4).cells) == []

@@ -1,4 +1,4 @@
-"""The reference documents what chapters use, and all of it."""
+"""Test that the reference documents every public name that chapters use."""
 
 import ast
 import importlib

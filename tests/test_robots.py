@@ -1,5 +1,4 @@
-"""The catalogue against its sources, typed in a second time from the makers' own pages and
-frames."""
+"""Test the catalogue of arms against numbers typed independently from the makers' pages."""
 
 import inspect
 import re

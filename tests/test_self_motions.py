@@ -1,4 +1,4 @@
-"""Self-motions against linkages and axes worked out by hand, and against finite differences."""
+"""Test self-motions against linkages solved by hand and against finite differences."""
 
 from dataclasses import replace
 

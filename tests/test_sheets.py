@@ -1,5 +1,7 @@
-"""What an answer sheet prints and copies, against the numeric view: the formulas come from SymPy's
-polynomials, the numbers they are held against from `helpers.kinematics` and `helpers.statics`.
+"""Test answer sheets: their formulas, programs and numbers against the numeric view.
+
+The sheets derive formulas with SymPy. The expected numbers come from `helpers.kinematics` and
+`helpers.statics`.
 """
 
 import json

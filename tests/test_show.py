@@ -1,4 +1,4 @@
-"""What a page shows of matrices and frames."""
+"""Test how pages show matrices and frames."""
 
 import numpy as np
 import pytest

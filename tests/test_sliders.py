@@ -1,4 +1,4 @@
-"""The cells that only a running notebook has: their sliders run the chapter's own Python."""
+"""Test the slider cells of the chapters, which need a running notebook."""
 
 import ast
 import re

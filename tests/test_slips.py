@@ -1,4 +1,4 @@
-"""The census of a table's simple mistakes, against counts by hand and a chain multiplied here."""
+"""Test the list of simple mistakes in a table against counts by hand and direct products."""
 
 from itertools import combinations
 from math import pi
@@ -29,8 +29,8 @@ def test_slips_of_a_table_are_listed():
     ]
 
 
-def chain(arm, q, wrong):
-    """The tip where entries of the table and signs of joints are wrong."""
+def tip_with_slips(arm, q, wrong):
+    """Return the tip's pose with wrong table entries and joint signs."""
     q = np.array(q)
     for row, entry, value in wrong:
         if entry == "q":
@@ -48,9 +48,9 @@ def test_unseen_slips_match_direct_products(arm):
     poses = TURN * rng.integers(-1, 2, (2, arm.dof))  # right angles: many slips stay unseen
     one = [(slip,) for slip in list_slips(arm)]
     two = [a + b for a, b in combinations(one, 2) if a[0][:2] != b[0][:2]]
-    right = [chain(arm, q, ()) for q in poses]
+    right = [tip_with_slips(arm, q, ()) for q in poses]
     off = {
-        w: [np.abs(chain(arm, q, w) - T) for q, T in zip(poses, right, strict=True)]
+        w: [np.abs(tip_with_slips(arm, q, w) - T) for q, T in zip(poses, right, strict=True)]
         for w in one + two
     }
     found = census(arm, poses)

@@ -1,5 +1,4 @@
-"""Gravity and contact: the homework's numbers, the laws of statics, and formulas against
-numbers."""
+"""Test gravity and contact torques by the laws of statics."""
 
 from dataclasses import replace
 

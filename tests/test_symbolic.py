@@ -1,4 +1,4 @@
-"""The symbolic view against the numeric one, and its formulas against those of the homework."""
+"""Test the symbolic view against the numeric view."""
 
 import numpy as np
 import pytest

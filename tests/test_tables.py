@@ -1,4 +1,4 @@
-"""compare_tables accepts every valid choice of frames, and nothing else."""
+"""Test that compare_tables accepts every valid choice of frames, and nothing else."""
 
 import re
 from dataclasses import replace

@@ -1,5 +1,4 @@
-"""The tools beside the book: the PDF's order, bookmarks and link, and notebooks refreshed the same
-on every machine."""
+"""Test the tools beside the book: the PDF and the refreshing of notebooks."""
 
 import re
 import tomllib

@@ -1,5 +1,7 @@
-"""Torques by the corpus: how they may be held, how far off is right at one pose and along a run,
-and what is said of each joint. The arm has joints 1, 3 and 4; joint 3 slides.
+"""Test the checks of torques against the corpus.
+
+The tests vary the layout of the answer, its error at one pose or along a trajectory, and the
+messages for single joints. The arm has joints 1, 3 and 4, and joint 3 slides.
 """
 
 from fractions import Fraction
@@ -18,13 +20,13 @@ F = np.array([3.0, -7, 11, 0.5, -2, 1.5])
 BENT = np.array([0.4137, 0.3281, -0.9452])
 Q2, Q3 = (BENT + np.outer(np.linspace(0, 1, n), [0.1, 0.2, 0.5]) for n in (2, 3))
 LINKS = "links of 2.5, 0, 1.7, 0.9 kg under g = 9.81 m/s²"
-LEFT = "a list per joint, turned round: a row per pose"
+TURNED = "a list per joint, turned round: a row per pose"
 LOCKED = "all joints; 2 is locked, so its 0.7 is set aside"
 OFF = np.eye(3)
 
 
 def torques(q, F=F):
-    """At one pose or several."""
+    """Return the right torques at one pose or several."""
     if np.ndim(q) > 1:
         return np.array([torques(x, F) for x in q])
     return weight(MIXED, HEAVY, q) - force(MIXED, F, q)
@@ -39,18 +41,18 @@ def verdict(mine, q=BENT, **options):
     return report
 
 
-# As they are held
+# Layouts
 
 
 @pytest.mark.parametrize(
     ("mine", "q", "taken"),
     [
         (TAU3, Q3, ()),
-        (TAU2.T, Q2, (LEFT,)),
+        (TAU2.T, Q2, (TURNED,)),
         (TAU2[:, None], Q2[:, None], ()),
         (TAU2[..., None], Q2[None], ()),
         (np.insert(TAU2, 1, 0.7, axis=1), Q2, (LOCKED,)),
-        (np.insert(TAU3, 1, 0.7, axis=1).T, Q3, (LEFT, LOCKED)),
+        (np.insert(TAU3, 1, 0.7, axis=1).T, Q3, (TURNED, LOCKED)),
         (np.insert(TAU, 1, 0.7), BENT, (LOCKED,)),
         (TAU2[:1], Q2[:1], ()),
         (TAU[:, None], BENT, ()),
@@ -130,16 +132,20 @@ def failing(q):
     raise KeyError("no such run")
 
 
-def one(q):
+def torques_at_one_pose(q):
     assert np.shape(q) == (3,)
     return torques(q)
 
 
 def test_function_is_called_for_each_pose():
-    for mine in (one, lambda q: one(q)[:, None], lambda a, b, c: one([a, b, c])):
+    for mine in (
+        torques_at_one_pose,
+        lambda q: torques_at_one_pose(q)[:, None],
+        lambda a, b, c: torques_at_one_pose([a, b, c]),
+    ):
         assert verdict(mine, Q2).agrees
-    assert verdict(one).agrees
-    assert verdict(lambda q: one(q)[:2]).causes == ("tau.shape",)
+    assert verdict(torques_at_one_pose).agrees
+    assert verdict(lambda q: torques_at_one_pose(q)[:2]).causes == ("tau.shape",)
     for mine, words in (
         (failing, "your arm: your torques: your function failed .KeyError: .no such run"),
         (lambda q: None, "your arm: your torques"),
@@ -149,7 +155,7 @@ def test_function_is_called_for_each_pose():
                 verdict(mine, q)
 
 
-# Grades, and what is said of a joint
+# Grades, and messages about joints
 
 
 @pytest.mark.parametrize(
@@ -157,7 +163,7 @@ def test_function_is_called_for_each_pose():
     [(3, 0.49, ("right", "so far")), (3, 1.4, ("wrong",)), (2, 0.49, ("wrong",))],
 )
 def test_rounded_q_widens_torque_tolerance(digits, share, grades):
-    """q is cut to three decimals; with two it is taken as it is written, with zeros behind."""
+    """q with three decimals counts as rounded. q with two decimals counts as exact."""
     off = share * 10.0**-digits * np.array([1, -1, 1])
     for q in (BENT.round(digits), BENT.round(digits)[None], Q3.round(digits)):
         shown = "\n".join(", ".join(f"{x:.{digits}f}" for x in y) for y in np.atleast_2d(q))
@@ -167,7 +173,7 @@ def test_rounded_q_widens_torque_tolerance(digits, share, grades):
 @pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.001, "rounded"), (0.5, "wrong")])
 @pytest.mark.parametrize("at", [0, 1, 33, 59])
 def test_error_at_any_pose_counts(off, grade, at):
-    """Of sixty poses five are tried, the second is none of them."""
+    """The judge tries five of sixty poses first, and the second is not among them."""
     q = np.linspace(BENT, 1.3 * BENT, 60)
     mine = torques(q)
     mine[at, 1] += off

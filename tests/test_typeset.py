@@ -1,4 +1,4 @@
-"""Formulas made MathML: what listeners hear is the formula, and what is none is told in words."""
+"""Test formulas converted to MathML, and messages for invalid TeX."""
 
 import re
 import threading

@@ -1,4 +1,4 @@
-"""Robot descriptions: read right, and refused in words where they are no serial arm."""
+"""Test reading robot descriptions, and messages where they are no serial arm."""
 
 import itertools
 import math
@@ -94,7 +94,7 @@ GRIPPER = robot(*LINKS, *FINGERS, *JOINTS, *GRIP)
 
 
 def test_side_links_add_mass_at_zero_angle():
-    """Also a cup that floats, and a finger that a mimic would move."""
+    """The side links are fingers, one of which mimics a joint, and a floating cup."""
     cup = link("cup", 1), joint("m", "tool", "cup", "floating", MIMIC, xyz="0 0 0")
     for more, mass in (((), 0.7), (cup, 1.7)):
         arm = from_urdf(robot(*LINKS, *FINGERS, *JOINTS, *GRIP, *more), tip="tool")
@@ -179,7 +179,7 @@ def test_folder_or_device_is_rejected(tmp_path):
 
 
 def test_rounded_angle_warns_with_needed_tolerance():
-    """A roll of 3.1416 between parallel axes 0.1 m apart: the common normal is 14 km away."""
+    """A roll of 3.1416 between parallel axes 0.1 m apart puts the common normal 14 km away."""
     turned = joint("k", "b", "c", xyz="0 0.1 0", rpy="3.1416 0 0")
     text = robot(*map(link, "abc"), joint("j", "a", "b"), turned)
     with pytest.warns(UserWarning, match=r"z_0 and z_1 .* \(d_1 = \S+ m\); a tol.* above 7e-06"):
@@ -190,7 +190,7 @@ def test_rounded_angle_warns_with_needed_tolerance():
 
 
 def test_moving_branch_on_base_adds_no_torque():
-    """What hangs on the base never loads the arm."""
+    """A branch on the base does not load the arm."""
     other = [link("cart", 5), joint("wheel", "base", "cart")]
     arm = from_urdf(robot(*LINKS, *other[:1], *JOINTS, *other[1:]), tip="tool")
     assert gravity_torque(arm, [0.3, 1.0]) == pytest.approx(

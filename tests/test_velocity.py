@@ -1,5 +1,4 @@
-"""Jacobians in other frames and angles, manipulability, lost directions, and the
-factored determinant."""
+"""Test Jacobians in other frames, manipulability, lost directions and determinants."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The page that says where the book has what the reports contain: no line empty."""
+"""Test that every line of the page "where" points to a place in the book."""
 
 import re
 from itertools import pairwise
