@@ -6,7 +6,7 @@ NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 HTML := book/_build/html
 # Tools that run before or after a build and change no page.
 NOT_BUILDING := browser.py pdf.js pdf.py refresh.py screenshots.py
-SOURCES := $(NOTEBOOKS) $(filter-out $(patsubst %,tools/%,$(NOT_BUILDING)),$(wildcard tools/*.*)) $(wildcard book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/checks/judge.js helpers/sheets/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(filter-out $(patsubst %,tools/%,$(NOT_BUILDING)),$(wildcard tools/*.*)) $(wildcard book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/checks/judge.js answers/static/*) $(shell find helpers answers -name '*.py')
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
@@ -121,7 +121,7 @@ bench: ## time the helpers against their peers, in an environment of its own
 	.venv-bench/bin/python benchmarks/bench.py
 
 sheet: $(BIN)/.installed ## the answer sheet of any arm in one HTML file: make sheet ARM="Stanford arm", ARM=my_arm.py:MINE or ARM=arm.urdf ARGS="--tip tool0"
-	$(BIN)/python -m helpers.sheets "$(ARM)" $(ARGS)
+	$(BIN)/python -m answers "$(ARM)" $(ARGS)
 
 bundles: ## bundle the page's scripts and the judge anew from page/ and judge/ (needs Node.js)
 	npm ci --silent

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from answers.command_line import read_arm
 from course import gradescope, making, sandbox, sheets, store
 from course.collect import collect
 from course.grading import grade
 from course.roster import read_roster
-from helpers.command_line import read_arm
 from helpers.inputs import ArmError
 
 _OPTIONS: dict[str, dict[str, Any]] = {

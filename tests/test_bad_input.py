@@ -18,6 +18,7 @@ import pytest
 import sympy as sp
 from matplotlib.figure import Figure
 
+import answers
 import helpers
 from helpers import (
     arm,
@@ -112,8 +113,8 @@ RIGHT = {
     "derive.derive": dict(axes=AXES, tip=np.eye(4), tolerance=1e-9),
     "derive.Derivation.with_bodies": dict(self=derive.derive(AXES, np.eye(4)),
         centres=np.zeros((2, 3))),
-    "sheets.document": dict(arm=ELBOW),
-    "sheets.markdown": dict(arm=ELBOW),
+    "answers.document": dict(arm=ELBOW),
+    "answers.markdown": dict(arm=ELBOW),
     "urdf.from_urdf": dict(source=ROBOT, tip="b", tolerance=1e-9),
     "kinematics.jacobian_in_frame": dict(frame=7),
     "statics.static_torque": dict(q=[PANDA.home] * 2),
@@ -298,23 +299,22 @@ MADE = {
     "show.MarkdownOutput", "slips.Census", "slips.TableSlip",
 }  # fmt: skip
 # Modules without checks of their own: the checks themselves, and internals of other modules.
-INTERNAL = {"command_line", "deprecated", "formulas", "inputs", "rows", "polynomials", "program"}
+INTERNAL = {"deprecated", "formulas", "inputs", "rows", "polynomials", "program", "sheets"}
 
 
 def find_public():
     """Yield name and object of every public function, class, and method of a public class."""
-    for module in pkgutil.iter_modules(helpers.__path__):
-        if module.name in INTERNAL:
-            continue
-        imported = importlib.import_module(f"helpers.{module.name}")
-        for name in getattr(imported, "__all__", None) or _defined_in(imported):
-            member = getattr(imported, name)
+    names = {module.name for module in pkgutil.iter_modules(helpers.__path__)} - INTERNAL
+    modules = {name: importlib.import_module(f"helpers.{name}") for name in sorted(names)}
+    for module_name, module in {**modules, "answers": answers}.items():
+        for name in getattr(module, "__all__", None) or _defined_in(module):
+            member = getattr(module, name)
             if callable(member) and not isinstance(member, type(motion.Rates)):
-                yield f"{module.name}.{name}", member
+                yield f"{module_name}.{name}", member
             if inspect.isclass(member):
                 methods = vars(member).items()
                 yield from (
-                    (f"{module.name}.{name}.{n}", m)
+                    (f"{module_name}.{name}.{n}", m)
                     for n, m in methods
                     if inspect.isfunction(m) and not n.startswith("_")
                 )

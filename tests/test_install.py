@@ -12,8 +12,9 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 IMPORT_ALL = """
-import importlib, pkgutil, helpers
-for module in pkgutil.walk_packages(helpers.__path__, "helpers."):
+import importlib, pkgutil, answers, helpers
+rooms = {"helpers.": helpers.__path__, "answers.": answers.__path__}
+for module in [m for room, path in rooms.items() for m in pkgutil.walk_packages(path, room)]:
     if not module.name.startswith("helpers.explorer"):
         importlib.import_module(module.name)
 from helpers.robots import PANDA
@@ -30,7 +31,8 @@ except ModuleNotFoundError as error:
 def python(tmp_path_factory):
     """The interpreter of a fresh environment that holds the package and what it asks for."""
     place, source = tmp_path_factory.mktemp("bare"), tmp_path_factory.mktemp("source")
-    shutil.copytree(ROOT / "helpers", source / "helpers")  # the build leaves files beside it
+    for room in ("helpers", "answers"):  # the build leaves files beside them
+        shutil.copytree(ROOT / room, source / room)
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, source)
     venv.create(place, with_pip=False)
@@ -75,5 +77,6 @@ def test_wheel_holds_exactly_the_package(python, tmp_path):
         found = (p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
         return {p.as_posix() for p in found if "__pycache__" not in p.parts}
 
-    assert files(place) == files(ROOT / "helpers")
+    for room in ("helpers", "answers"):
+        assert files(place.parent / room) == files(ROOT / room)
     assert not any((place.parent / name).exists() for name in ("tests", "tools", "book"))

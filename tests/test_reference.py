@@ -9,7 +9,7 @@ from pathlib import Path
 
 BOOK = Path(__file__).parents[1] / "book"
 API = (BOOK / "api.md").read_text(encoding="utf-8")
-MODULES = re.findall(r"automodule:: (helpers\.\w+)", API)
+MODULES = re.findall(r"automodule:: (helpers\.\w+|answers)", API)
 
 
 def names_used():

@@ -6,6 +6,8 @@ The sheets derive formulas with SymPy. The expected numbers come from `helpers.k
 
 import json
 import re
+import subprocess
+import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -14,14 +16,14 @@ import numpy as np
 import pytest
 import sympy as sp
 
+from answers import displays, document, markdown
+from answers.__main__ import main, slug
+from answers.command_line import read_arm
+from answers.content import Sheet
 from helpers import kinematics, robots, statics
 from helpers.arm import Arm, ArmError, Body, fixed, prismatic, revolute
-from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA
-from helpers.sheets import displays, document, markdown
-from helpers.sheets.__main__ import main, slug
-from helpers.sheets.content import Sheet
 from helpers.urdf import from_urdf
 from tools import answers
 
@@ -240,7 +242,7 @@ def test_sheets_are_rewritten_only_after_changes(tmp_path, monkeypatch):
     answers.write(tmp_path, "two")
     assert first.read_text("utf-8") == answers.PAGES[0].lead
     assert second.stat().st_mtime_ns == before, "what is the same is left alone"
-    assert {*(answers.ROOT / "helpers/sheets/static").iterdir()} <= {*answers.sources()}
+    assert {*(answers.ROOT / "answers/static").iterdir()} <= {*answers.sources()}
 
 
 def test_sheet_page_has_title_and_answers():
@@ -350,3 +352,27 @@ def test_arm_without_joints_is_rejected():
 def test_other_arm_needs_the_same_rows():
     with pytest.raises(ArmError, match="Panda has other rows than Elbow arm; expected other value"):
         markdown(ELBOW, "Elbow", "An arm.", (PANDA,))
+
+
+# The old name
+
+
+def test_helpers_sheets_warns_of_its_new_name(tmp_path):
+    command = [
+        sys.executable,
+        "-m",
+        "helpers.sheets",
+        "elbow arm",
+        "--out",
+        tmp_path / "elbow.html",
+    ]
+    done = subprocess.run(command, cwd=answers.ROOT, capture_output=True, text=True, check=True)
+    assert "DeprecationWarning: helpers.sheets is now called answers" in done.stderr
+    assert (tmp_path / "elbow.html").read_text(encoding="utf-8") == document(ELBOW)
+
+
+def test_helpers_sheets_still_has_its_functions():
+    sys.modules.pop("helpers.sheets", None)
+    with pytest.warns(DeprecationWarning, match="say from answers import document"):
+        from helpers.sheets import document as old_document
+    assert old_document is document

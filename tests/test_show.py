@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from helpers import show, typeset
+from answers import typeset
+from helpers import show
 from helpers.arm import ArmError
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from fontTools.ttLib import TTFont
 
-from helpers import typeset
+from answers import typeset
 from helpers.inputs import ArmError
 
 FACE = Path(__file__).parents[1] / "book" / "assets" / "vendor" / "stix" / "stix-two-math.woff2"

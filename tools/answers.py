@@ -11,9 +11,9 @@ from typing import NamedTuple
 import sympy as sp
 from sphinx.application import Sphinx
 
+from answers import markdown
 from helpers.arm import Arm
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.sheets import markdown
 
 ROOT = Path(__file__).parents[1]
 
@@ -132,9 +132,8 @@ def write(folder: Path, fingerprint: str) -> None:
 
 def sources() -> list[Path]:
     """The files that make the pages; style and script of a sheet stand in it."""
-    helpers = ROOT / "helpers"
-    static = helpers / "sheets" / "static"
-    return [Path(__file__), *sorted(helpers.rglob("*.py")), *sorted(static.iterdir())]
+    modules = (path for room in ("helpers", "answers") for path in (ROOT / room).rglob("*.py"))
+    return [Path(__file__), *sorted(modules), *sorted((ROOT / "answers/static").iterdir())]
 
 
 def fingerprint() -> str:

@@ -13,7 +13,8 @@ from sphinx.application import Sphinx
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
-from helpers import robots, typeset
+from answers import typeset
+from helpers import robots
 from helpers.explorer import ArmExplorer
 from helpers.inputs import ArmError
 from tools import stills

@@ -6,8 +6,8 @@ from io import BytesIO
 import pytest
 from pypdf import PdfReader
 
+from answers import document
 from helpers.robots import ELBOW
-from helpers.sheets import document
 from tests.test_book import HTML
 
 

@@ -2,9 +2,9 @@
 into a program.
 
 `markdown` makes a page of the book, `document` one HTML file for an arm of your own;
-``python -m helpers.sheets`` writes a file from the command line.
+``python -m answers`` writes a file from the command line.
 """
 
-from helpers.sheets.page import document, markdown
+from answers.page import document, markdown
 
 __all__ = ["document", "markdown"]

@@ -5,8 +5,8 @@ wider than a page.
 
 import sympy as sp
 
+from answers.content import Array, Item, Sheet
 from helpers.formulas import lines, seen, tex
-from helpers.sheets.content import Array, Item, Sheet
 
 _WIDTH = 56  # letters and signs of a line
 _HEIGHT = 16  # lines of a display

@@ -12,7 +12,7 @@ from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.octave import OctaveCodePrinter
 from sympy.printing.str import StrPrinter
 
-from helpers.sheets.content import Item, Sheet
+from answers.content import Item, Sheet
 
 _WIDTH = 96  # characters of a line
 _IMPORTED = ("Matrix", "cos", "pi", "sin", "sqrt", "symbols")

@@ -5,14 +5,14 @@ import re
 import sys
 from pathlib import Path
 
-from helpers.command_line import read_arm
+from answers import document
+from answers.command_line import read_arm
 from helpers.inputs import ArmError
-from helpers.sheets import document
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Read the command line, write the file, say where it is; what is wrong is told in words."""
-    parser = argparse.ArgumentParser(prog="python -m helpers.sheets", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m answers", description=__doc__)
     parser.add_argument(
         "arm", help="a name of the catalogue, a robot description (arm.urdf), or my_arm.py:NAME"
     )

@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import sympy as sp
 
+from answers import displays, programs
+from answers.content import Array, Item, Sheet
+from answers.typeset import mathml
 from helpers.arm import Arm
 from helpers.formulas import tex
 from helpers.inputs import ArmError, listed, must_be
-from helpers.sheets import displays, programs
-from helpers.sheets.content import Array, Item, Sheet
-from helpers.typeset import mathml
 
 LANGUAGES = {
     "LaTeX": displays.as_latex,
