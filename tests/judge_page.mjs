@@ -7,11 +7,11 @@ import { EMPTY, parseQuestionLink, judgeQuestion, formatQuestionLink } from "../
 // The verdict, or why there is none.
 function answered(fields, arms) {
   const keys = arms.map(({ key }) => key);
-  const { question, words } = parseQuestionLink(formatQuestionLink({ ...EMPTY, ...fields }), keys);
-  if (!question) return { error: words };
-  const { report, error } = judgeQuestion(question, arms);
+  const { question, message } = parseQuestionLink(formatQuestionLink({ ...EMPTY, ...fields }), keys);
+  if (!question) return { error: message };
+  const { verdict, error } = judgeQuestion(question, arms);
   if (error) return { error };
-  return { grade: report.grade, causes: report.causes, words: formatVerdict(report) };
+  return { grade: verdict.grade, causes: verdict.causes, words: formatVerdict(verdict) };
 }
 
 for await (const line of createInterface({ input: process.stdin })) {

@@ -438,3 +438,133 @@ def test_advice_button_sets_its_field(page):
     verdict(page, "is right")
     told = page.locator(".arm-judge summary").inner_text()
     assert "angles in deg; rows ω, then v" in told
+
+
+WRONG = ELBOW.replace("0.2866", "0.3866")
+
+
+@wide
+def test_typed_answer_survives_a_reload(page):
+    ask(page, WRONG)
+    verdict(page, "look again at vz")
+    enter(page)
+    verdict(page, "look again at vz")
+    assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
+    assert page.get_by_label("Pose q").input_value() == "0.5, 0.7, -0.4"
+
+
+@wide
+def test_each_question_keeps_its_own_answer(page):
+    question = page.get_by_label("Question", exact=True)
+    ask(page, WRONG)
+    question.select_option("pose")
+    page.get_by_label("Your answer", exact=True).fill("0.1 0.2 0.3")
+    question.select_option("jacobian")
+    assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
+    question.select_option("pose")
+    assert page.get_by_label("Your answer", exact=True).input_value() == "0.1 0.2 0.3"
+
+
+@wide
+def test_clearing_forgets_answers_in_two_tabs(page):
+    ask(page, WRONG)
+    other = page.context.new_page()
+    other.goto(PAGE.as_uri())
+    verdict(other, "look again at vz")
+    page.get_by_role("button", name="Clear what I typed").click()
+    page.get_by_text("this browser keeps none of your answers").wait_for()
+    for tab in (page, other):
+        verdict(tab, "An example, with a mistake in it.")
+    assert page.evaluate("Object.keys(localStorage).filter(k => /^judge:/.test(k))") == [
+        "judge:cleared"
+    ]
+    other.close()
+    enter(page)
+    verdict(page, "An example, with a mistake in it.")
+
+
+@wide
+def test_two_tabs_keep_answers_to_two_questions(page):
+    ask(page, WRONG)
+    other = page.context.new_page()
+    other.goto(f"{PAGE.as_uri()}#ask=pose&arm=ELBOW")
+    other.get_by_label("Your answer", exact=True).fill("0.1 0.2 0.3")
+    page.get_by_label("Pose q").fill("0.5, 0.7, -0.3")
+    other.close()
+    enter(page)
+    assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
+    page.get_by_label("Question", exact=True).select_option("pose")
+    assert page.get_by_label("Your answer", exact=True).input_value() == "0.1 0.2 0.3"
+
+
+REFUSED = """Object.defineProperty(window, "localStorage", {
+  get() { throw new DOMException("refused", "SecurityError"); } })"""
+
+
+def test_form_works_where_storage_is_refused(browser):
+    page = browser.new_page()
+    page.add_init_script(REFUSED)
+    troubles = []
+    page.on("pageerror", lambda error: troubles.append(str(error)))
+    page.goto(PAGE.as_uri())
+    page.locator(".arm-judge:not(:has(> .unscripted)) .verdict").wait_for()
+    ask(page, WRONG)
+    verdict(page, "look again at vz")
+    page.get_by_role("button", name="Clear what I typed").click()
+    verdict(page, "An example, with a mistake in it.")
+    assert troubles == []
+    page.close()
+
+
+def test_chapter_form_keeps_its_answer(chapter):
+    for _ in range(2):
+        place = near(chapter("02_jacobian").locator(".arm-judge").nth(2))
+        answer = place.get_by_label("Your answer", exact=True)
+        if not answer.input_value():
+            answer.fill(SIX_COLUMNS)
+    assert answer.input_value() == SIX_COLUMNS
+    place.locator(".verdict", has_text="The Jacobian of Stanford arm is right").wait_for()
+
+
+@wide
+def test_all_columns_of_the_grid_are_visible(page):
+    page.get_by_label("Question", exact=True).select_option("torques")
+    page.get_by_role("button", name="Show an example").click()
+    page.get_by_label("Question", exact=True).select_option("jacobian")
+    for arm in ("PANDA", "UR10E"):
+        page.get_by_label("Arm", exact=True).select_option(arm)
+        columns = 7 if arm == "PANDA" else 6
+        page.get_by_label("Your answer", exact=True).fill("\n".join([" -0.8491" * columns] * 6))
+        page.locator(".read thead th", has_text="joint").nth(columns - 1).wait_for()
+        box = page.locator(".arm-judge .taken")
+        assert box.evaluate("(e) => e.scrollWidth <= e.clientWidth"), arm
+
+
+@wide
+def test_checked_path_is_drawn_beside_the_wanted_one(page):
+    page.get_by_label("Question").select_option("trace")
+    page.get_by_role("button", name="Show an example").click()
+    verdict(page, "the path is drawn the other way round")
+    points = page.locator(".path polyline").evaluate_all("(all) => all.map((e) => e.points.length)")
+    assert points == [25, 25]
+    page.get_by_label("Question").select_option("jacobian")
+    assert page.locator(".path").count() == 0
+
+
+@phone
+def test_numbers_are_filled_in_one_by_one_on_phone(page):
+    page.get_by_label("Question").select_option("torques")
+    page.get_by_label("Arm", exact=True).select_option("ELBOW")
+    answer = page.get_by_label("Your answer", exact=True)
+    for joint, value in (("τ 1", "0"), ("τ 2", "1.5"), ("τ 3", "2,5")):
+        page.get_by_label(joint, exact=True).fill(value)
+    page.get_by_label("Sign of τ 2").click()
+    assert answer.input_value() == "0, -1.5, 2.5"
+    answer.fill("3; 4; 5")
+    assert page.get_by_label("τ 3", exact=True).input_value() == "5"
+    answer.fill("tau_1 = 3")
+    page.get_by_label("τ 3", exact=True).wait_for(state="hidden")
+    page.get_by_text("Joint values one by one").click()
+    assert page.get_by_label("q 1", exact=True).input_value() == "0"
+    assert page.evaluate(OUTSIDE) == []
+    assert serious(page) == []

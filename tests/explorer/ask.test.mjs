@@ -10,7 +10,7 @@ const ARMS = ["PANDA", "ELBOW"];
 const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
 
 test("a question survives its link", () => {
-  assert.deepEqual(parseQuestionLink(formatQuestionLink(asked), ARMS), { question: asked, words: "" });
+  assert.deepEqual(parseQuestionLink(formatQuestionLink(asked), ARMS), { question: asked, message: "" });
 });
 
 for (const [fragment, words] of [
@@ -25,13 +25,13 @@ for (const [fragment, words] of [
   test(`a link is refused in words: ${words}`, () => {
     const found = parseQuestionLink(fragment, ARMS);
     assert.equal(found.question, null);
-    assert.match(found.words, words);
+    assert.match(found.message, words);
   });
 }
 
 test("other fragments are none of its business", () => {
-  assert.deepEqual(parseQuestionLink("#sec-check-table", ARMS), { question: null, words: "" });
-  assert.deepEqual(parseQuestionLink("", ARMS), { question: null, words: "" });
+  assert.deepEqual(parseQuestionLink("#sec-check-table", ARMS), { question: null, message: "" });
+  assert.deepEqual(parseQuestionLink("", ARMS), { question: null, message: "" });
 });
 
 test("one's own table turns or slides by its variable", () => {
@@ -70,7 +70,7 @@ for (const [advice, patch, key, value, words] of [
   test(`an advice names a field and sets it: ${words}`, () => {
     const question = { ...EMPTY, arm: "PANDA", ...patch };
     const offer = makeOffer({ field: advice[0], value: advice[1] }, question, LISTED);
-    assert.deepEqual(offer, { key, value, words });
+    assert.deepEqual(offer, { key, value, text: words });
     assert.equal(makeOffer({ field: advice[0], value: advice[1] }, { ...question, [key]: value }, LISTED)?.value === value, false);
   });
 }

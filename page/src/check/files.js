@@ -6,42 +6,42 @@ import { ArmError } from "../../../judge/sentences.js";
 
 /**
  * Add the file button and accept dropped files.
- * @param {import("./page.js").AnswerCheck} judge
+ * @param {import("./page.js").AnswerCheck} check
  * @param {HTMLElement} stub element that accepts drops
  */
-export function addFileInput(judge, stub) {
-  const { boxes } = judge.made;
-  let held = "";
-  const take = async (file) => {
+export function addFileInput(check, stub) {
+  const { boxes } = check.form;
+  let fileText = "";
+  const readFile = async (file) => {
     try {
-      held = await readTextFile(file);
+      fileText = await readTextFile(file);
     } catch (error) {
       if (!(error instanceof ArmError)) throw error;
-      judge.say(error.message);
+      check.notify(error.message);
       return;
     }
-    judge.say("");
-    setText(words, `From ${file.name}, ${held.trim().split("\n").length} lines. `);
-    judge.put({ answer: held });
+    check.notify("");
+    setText(description, `From ${file.name}, ${fileText.trim().split("\n").length} lines. `);
+    check.edit({ answer: fileText });
   };
-  const { input, button } = makeFileButton(take);
-  const close = () => judge.put({ answer: "" });
-  const words = h("span");
+  const { input, button } = makeFileButton(readFile);
+  const close = () => check.edit({ answer: "" });
+  const description = h("span");
   const closing = h("button", { onclick: close }, "Close it");
-  const name = h("p.file", { hidden: true }, words, closing);
-  acceptDrops(stub, take);
+  const name = h("p.file", { hidden: true }, description, closing);
+  acceptDrops(stub, readFile);
   boxes.answer.prepend(h("div.over", {}, boxes.answer.firstChild, input, button));
   boxes.answer.append(name);
-  judge.follow(({ answer, ask }) => {
-    name.hidden = !held || answer !== held;
+  check.onVerdict(({ answer, ask }) => {
+    name.hidden = !fileText || answer !== fileText;
     button.hidden = ask !== "trace";
   });
 }
 
-function makeFileButton(take) {
+function makeFileButton(onFile) {
   const onchange = () => {
     const [file] = input.files;
-    if (file) take(file);
+    if (file) onFile(file);
     input.value = "";
   };
   const input = h("input", { type: "file", accept: ACCEPTED_TYPES, hidden: true, onchange });
@@ -49,7 +49,7 @@ function makeFileButton(take) {
   return { input, button };
 }
 
-function acceptDrops(stub, take) {
+function acceptDrops(stub, onFile) {
   stub.addEventListener("dragover", (event) => {
     if (![...event.dataTransfer.types].includes("Files")) return;
     event.preventDefault();
@@ -61,6 +61,6 @@ function acceptDrops(stub, take) {
     const [file] = event.dataTransfer.files;
     if (!file) return;
     event.preventDefault();
-    take(file);
+    onFile(file);
   });
 }

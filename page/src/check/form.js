@@ -5,6 +5,7 @@ import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h, setText } from "../dom.js";
 import { QUESTIONS, CHOICES, OWN_ARM } from "./question.js";
 import { getDisplayName } from "../text.js";
+import { makeNumberGrid } from "./number_grid.js";
 import { joinList } from "../../../judge/sentences.js";
 
 /**
@@ -67,12 +68,12 @@ const ANSWER_HINTS = {
 const CIRCLE_START_LABEL = "Pose q at which the circle begins";
 const FOLDED_FIELDS = Object.keys(FIELDS).filter((key) => FIELDS[key].told);
 
-const makeOption = ([value, words]) => h("option", { value }, words);
+const makeOption = ([value, text]) => h("option", { value }, text);
 
 /** @param {Field} field @param {string} id */
-function makeControl({ choices, rows, hint }, id, words) {
+function makeControl({ choices, rows, hint }, id, options) {
   const shared = { id, "aria-describedby": hint === undefined || rows ? undefined : `${id}-hint` };
-  const list = choices ?? (words && Object.entries(words));
+  const list = choices ?? (options && Object.entries(options));
   if (list) return h("select", shared, list.map(makeOption));
   const placeholder = rows ? hint : undefined;
   return rows
@@ -80,9 +81,9 @@ function makeControl({ choices, rows, hint }, id, words) {
     : h("input", { ...NO_CORRECTION, ...shared });
 }
 
-function makeBox({ label, hint, rows }, id, made) {
+function makeBox({ label, hint, rows }, id, control) {
   const below = hint === undefined || rows ? [] : [h("p.about", { id: `${id}-hint` }, hint)];
-  return h("div.field", {}, h("label", { for: id }, label), made, ...below);
+  return h("div.field", {}, h("label", { for: id }, label), control, ...below);
 }
 
 /**
@@ -103,11 +104,12 @@ export function buildForm(id, arms, given) {
   };
   const entries = Object.entries(all);
   const fields = Object.fromEntries(
-    entries.map(([key, one]) => [key, makeControl(one, `${id}-${key}`, CHOICES[key])]),
+    entries.map(([key, field]) => [key, makeControl(field, `${id}-${key}`, CHOICES[key])]),
   );
   const boxes = Object.fromEntries(
-    entries.map(([key, one]) => [key, makeBox(one, `${id}-${key}`, fields[key])]),
+    entries.map(([key, field]) => [key, makeBox(field, `${id}-${key}`, fields[key])]),
   );
+  const grids = addGrids(boxes);
   for (const key of given ? listGivenFields(given, arms) : []) boxes[key]?.classList.add("given");
   const asked = given ? describeQuestion(given, arms) : "";
   const told = h("summary");
@@ -126,7 +128,17 @@ export function buildForm(id, arms, given) {
     folded,
     boxes.answer,
   );
-  return { form, fields, boxes, told, folded };
+  return { form, fields, boxes, grids, told, folded };
+}
+
+// Add a grid of numbers to the fields that may hold a short list.
+function addGrids(boxes) {
+  const grids = {
+    q: makeNumberGrid("Joint values one by one", false),
+    answer: makeNumberGrid("Numbers one by one", true),
+  };
+  for (const [key, grid] of Object.entries(grids)) boxes[key].append(grid.root);
+  return grids;
 }
 
 // List the fields that a chapter fixes.
@@ -148,7 +160,7 @@ function describeQuestion({ ask, q, wrench }, arms) {
 export function adaptForm({ fields, boxes, told, folded }, question, arms) {
   const asked = new Set(["ask", "arm", "answer", ...QUESTIONS[question.ask].fields]);
   if (question.arm === OWN_ARM) asked.add("table").add("unit");
-  for (const [key, one] of Object.entries(boxes)) one.hidden = !asked.has(key);
+  for (const [key, box] of Object.entries(boxes)) box.hidden = !asked.has(key);
   fields.answer.placeholder = ANSWER_HINTS[question.ask];
   const arm = arms.find(({ key }) => key === question.arm);
   setText(
@@ -170,12 +182,25 @@ export function adaptForm({ fields, boxes, told, folded }, question, arms) {
   setText(told, describeFolded(shown, fields));
 }
 
+/**
+ * List the names of the numbers that a field's grid has; empty for a field without one.
+ * @param {string} key
+ * @param {import("./question.js").Question} question
+ * @param {any[]} arms
+ */
+export function listNumberNames(key, { ask, arm: armKey }, arms) {
+  const arm = arms.find((listed) => listed.key === armKey);
+  const letter = key === "q" || ask === "pose" ? "q" : "τ";
+  const hasGrid = key === "q" || ask === "pose" || ask === "torques";
+  return arm && hasGrid ? movingRows(arm).map((row) => `${letter}_${row + 1}`) : [];
+}
+
 // Describe the folded fields in one line.
 function describeFolded(keys, fields) {
-  const words = (key) => fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
-  const said = keys.filter((key) => fields[key].value);
+  const getText = (key) => fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
+  const filled = keys.filter((key) => fields[key].value);
   const guessed = keys.filter((key) => !fields[key].value && FIELDS[key].name);
-  const parts = said.map((key) => `${FIELDS[key].told} ${words(key)}`);
+  const parts = filled.map((key) => `${FIELDS[key].told} ${getText(key)}`);
   if (guessed.length)
     parts.push(`${joinList(guessed.map((key) => FIELDS[key].name))} as they look`);
   return `Taken: ${parts.join("; ")}`;
@@ -211,13 +236,13 @@ const FIELD_SETTERS = {
  */
 export function makeOffer({ field, value }, question, arms) {
   const [key, to] = FIELD_SETTERS[field]?.(value, question, arms) ?? [];
-  const words = key && to !== question[key] && describeSetting(key, to, arms);
+  const setting = key && to !== question[key] && describeSetting(key, to, arms);
   const label = key === "values" ? "Your own symbols" : (FIELDS[key]?.label ?? "Arm");
-  return words ? { key, value: to, words: `${label}: ${words}` } : null;
+  return setting ? { key, value: to, text: `${label}: ${setting}` } : null;
 }
 
 function describeSetting(key, to, arms) {
-  if (key === "arm") return arms.find((one) => one.key === to)?.title;
+  if (key === "arm") return arms.find((arm) => arm.key === to)?.title;
   if (key === "frame") return getFrameName(Number(to));
   return CHOICES[key]?.[to] ?? `${to}…`;
 }

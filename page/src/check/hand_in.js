@@ -11,31 +11,31 @@ const SEND_NOTE = " If you think that this is mistaken, send it to whoever keeps
 
 /**
  * Offer a report below every verdict on a typed answer that is not right.
- * @param {import("./page.js").AnswerCheck} judge
+ * @param {import("./page.js").AnswerCheck} check
  */
-export function addReportButton(judge) {
+export function addReportButton(check) {
   const text = h("textarea", { rows: 8, readonly: true, "aria-label": "The report" });
-  const said = h("p.about", { role: "status" });
+  const note = h("p.about", { role: "status" });
   const onclick = async () => {
-    judge.again(); // include what was typed a moment ago
-    text.value = writeReport(judge);
+    check.refresh(); // include what was typed a moment ago
+    text.value = writeReport(check);
     text.hidden = false;
-    const done = await copyToClipboard(text.value);
-    if (!done) text.select();
-    setText(said, `${done ? COPIED_NOTE : NOT_COPIED_NOTE}${SEND_NOTE}`);
+    const isCopied = await copyToClipboard(text.value);
+    if (!isCopied) text.select();
+    setText(note, `${isCopied ? COPIED_NOTE : NOT_COPIED_NOTE}${SEND_NOTE}`);
   };
-  judge.parts.report.append(h("button", { onclick }, "Copy a report of this"), said, text);
-  judge.follow(({ answer }, { report }) => {
+  check.parts.report.append(h("button", { onclick }, "Copy a report of this"), note, text);
+  check.onVerdict(({ answer }, { verdict }) => {
     text.hidden = true;
-    setText(said, "");
-    const right = report && (report.mark ?? report.grade) === RIGHT;
-    judge.parts.report.hidden = !answer.trim() || judge.isExample() || right;
+    setText(note, "");
+    const isRight = verdict && (verdict.mark ?? verdict.grade) === RIGHT;
+    check.parts.report.hidden = !answer.trim() || check.isExample() || isRight;
   });
 }
 
 // Write the report: fields by their labels, the answer as typed, the cells as shown.
-function writeReport({ made, parts, question, verdict, given }) {
-  const { boxes, fields } = made;
+function writeReport({ form, parts, question, outcome, given }) {
+  const { boxes, fields } = form;
   // an exercise's table is its solution
   const hidden = ["answer", ...(given?.table ? ["table"] : [])];
   const asked = Object.keys(boxes).filter(
@@ -47,11 +47,11 @@ function writeReport({ made, parts, question, verdict, given }) {
   });
   const rows = parts.taken.hidden ? [] : [...parts.taken.querySelectorAll("tr")];
   const read = rows.map(({ cells }) => [...cells].map((cell) => cell.textContent).join("\t"));
-  const { report, error } = verdict;
+  const { verdict, error } = outcome;
   return [
     settings.join("\n"),
     `Typed:\n${question.answer}`,
     `Read:\n${read.join("\n") || "nothing"}`,
-    `Said:\n${report ? formatVerdict(report) : error}`,
+    `Said:\n${verdict ? formatVerdict(verdict) : error}`,
   ].join("\n\n");
 }

@@ -1,20 +1,34 @@
 // The judge in the page: the question, the typed answer, its reading and the verdict. Nothing
-// leaves the page.
+// leaves the reader's machine.
 
 import { h, setText } from "../dom.js";
-import { EMPTY, parseQuestionLink, judgeQuestion, makeStartingQuestion } from "./question.js";
+import {
+  EMPTY,
+  findQuestionFault,
+  judgeQuestion,
+  makeStartingQuestion,
+  parseQuestionLink,
+} from "./question.js";
 import { addFileInput } from "./files.js";
-import { adaptForm, buildForm, makeOffer } from "./form.js";
+import { adaptForm, buildForm, listNumberNames, makeOffer } from "./form.js";
 import { addReportButton } from "./hand_in.js";
+import { makeMarkedText } from "./marked_text.js";
+import { AnswerMemory, clearAnswers } from "./memory.js";
+import { showPath } from "./path_picture.js";
 import { showReading, showVerdict } from "./shown.js";
 import { addToolButtons } from "./tools.js";
+
+/** @typedef {import("./question.js").Question} Question */
+/** @typedef {import("./question.js").Outcome} Outcome */
 
 const MAX_SHOWN_LENGTH = 50_000; // characters; a longer answer is not shown in its field
 const READ_DELAY = 120; // ms after the last key before the answer is read
 const SPEAK_DELAY = 350; // ms after the last key before the verdict is announced
 const PRIVACY_NOTE =
-  "Nothing that you type leaves this page: a script in it judges, without a network too. " +
+  "Nothing that you type leaves this machine: a script in this page judges, without a network " +
+  "too, and your browser keeps your last answers until you clear them. " +
   "It names the mistake and does not print the solution.";
+const CLEARED_NOTE = "Cleared: this browser keeps none of your answers.";
 const DEFAULT_FIELDS = ["ask", "arm", "unit"]; // the defaults of the other fields depend on these
 
 /**
@@ -25,192 +39,273 @@ const DEFAULT_FIELDS = ["ask", "arm", "unit"]; // the defaults of the other fiel
  */
 export function mount(stub, book, id) {
   const { arms, examples = [], given } = JSON.parse(stub.querySelector("script").textContent);
-  const made = buildForm(id, arms, given);
-  const parts = makeParts();
-  const one = new AnswerCheck(made, parts, { arms, examples, given });
-  made.form.addEventListener("input", (event) => one.typed(/** @type {any} */ (event)));
-  made.form.addEventListener("submit", (event) => event.preventDefault());
-  addToolButtons(one, book);
-  addFileInput(one, stub);
-  addReportButton(one);
-  const { held, patch } = readStillForm(stub, Object.keys(made.fields));
-  const { verdict, report, taken, ...below } = parts;
-  const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, report, taken));
-  stub.replaceChildren(desk, ...Object.values(below));
-  if (!given) readLinks(one, stub);
-  if (DEFAULT_FIELDS.some((key) => key in patch)) one.turnTo(patch);
-  one.put(patch);
-  made.fields[held]?.focus();
+  const form = buildForm(id, arms, given);
+  const check = new AnswerCheck(form, { arms, examples, given, scope: nameScope(given, id) });
+  form.form.addEventListener("input", (event) => check.handleInput(/** @type {any} */ (event)));
+  form.form.addEventListener("submit", (event) => event.preventDefault());
+  addToolButtons(check, book);
+  addFileInput(check, stub);
+  addReportButton(check);
+  const { focusedKey, patch } = readStillForm(stub, Object.keys(form.fields));
+  const { verdict, report, path, taken, tools, said, privacy } = check.parts;
+  const result = h("div.told", {}, verdict, report, path, taken);
+  const desk = h("div.desk", {}, form.form, result, check.markedText.root);
+  stub.replaceChildren(desk, tools, said, privacy);
+  const isLinked = !given && readLinks(check, stub);
+  if (!isLinked && !("answer" in patch)) check.restore();
+  if (DEFAULT_FIELDS.some((key) => key in patch)) check.changeQuestion(patch);
+  check.update(patch);
+  form.fields[focusedKey]?.focus();
+}
+
+// Name the form among all forms of the book, for the browser's storage.
+function nameScope(given, id) {
+  if (!given) return "check";
+  const page = globalThis.location?.pathname?.split("/").at(-1) ?? "";
+  return `${page.replace(".html", "")}-${id}`;
 }
 
 // Return what the reader entered in the still form before the script loaded, and which field has
 // the focus.
 function readStillForm(stub, keys) {
-  const fields = keys.map((key) => [key, stub.querySelector(`[id$="-${key}"]`)]);
-  const usual = (one) =>
-    one.defaultValue ?? (one.querySelector("[selected]") ?? one.options[0])?.value;
-  const changed = fields.filter(([, one]) => one && one.value !== (usual(one) ?? ""));
+  const fields = keys
+    .map((key) => [key, stub.querySelector(`[id$="-${key}"]`)])
+    .filter(([, field]) => field);
+  const defaultOf = (field) =>
+    field.defaultValue ?? (field.querySelector("[selected]") ?? field.options[0])?.value;
+  const changed = fields.filter(([, field]) => field.value !== (defaultOf(field) ?? ""));
   return {
-    held: fields.find(([, one]) => one && one === document.activeElement)?.[0],
-    patch: Object.fromEntries(changed.map(([key, one]) => [key, one.value])),
+    focusedKey: fields.find(([, field]) => field === document.activeElement)?.[0],
+    patch: Object.fromEntries(changed.map(([key, field]) => [key, field.value])),
   };
 }
 
-// Load the question from the link, now and whenever the address changes.
-function readLinks(one, stub) {
+// Load the question from the link, now and whenever the address changes. Returns whether the
+// address holds one now.
+function readLinks(check, stub) {
   const read = () => {
-    const keys = one.arms.map(({ key }) => key);
-    const { question, words } = parseQuestionLink(location.hash, keys);
-    if (question || words) stub.scrollIntoView({ block: "start" });
-    one.say(words);
-    if (!question) return;
-    one.start = EMPTY; // a link's fields are all the reader's own
-    one.put(question);
+    const keys = check.arms.map(({ key }) => key);
+    const { question, message } = parseQuestionLink(location.hash, keys);
+    if (question || message) stub.scrollIntoView({ block: "start" });
+    check.notify(message);
+    if (!question) return false;
+    check.start = EMPTY; // a link's fields are all the reader's own
+    check.update(question);
+    return true;
   };
   addEventListener("hashchange", read);
-  read();
+  return read();
 }
 
 /** The question, the typed answer and the verdict of one form. */
 export class AnswerCheck {
-  constructor(made, parts, { arms, examples, given }) {
-    this.made = made;
-    this.parts = parts;
+  /**
+   * @param {ReturnType<typeof buildForm>} form
+   * @param {{ arms: any[], examples: Question[], given?: Partial<Question>, scope: string }} page
+   */
+  constructor(form, { arms, examples, given, scope }) {
+    this.form = form;
+    this.parts = makeParts();
     this.arms = arms;
     this.examples = examples;
     this.given = given;
-    // What the page itself filled in.
-    /** @type {import("./question.js").Question} */
-    this.start = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
+    this.memory = new AnswerMemory(scope);
+    this.memory.onClear(() => this.reset());
+    this.markedText = makeMarkedText((answer) => this.edit({ answer }));
+    /** @type {Question} what the page itself filled in */
+    this.start = this.makeFirstQuestion();
     this.question = this.start;
-    /** @type {any} what judge() says */
-    this.verdict = {};
-    this.followers = [];
+    /** @type {Outcome} */
+    this.outcome = {};
+    this.listeners = [];
     this.timer = /** @type {any} */ (0);
-    made.fields.answer.addEventListener("focus", () => this.hold());
-    globalThis.visualViewport?.addEventListener("resize", () => this.hold());
+    for (const [key, grid] of Object.entries(form.grids))
+      grid.onChange = (text) => this.typeInto(key, text);
+    form.fields.answer.addEventListener("focus", () => this.raiseAnswerField());
+    globalThis.visualViewport?.addEventListener("resize", () => this.raiseAnswerField());
+  }
+
+  makeFirstQuestion() {
+    return { ...EMPTY, arm: this.arms[0]?.key, ...(this.given ?? this.examples[0]) };
   }
 
   // An example is selected, to be typed over. On a phone the field is scrolled up so that the
   // verdict stays above the keyboard.
-  hold() {
-    const { answer } = this.made.fields;
+  raiseAnswerField() {
+    const { answer } = this.form.fields;
     if (document.activeElement !== answer) return;
     if (this.isExample()) answer.select();
     if (matchMedia("(pointer: coarse)").matches)
-      this.made.boxes.answer.scrollIntoView({ block: "start" });
+      this.form.boxes.answer.scrollIntoView({ block: "start" });
   }
 
   isExample() {
     return Boolean(this.start.answer) && this.question.answer === this.start.answer;
   }
 
-  say(words) {
-    setText(this.parts.said, words);
+  notify(message) {
+    setText(this.parts.said, message);
   }
 
-  show() {
-    const { question, made } = this;
-    for (const [key, field] of Object.entries(made.fields)) {
+  // Write the question into the fields.
+  fillFields() {
+    const { question, form } = this;
+    for (const [key, field] of Object.entries(form.fields)) {
       const text = question[key].length > MAX_SHOWN_LENGTH ? "" : question[key];
       if (field.value !== text) field.value = text;
     }
-    adaptForm(made, question, this.arms);
+    adaptForm(form, question, this.arms);
+    this.fillGrids();
   }
 
-  read() {
+  fillGrids() {
+    for (const [key, grid] of Object.entries(this.form.grids))
+      grid.update(listNumberNames(key, this.question, this.arms), this.question[key]);
+  }
+
+  judge() {
     clearTimeout(this.timer);
-    this.verdict = judgeQuestion(this.question, this.arms);
-    const { report } = this.verdict;
-    const wrong = report?.grade === "wrong" && !this.isExample();
-    this.made.fields.answer.setAttribute("aria-invalid", String(wrong));
-    for (const act of this.followers) act(this.question, this.verdict);
+    this.outcome = judgeQuestion(this.question, this.arms);
+    const isWrong = this.outcome.verdict?.grade === "wrong" && !this.isExample();
+    this.form.fields.answer.setAttribute("aria-invalid", String(isWrong));
+    for (const listener of this.listeners) listener(this.question, this.outcome);
   }
 
-  speak() {
-    const advice = this.verdict.advice ?? [];
-    const offers = advice.map((one) => makeOffer(one, this.question, this.arms));
-    const fixed = (key) => this.made.boxes[key].classList.contains("given");
-    const buttons = offers
-      .filter((offer) => offer && !fixed(offer.key))
-      .map((offer) => h("button", { onclick: () => this.take(offer) }, offer.words));
-    showVerdict(this.parts.verdict, this.verdict, { example: this.isExample(), buttons });
+  announceVerdict() {
+    const advice = this.outcome.advice ?? [];
+    const isFixed = (key) => this.form.boxes[key].classList.contains("given");
+    const buttons = advice
+      .map((item) => makeOffer(item, this.question, this.arms))
+      .filter((offer) => offer && !isFixed(offer.key))
+      .map((offer) => h("button", { onclick: () => this.applyOffer(offer) }, offer.text));
+    showVerdict(this.parts.verdict, this.outcome, { example: this.isExample(), buttons });
   }
 
   // Apply an advice of the judge. After an advice about a symbol, the reader still types its value.
-  take({ key, value }) {
-    if (DEFAULT_FIELDS.includes(key)) this.turnTo({ [key]: value });
-    else this.put({ [key]: value });
+  applyOffer({ key, value }) {
+    if (DEFAULT_FIELDS.includes(key)) this.changeQuestion({ [key]: value });
+    else this.update({ [key]: value });
+    this.save();
     if (key !== "values") return;
-    this.made.folded.open = true;
-    this.made.fields.values.focus();
+    this.form.folded.open = true;
+    this.form.fields.values.focus();
   }
 
-  set() {
-    showReading(this.parts.taken, this.question, this.verdict);
+  showDetails() {
+    showPath(this.parts.path, this.question, this.outcome);
+    showReading(this.parts.taken, this.question, this.outcome);
+    this.markedText.update(this.question, this.outcome, this.isExample());
   }
 
-  again() {
-    this.read();
-    this.speak();
-    this.set();
+  refresh() {
+    this.judge();
+    this.announceVerdict();
+    this.showDetails();
   }
 
-  put(patch) {
+  update(patch) {
     this.question = { ...this.question, ...patch };
-    this.show();
-    this.again();
+    this.fillFields();
+    this.refresh();
   }
 
+  // Change fields for the reader, and keep the result.
+  edit(patch) {
+    this.update(patch);
+    this.save();
+  }
+
+  save() {
+    if (!this.isExample()) this.memory.save(this.question);
+  }
+
+  // Begin with a question of the page's own.
   begin(question) {
     this.start = question;
-    this.put(question);
+    this.update(question);
   }
 
-  typed({ target, inputType }) {
-    const { fields } = this.made;
-    const key = Object.keys(fields).find((one) => fields[one] === target);
+  // Bring back the reader's last answer.
+  restore() {
+    this.#restoreFrom(this.memory.loadLast());
+  }
+
+  #restoreFrom(kept) {
+    const question = { ...EMPTY, ...kept, ...this.given };
+    const keys = this.arms.map(({ key }) => key);
+    if (!kept || findQuestionFault(question, keys)) return false;
+    this.start = { ...makeStartingQuestion(question, this), ...this.given };
+    this.update(question);
+    return true;
+  }
+
+  // Forget all answers of the book, here and in other tabs.
+  clear() {
+    clearAnswers();
+    if (location.hash.startsWith("#ask="))
+      history.replaceState(null, "", location.pathname + location.search);
+    this.reset();
+    this.notify(CLEARED_NOTE);
+  }
+
+  reset() {
+    this.begin(this.makeFirstQuestion());
+  }
+
+  handleInput({ target, inputType }) {
+    const { fields } = this.form;
+    const key = Object.keys(fields).find((name) => fields[name] === target);
     if (!key) return;
-    if (DEFAULT_FIELDS.includes(key)) return this.turnTo({ [key]: target.value });
-    this.question = { ...this.question, [key]: target.value };
-    this.show();
+    if (DEFAULT_FIELDS.includes(key)) return this.changeQuestion({ [key]: target.value });
+    this.typeInto(key, target.value);
+    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") this.judgeAtOnce();
+  }
+
+  // Take over what the reader types into a field, and judge it after a pause.
+  typeInto(key, text) {
+    this.question = { ...this.question, [key]: text };
+    this.fillFields();
+    this.save();
     clearTimeout(this.timer);
-    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") this.atOnce();
-    else this.timer = setTimeout(() => this.soon(), READ_DELAY);
+    this.timer = setTimeout(() => this.judgeSoon(), READ_DELAY);
   }
 
-  // Change the question, arm or unit: the page's own defaults are replaced, and the reader's
-  // entries stay.
-  turnTo(patch) {
+  // Change the question, arm or unit. The page's own defaults are replaced, and the reader's
+  // entries stay; another question brings back the answer that was kept for it.
+  changeQuestion(patch) {
     const { ask, arm, unit } = { ...this.question, ...patch };
+    if (ask !== this.question.ask && this.#restoreFrom(this.memory.load({ ask, arm }))) return;
     const typed = Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
-    const own = Object.fromEntries(typed);
+    const entries = Object.fromEntries(typed);
     this.start = { ...makeStartingQuestion({ ask, arm, unit }, this), ...this.given, arm };
-    this.put({ ...this.start, ...own, ask, arm, unit, frame: "0" });
+    this.update({ ...this.start, ...entries, ask, arm, unit, frame: "0" });
   }
 
-  atOnce() {
-    this.read();
-    this.speak();
-    this.timer = setTimeout(() => this.set()); // showing a long answer takes as long as judging it
+  judgeAtOnce() {
+    this.judge();
+    this.announceVerdict();
+    this.timer = setTimeout(() => this.showDetails()); // takes as long as judging a long answer
   }
 
-  soon() {
-    this.read();
-    this.set();
-    this.timer = setTimeout(() => this.speak(), SPEAK_DELAY - READ_DELAY);
+  judgeSoon() {
+    this.judge();
+    this.showDetails();
+    this.timer = setTimeout(() => this.announceVerdict(), SPEAK_DELAY - READ_DELAY);
   }
 
-  // Call `act` after each verdict.
-  /** @param {(question: import("./question.js").Question, verdict: any) => void} act */
-  follow(act) {
-    this.followers.push(act);
+  /**
+   * Call a function after each verdict.
+   * @param {(question: Question, outcome: Outcome) => void} listener
+   */
+  onVerdict(listener) {
+    this.listeners.push(listener);
   }
 }
 
 const makeParts = () => ({
   verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
   report: h("div.report", { hidden: true }),
+  path: h("div", { hidden: true }),
   taken: h("div.scroll.taken", {
     role: "region",
     tabindex: "0",
@@ -218,5 +313,5 @@ const makeParts = () => ({
   }),
   tools: h("div.tools"),
   said: h("p.about", { role: "status" }),
-  private: h("p.about", {}, PRIVACY_NOTE),
+  privacy: h("p.about", {}, PRIVACY_NOTE),
 });

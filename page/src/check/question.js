@@ -157,31 +157,41 @@ export function formatQuestionLink(question) {
  * Parse the question of a fragment.
  * @param {string} fragment
  * @param {string[]} arms keys
- * @returns {{ question: Question | null, words: string }} null if there is none, with a message if
- *   the link was refused
+ * @returns {{ question: Question | null, message: string }} null if there is none, with a message
+ *   if the link was refused
  */
 export function parseQuestionLink(fragment, arms) {
   const text = fragment.replace(/^#/, "");
-  if (!/^ask=/.test(text)) return { question: null, words: "" };
-  const refused = (why) => ({ question: null, words: `The link could not be read: ${why}.` });
-  if (text.length > MAX_LINK_LENGTH) {
-    return refused(`it has ${text.length} characters; ${MAX_LINK_LENGTH} are the most`);
-  }
-  const fields = new URLSearchParams(text);
-  const question = { ...EMPTY };
-  for (const [key, value] of fields) {
-    if (!Object.hasOwn(EMPTY, key)) return refused(`it has a field “${key.slice(0, 40)}”`);
-    if (value.length > (MAX_FIELD_LENGTH[key] ?? 40)) return refused(`its ${key} is too long`);
-    question[key] = value;
-  }
-  if (!Object.hasOwn(QUESTIONS, question.ask)) return refused("it asks what is not judged here");
-  if (question.arm !== OWN_ARM && !arms.includes(question.arm)) {
-    return refused(`there is no arm called “${question.arm}” here`);
-  }
+  if (!/^ask=/.test(text)) return { question: null, message: "" };
+  const refuse = (why) => ({ question: null, message: `The link could not be read: ${why}.` });
+  if (text.length > MAX_LINK_LENGTH)
+    return refuse(`it has ${text.length} characters; ${MAX_LINK_LENGTH} are the most`);
+  const fields = Object.fromEntries(new URLSearchParams(text));
+  const tooLong = Object.keys(fields).find(
+    (key) => Object.hasOwn(EMPTY, key) && fields[key].length > (MAX_FIELD_LENGTH[key] ?? 40),
+  );
+  if (tooLong) return refuse(`its ${tooLong} is too long`);
+  const question = { ...EMPTY, ...fields };
+  const fault = findQuestionFault(question, arms);
+  return fault ? refuse(fault) : { question, message: "" };
+}
+
+/**
+ * Return what is wrong with a question from a link or from the storage; "" if nothing is.
+ * @param {Record<string, any>} question
+ * @param {string[]} arms keys
+ */
+export function findQuestionFault(question, arms) {
+  const unknown = Object.keys(question).find((key) => !Object.hasOwn(EMPTY, key));
+  if (unknown !== undefined) return `it has a field “${unknown.slice(0, 40)}”`;
+  if (!Object.values(question).every((value) => typeof value === "string"))
+    return "its fields are no texts";
+  if (!Object.hasOwn(QUESTIONS, question.ask)) return "it asks what is not judged here";
+  if (question.arm !== OWN_ARM && !arms.includes(question.arm))
+    return `there is no arm called “${question.arm}” here`;
   const odd = Object.keys(CHOICES).find((key) => !Object.hasOwn(CHOICES[key], question[key]));
-  if (odd) return refused(`its ${odd} is none`);
-  if (!/^\d{1,2}$/.test(question.frame)) return refused("its frame is none");
-  return { question, words: "" };
+  if (odd) return `its ${odd} is none`;
+  return /^\d{1,2}$/.test(question.frame) ? "" : "its frame is none";
 }
 
 // Return the arm of a question. Throws ArmError if its typed table cannot be read.
@@ -199,31 +209,47 @@ export function findArm(question, arms) {
   return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: UNNAMED_ARM };
 }
 
+/** @typedef {import("../../../judge/advice.js").Advice} Advice */
 /**
- * Judge an answer, or return why there is no verdict yet.
+ * What comes of an answer: the verdict on it, or why there is none.
+ * @typedef {object} Outcome
+ * @property {Verdict} [verdict]
+ * @property {string} [error] why there is no verdict
+ * @property {Advice[]} [advice] settings that the reader may have meant
+ * @property {import("./marked_text.js").Token[]} [tokens] the numbers of the text with their owners
+ * @property {{ from: number, to: number }[]} [answers] lines of several answers that differ
+ * @property {Arm & { explorer?: string }} [arm]
+ * @property {number[]} [q]
+ */
+
+/**
+ * Judge an answer.
  * @param {Question} question
- * @typedef {import("../../../judge/advice.js").Advice} Advice
- * @returns {{ report?: Verdict, error?: string, advice?: Advice[], arm?: any, q?: number[] }}
+ * @param {any[]} arms
+ * @returns {Outcome}
  */
 export function judgeQuestion(question, arms) {
   let arm, q;
   try {
     arm = findArm(question, arms);
-    const asked = findMissingField(question, arm);
-    if (asked) return { error: asked, arm };
+    const missing = findMissingField(question, arm);
+    if (missing) return { error: missing, arm };
     q = hasPose(question) ? poseOf(question.q, arm, question.unit).values : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
     const { checker, longest = MAX_ANSWER_LENGTH } = QUESTIONS[question.ask];
-    if (question.answer.length > longest) {
+    if (question.answer.length > longest)
       return { error: `The answer is longer than ${longest} characters.`, arm, q };
-    }
-    const report = checker(question, arm);
-    return { report, arm, q, advice: report.advice };
+    const verdict = checker(question, arm);
+    return { verdict, arm, q, advice: verdict.advice, tokens: findTokens(verdict) };
   } catch (error) {
     if (!(error instanceof ArmError)) throw error;
-    return { error: capitalize(error.message), arm, q, advice: error.advice };
+    const { advice, tokens, answers } = /** @type {any} */ (error);
+    return { error: capitalize(error.message), arm, q, advice, tokens, answers };
   }
 }
+
+const findTokens = (/** @type {any} */ { tokens, typed, table }) =>
+  tokens ?? typed?.tokens ?? table?.tokens;
 
 const hasPose = ({ ask }) => QUESTIONS[ask].fields.includes("q");
 const findMissingField = (question, arm) =>

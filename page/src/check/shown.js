@@ -38,13 +38,14 @@ export function getHeaders({ ask, first }, arm, [rows, width]) {
 /**
  * Return the answer as rows of cells, or null if it is not a matrix.
  * @param {Question} question
+ * @param {import("./question.js").Outcome} outcome
  */
-export function getMatrix(question, { report, arm }) {
-  const typed = report?.typed;
+export function getMatrix(question, { verdict, arm }) {
+  const typed = verdict?.typed;
   if (!typed || typed.shape.length !== 2) return null;
   const column = question.ask === "torques" && typed.shape[1] === 1;
   const [rows, width] = column ? [1, typed.values.length] : typed.shape;
-  const wrong = report.wrong?.length === typed.values.length ? report.wrong : [];
+  const wrong = verdict.wrong?.length === typed.values.length ? verdict.wrong : [];
   return { ...getHeaders(question, arm, [rows, width]), typed, wrong, shape: [rows, width] };
 }
 
@@ -52,12 +53,12 @@ export function getMatrix(question, { report, arm }) {
  * Show how the answer was read: formulas typeset, wrong cells marked, unreadable cells as typed.
  * @param {Question} question
  */
-export function showReading(place, question, verdict) {
+export function showReading(place, question, outcome) {
   /** @type {any} */
-  const found = getReading(question, verdict);
-  place.hidden = !found;
-  if (!found) return;
-  const { columns, rows, cell, unread = 0 } = found;
+  const reading = getReading(question, outcome);
+  place.hidden = !reading;
+  if (!reading) return;
+  const { columns, rows, cell, unread = 0 } = reading;
   const head = h(
     "tr",
     {},
@@ -79,10 +80,10 @@ export function showReading(place, question, verdict) {
   place.replaceChildren(h(kind, {}, caption, h("thead", {}, head), h("tbody", {}, body)));
 }
 
-function getReading(question, verdict) {
-  const { table } = verdict.report ?? {};
+function getReading(question, outcome) {
+  const { table } = outcome.verdict ?? {};
   if (table) return readTableCells(table);
-  return readMatrixCells(getMatrix(question, verdict)) ?? readPartly(question, verdict);
+  return readMatrixCells(getMatrix(question, outcome)) ?? readPartly(question, outcome);
 }
 
 /** @param {import("../../../judge/verdict.js").ReadTable} table */
@@ -92,12 +93,12 @@ const readTableCells = ({ cells, wrong }) => ({
   cell: (i, k) => makeCell(typesetNumber(cells[i][k]), wrong[i][k]),
 });
 
-/** @param {ReturnType<typeof getMatrix>} found */
-function readMatrixCells(found) {
-  if (!found) return null;
-  const { typed, wrong, shape } = found;
+/** @param {ReturnType<typeof getMatrix>} matrix */
+function readMatrixCells(matrix) {
+  if (!matrix) return null;
+  const { typed, wrong, shape } = matrix;
   return {
-    ...found,
+    ...matrix,
     cell(i, k) {
       const at = i * shape[1] + k;
       const value = typesetNumber(formatEntryValue(typed, at));
@@ -110,21 +111,20 @@ function readMatrixCells(found) {
 }
 
 // Read an answer that could not be judged, cell by cell.
-function readPartly(question, { error, waiting, arm, q }) {
+function readPartly(question, { error, tokens, arm, q }) {
   const { ask, answer } = question;
-  const long = answer.length > MAX_CELLWISE_LENGTH;
-  if (!error || waiting || !arm || !answer.trim() || ask === "trace" || long) return null;
+  const isLong = answer.length > MAX_CELLWISE_LENGTH;
+  if (!error || tokens || !arm || !answer.trim() || ask === "trace" || isLong) return null;
   const rows = findLargestBlock(answer);
   const width = Math.max(0, ...rows.map((row) => row.length));
   const understood = rows.map((row) => row.map((text) => isReadable(ask, text, arm, q)));
   return {
     ...getHeaders(question, arm, [rows.length, width]),
-    unread: understood.flat().filter((is) => !is).length,
+    unread: understood.flat().filter((isUnderstood) => !isUnderstood).length,
     cell(i, k) {
       const text = rows[i][k];
       if (text === undefined) return h("td");
-      const is = understood[i][k];
-      return makeCell(is ? typeset(text) : text, !is, "not read: ");
+      return understood[i][k] ? makeCell(typeset(text)) : makeCell(text, true, "not read: ");
     },
   };
 }
@@ -151,15 +151,15 @@ function isReadable(ask, text, arm, q) {
   }
 }
 
-function formatEntryValue({ values, units }, i) {
+export function formatEntryValue({ values, units }, i) {
   const decimals = Math.min(6, units[i] ? Math.max(0, Math.round(-Math.log10(units[i]))) : 4);
   return (Number(values[i].toFixed(decimals)) + 0).toFixed(decimals);
 }
 
 const typesetNumber = (words) => typeset(words.replaceAll("-", "−"));
 
-const makeCell = (content, off, why = "wrong: ") =>
-  off ? h("td.off", {}, h("span.hidden", {}, why), content) : h("td", {}, content);
+const makeCell = (content, isOff = false, why = "wrong: ") =>
+  isOff ? h("td.off", {}, h("span.hidden", {}, why), content) : h("td", {}, content);
 
 const EXAMPLE = "An example, with a mistake in it.";
 const OVER_IT = " Paste or type your own over it."; // typing needs a script
@@ -167,23 +167,23 @@ const OVER_IT = " Paste or type your own over it."; // typing needs a script
 /**
  * Show the verdict, or why there is none yet. The verdict on an example is marked as one.
  * `buttons` apply the judge's advice.
+ * @param {HTMLElement} box
+ * @param {import("./question.js").Outcome} outcome
+ * @param {{ example: boolean, buttons: HTMLElement[] }} options
  */
-export function showVerdict(box, { report, error }, { example, buttons }) {
-  box.className = `verdict ${example ? "example" : (report?.mark ?? report?.grade ?? "")}`;
+export function showVerdict(box, { verdict, error }, { example, buttons }) {
+  const grade = verdict?.mark ?? verdict?.grade ?? "";
+  box.className = `verdict ${example ? "example" : grade}`;
   const offer = buttons.length
     ? [h("p.offer", {}, "If that is what you mean, set ", ...buttons)]
     : [];
   const note = example ? [h("p.note", {}, EXAMPLE, h("span.screen", {}, OVER_IT))] : [];
-  if (!report) return box.replaceChildren(...note, h("p", {}, typeset(error)), ...offer);
-  const lines = listDetails(report).filter((line) => !report.headline.endsWith(line.slice(1)));
+  if (!verdict) return box.replaceChildren(...note, h("p", {}, typeset(error)), ...offer);
+  const lines = listDetails(verdict).filter((line) => !verdict.headline.endsWith(line.slice(1)));
   const items = lines.map((line) => h("li", {}, typeset(line)));
   const list = items.length ? [h("ul", {}, items)] : [];
-  const mark = h(
-    "span.mark",
-    { "aria-hidden": "true" },
-    `${GRADE_MARKS[report.mark ?? report.grade]} `,
-  );
-  const headline = h("p.headline", {}, mark, typeset(report.headline));
+  const mark = h("span.mark", { "aria-hidden": "true" }, `${GRADE_MARKS[grade]} `);
+  const headline = h("p.headline", {}, mark, typeset(verdict.headline));
   return box.replaceChildren(...note, headline, ...list, ...offer);
 }
 

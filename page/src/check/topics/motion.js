@@ -69,7 +69,9 @@ function orthonormalize(rows) {
 export function checkTrace(question, arm) {
   const typed = readTrace(question.answer, arm);
   const path = makePath(question, arm, typed);
-  return judgeTrace(typed, arm, path, { angles: question.unit });
+  const verdict = judgeTrace(typed, arm, path, { angles: question.unit });
+  const wanted = path.times.map(path.position); // for the picture
+  return { ...verdict, figures: { ...verdict.figures, wanted } };
 }
 
 function makePath(question, arm, typed) {

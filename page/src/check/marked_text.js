@@ -1,0 +1,275 @@
+// The reader's own text, with each number marked by what it was taken for. A number can be
+// corrected in place; each correction changes the text itself.
+
+import { h, setText } from "../dom.js";
+import {
+  commentLines,
+  includeSign,
+  includeWord,
+  putBehindHash,
+  replaceSpan,
+} from "./corrections.js";
+import { formatEntryValue, getMatrix } from "./shown.js";
+
+/** @typedef {import("./question.js").Question} Question */
+/** @typedef {import("./question.js").Outcome} Outcome */
+/**
+ * @typedef {object} Token a number of the text, as the judge lists it
+ * @property {number} from
+ * @property {number} to
+ * @property {string} owner "entry", "label", "header", "given", "context" or "unread"
+ * @property {number} [row] of an entry, from 0
+ * @property {number} [column] of an entry, from 0
+ * @property {string} [reason] why it was set aside
+ */
+/**
+ * @typedef {object} Mark a number of the text as it is shown
+ * @property {number} from
+ * @property {number} to
+ * @property {string} kind "entry", "label", "header", "given", "context" or "unread"
+ * @property {boolean} isWrong
+ * @property {string} description what it was taken for
+ */
+
+const MAX_LENGTH = 20_000; // characters; a longer text is not marked
+const HELP = "Choose a number to correct it; arrow keys move from number to number.";
+const LEGEND = {
+  entry: "entry",
+  wrong: "wrong entry",
+  label: "label",
+  given: "given by the question",
+  context: "set aside",
+  unread: "not read: nothing is graded",
+};
+
+/**
+ * List the numbers of an answer with what each was taken for.
+ * @param {Question} question
+ * @param {Outcome} outcome
+ * @returns {Mark[]}
+ */
+export function listMarks(question, outcome) {
+  const text = question.answer;
+  const matrix = getMatrix(question, outcome);
+  return (outcome.tokens ?? []).map((token) => {
+    const isUnread = token.owner === "unread";
+    const kind = token.owner === "header" ? "label" : token.owner;
+    const index = kind === "entry" ? getEntryIndex(token, matrix) : -1;
+    return {
+      ...(isUnread ? includeWord(text, token) : includeSign(text, token)),
+      kind,
+      isWrong: Boolean(matrix?.wrong[index]),
+      description: describeToken(token, question, matrix, index),
+    };
+  });
+}
+
+// Return the index of an entry among the typed values, -1 if it is unknown.
+const getEntryIndex = (/** @type {Token} */ { row, column }, matrix) =>
+  matrix ? row * matrix.typed.shape[1] + column : -1;
+
+function describeToken(token, question, matrix, index) {
+  switch (token.owner) {
+    case "entry":
+      return describeEntry(token, question, matrix, index);
+    case "label":
+      return token.reason ? `set aside: ${token.reason}` : "a label: it orders the answer";
+    case "header":
+      return "part of a column's header";
+    case "given":
+      return "given by the question";
+    case "unread":
+      return "not read: nothing is graded";
+    default:
+      return token.reason ? `set aside: ${token.reason}` : "set aside";
+  }
+}
+
+function describeEntry({ row, column }, { ask }, matrix, index) {
+  if (!matrix) return `entry in row ${row + 1}, column ${column + 1}`;
+  const [height, width] = matrix.shape;
+  const [i, k] = [Math.floor(index / width), index % width];
+  const place = height === 1 ? matrix.columns[k] : `${matrix.rows[i]}, ${matrix.columns[k]}`;
+  const value = `read as ${formatEntryValue(matrix.typed, index).replace("-", "−")}`;
+  const isOne = ask === "torques" || ask === "pose";
+  const name = isOne && height > 1 && width === 1 ? matrix.rows[i] : place;
+  return `entry of ${name}, ${value}${matrix.wrong[index] ? ", wrong" : ""}`;
+}
+
+/**
+ * Make the region of the marked text.
+ * @param {(text: string) => void} onCorrect called with the corrected text
+ */
+export function makeMarkedText(onCorrect) {
+  const text = h("pre", { role: "group", "aria-label": "The text with its numbers marked" });
+  const status = h("p.about");
+  const legend = h("p.legend", { "aria-hidden": "true" });
+  const editor = new NumberEditor(onCorrect);
+  const choices = h("p.offer");
+  const caption = h("p.caption", {}, "Your text, with what each number was taken for");
+  const root = h(
+    "div.marked",
+    { hidden: true },
+    caption,
+    choices,
+    text,
+    editor.root,
+    status,
+    legend,
+  );
+  text.addEventListener("keydown", moveFocus);
+
+  /** @param {Question} question @param {Outcome} outcome @param {boolean} isExample */
+  function update(question, outcome, isExample) {
+    const marks = question.answer.length > MAX_LENGTH ? [] : listMarks(question, outcome);
+    root.hidden = isExample || !(marks.length || outcome.answers?.length);
+    editor.close();
+    if (root.hidden) return;
+    const buttons = marks.map((mark) => makeNumber(mark, question.answer, { status, editor }));
+    text.replaceChildren(...joinText(question.answer, marks, buttons));
+    makeTabStop(buttons, marks);
+    setText(status, marks.length ? HELP : "");
+    legend.replaceChildren(...makeLegend(marks));
+    choices.replaceChildren(...makeChoices(question.answer, outcome.answers ?? [], onCorrect));
+  }
+  return { root, update };
+}
+
+// Return the text's stretches, with a button in place of each number.
+function joinText(text, marks, buttons) {
+  const nodes = [];
+  let end = 0;
+  marks.forEach(({ from, to }, i) => {
+    if (from < end) return;
+    nodes.push(text.slice(end, from), buttons[i]);
+    end = to;
+  });
+  return [...nodes, text.slice(end)];
+}
+
+function makeNumber(mark, text, { status, editor }) {
+  const word = text.slice(mark.from, mark.to);
+  const describe = () => setText(status, `${word}: ${mark.description}`);
+  return h(
+    `button.number.${mark.kind}${mark.isWrong ? ".off" : ""}`,
+    {
+      title: mark.description,
+      "aria-label": `${word}: ${mark.description}`,
+      tabindex: -1,
+      onpointerenter: describe,
+      onfocus: describe,
+      onclick: () => (setText(status, ""), editor.open(mark, text)),
+    },
+    word,
+  );
+}
+
+// The first number that needs a look is the one that Tab reaches.
+function makeTabStop(buttons, marks) {
+  const first = marks.findIndex(({ kind, isWrong }) => isWrong || kind === "unread");
+  const stop = buttons[Math.max(0, first)];
+  if (stop) stop.tabIndex = 0;
+}
+
+function moveFocus(event) {
+  const buttons = [...event.currentTarget.querySelectorAll("button")];
+  const i = buttons.indexOf(event.target);
+  const next = {
+    ArrowRight: i + 1,
+    ArrowDown: i + 1,
+    ArrowLeft: i - 1,
+    ArrowUp: i - 1,
+    Home: 0,
+    End: buttons.length - 1,
+  }[event.key];
+  if (next === undefined || !buttons[next]) return;
+  event.preventDefault();
+  buttons[i].tabIndex = -1;
+  buttons[next].tabIndex = 0;
+  buttons[next].focus();
+}
+
+function makeLegend(marks) {
+  const kinds = new Set(marks.map(({ kind, isWrong }) => (isWrong ? "wrong" : kind)));
+  return Object.entries(LEGEND)
+    .filter(([kind]) => kinds.has(kind))
+    .map(([kind, name]) =>
+      h(
+        "span",
+        {},
+        h(`span.number.${kind === "wrong" ? "entry.off" : kind}`, {}, "0.5"),
+        ` ${name}`,
+      ),
+    );
+}
+
+/** The line below the text in which one number is corrected. */
+class NumberEditor {
+  /** @param {(text: string) => void} onCorrect */
+  constructor(onCorrect) {
+    this.onCorrect = onCorrect;
+    this.root = h("div.editor", { hidden: true });
+    const label = "The number as it should be read";
+    this.field = h("input", { "aria-label": label, autocomplete: "off", spellcheck: "false" });
+  }
+
+  close() {
+    this.root.hidden = true;
+  }
+
+  /** @param {Mark} mark @param {string} text */
+  open(mark, text) {
+    const { field } = this;
+    const word = text.slice(mark.from, mark.to);
+    const isEntry = mark.kind === "entry" || mark.kind === "unread";
+    const change = () => {
+      if (field.value === word) return;
+      this.correct(text, replaceSpan(text, mark, field.value), `${word} is changed.`);
+    };
+    const exclude = () =>
+      this.correct(text, putBehindHash(text, mark), `${word} stands behind # now: it is no entry.`);
+    field.value = word;
+    field.onkeydown = (event) => {
+      if (event.key === "Enter") change();
+      if (event.key === "Escape") this.close();
+    };
+    this.root.replaceChildren(
+      h("span", {}, h("code", {}, word), `: ${mark.description}`),
+      field,
+      h("button", { onclick: change }, "Change it"),
+      ...(isEntry ? [h("button", { onclick: exclude }, "This is no entry")] : []),
+      h("button", { onclick: () => this.close() }, "Close"),
+    );
+    this.root.hidden = false;
+    field.focus();
+  }
+
+  // Hand over the corrected text, and offer to take the correction back.
+  correct(before, after, message) {
+    this.onCorrect(after);
+    const undo = h("button", { onclick: () => this.onCorrect(before) }, "Undo");
+    this.root.replaceChildren(h("span", { role: "status" }, message), undo);
+    this.root.hidden = false;
+  }
+}
+
+// One button for each of several answers that differ; it puts the other ones behind #.
+function makeChoices(text, answers, onCorrect) {
+  if (answers.length < 2) return [];
+  const inside = ({ from, to }, line) => line >= from && line <= to;
+  const choose = (answer) =>
+    onCorrect(
+      commentLines(
+        text,
+        (line) => !inside(answer, line) && answers.some((other) => inside(other, line)),
+      ),
+    );
+  const buttons = answers.map((answer) => {
+    const lines =
+      answer.from === answer.to
+        ? `line ${answer.from + 1}`
+        : `lines ${answer.from + 1} to ${answer.to + 1}`;
+    return h("button", { onclick: () => choose(answer) }, `My answer is in ${lines}`);
+  });
+  return ["The others go behind #: ", ...buttons];
+}

@@ -1,0 +1,88 @@
+// The path of a checked trajectory beside the wanted one, seen at right angles to its wall.
+
+import { h, svg } from "../dom.js";
+import { linkFrames } from "../../../judge/geometry/kinematics.js";
+
+const SIZE = 260; // width and height of the picture
+const MARGIN = 0.12; // share of the picture
+const ARROW = 16; // length of an arrowhead
+const AXES = ["x", "y", "z"];
+
+/**
+ * Show both paths, or hide the picture if there is none.
+ * @param {HTMLElement} place
+ * @param {import("./question.js").Question} question
+ * @param {import("./question.js").Outcome} outcome
+ */
+export function showPath(place, { ask, plane }, { verdict, arm }) {
+  const { q, wanted } = verdict?.figures ?? {};
+  const isShown = ask === "trace" && Boolean(q && wanted);
+  place.hidden = !isShown;
+  if (!isShown) return place.replaceChildren();
+  const actual = q.map((row) => linkFrames(arm, row).at(-1).o);
+  return place.replaceChildren(drawPaths(actual, wanted, plane));
+}
+
+/**
+ * Draw the actual path over the wanted one.
+ * @param {number[][]} actual points in m
+ * @param {number[][]} wanted
+ * @param {string} plane the circle's base axes, as "zy"
+ */
+export function drawPaths(actual, wanted, plane) {
+  const across = AXES.indexOf(plane.replace("z", ""));
+  const [actualPixels, wantedPixels] = projectPaths([actual, wanted], across);
+  const [x, y] = actualPixels[0].map(formatPixel);
+  const label = `The tip's path beside the wanted circle, by ${AXES[across]} and z`;
+  const picture = svg(
+    "svg",
+    { viewBox: `0 0 ${SIZE} ${SIZE}`, role: "img", "aria-label": label },
+    makeLine(wantedPixels, "wanted"),
+    makeLine(actualPixels, "actual"),
+    makeArrowhead(wantedPixels, "wanted"),
+    makeArrowhead(actualPixels, "actual"),
+    svg("circle", { cx: x, cy: y, r: 4.5, class: "actual" }),
+  );
+  const depth = Math.max(...actual.map((p) => Math.abs(p[1 - across] - wanted[0][1 - across])));
+  const depthNote = depth > 1e-3 ? `; it leaves the wall by ${(1000 * depth).toFixed(0)} mm` : "";
+  const names = [h("span.wanted", {}, "wanted"), " ", h("span.actual", {}, "yours")];
+  return h("figure.path", {}, picture, h("figcaption", {}, ...names, depthNote));
+}
+
+const formatPixel = (v) => v.toFixed(1);
+const formatPoints = (pixels) => pixels.map((p) => p.map(formatPixel).join(",")).join(" ");
+const makeLine = (pixels, name) => svg("polyline", { class: name, points: formatPoints(pixels) });
+
+// Make an arrowhead a tenth of the way along a path, for its direction.
+function makeArrowhead(pixels, name) {
+  const i = Math.max(1, Math.round(0.1 * (pixels.length - 1)));
+  const [[x0, y0], [x, y]] = [pixels[i - 1], pixels[i]];
+  const length = Math.hypot(x - x0, y - y0) || 1;
+  const [u, v] = [(ARROW * (x - x0)) / length, (ARROW * (y - y0)) / length];
+  const back = [x - u, y - v];
+  const corners = [
+    [x, y],
+    [back[0] - v / 2, back[1] + u / 2],
+    [back[0] + v / 2, back[1] - u / 2],
+  ];
+  return svg("polygon", { class: name, points: formatPoints(corners) });
+}
+
+// Project paths to one picture, seen at right angles to the wall.
+function projectPaths(paths, across) {
+  const flat = paths.map((path) => path.map((p) => [p[across], p[2]]));
+  const project = fitPoints(flat.flat());
+  return flat.map((path) => path.map(project));
+}
+
+// Return a function that fits points into the picture, at one scale for both axes.
+function fitPoints(points) {
+  const ranges = [0, 1].map((i) => {
+    const values = points.map((p) => p[i]);
+    return [Math.min(...values), Math.max(...values)];
+  });
+  const span = Math.max(...ranges.map(([low, high]) => high - low), 1e-9);
+  const scale = (SIZE * (1 - 2 * MARGIN)) / span;
+  const [x, y] = ranges.map(([low, high]) => (low + high) / 2);
+  return ([u, v]) => [SIZE / 2 + scale * (u - x), SIZE / 2 - scale * (v - y)];
+}

@@ -1,0 +1,113 @@
+// Corrections of a pasted text, the marks on its numbers, the grid of numbers, and the storage of answers.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { commentLines, includeSign, includeWord, putBehindHash, replaceSpan } from "../../page/src/check/corrections.js";
+import { listMarks } from "../../page/src/check/marked_text.js";
+import { AnswerMemory, clearAnswers } from "../../page/src/check/memory.js";
+import { splitNumbers } from "../../page/src/check/number_grid.js";
+import { EMPTY, findQuestionFault } from "../../page/src/check/question.js";
+
+const spanOf = (text, word) => ({ from: text.indexOf(word), to: text.indexOf(word) + word.length });
+
+test("a number is taken with its sign but not with a minus between numbers", () => {
+  const signOf = (text, digits) => {
+    const { from, to } = includeSign(text, spanOf(text, digits));
+    return text.slice(from, to);
+  };
+  assert.deepEqual([signOf("| -1.5 |", "1.5"), signOf("(−1.5", "1.5"), signOf("2-1.5", "1.5")], ["-1.5", "−1.5", "1.5"]);
+});
+
+test("the word of a number ends at blanks and separators", () => {
+  const text = "| 2 | **7.67l2**, 3";
+  const { from, to } = includeWord(text, spanOf(text, "7.67"));
+  assert.equal(text.slice(from, to), "**7.67l2**");
+});
+
+test("a number alone on its line is commented in place", () => {
+  const text = "1.5\n99\n2.5";
+  assert.equal(putBehindHash(text, spanOf(text, "99")), "1.5\n# 99\n2.5");
+});
+
+test("a number among others moves behind a hash at the end of its line", () => {
+  const text = "1.5 99 2.5\n3 4 5";
+  const once = putBehindHash(text, spanOf(text, "99 "));
+  assert.equal(once, "1.5 2.5  # 99 \n3 4 5");
+  assert.equal(putBehindHash(once, spanOf(once, "2.5")), "1.5   # 99 2.5\n3 4 5");
+});
+
+test("a corrected number replaces only its own span", () => {
+  const text = "1 2 1";
+  assert.equal(replaceSpan(text, { from: 4, to: 5 }, "7"), "1 2 7");
+});
+
+test("choosing an answer comments the numbers of the others", () => {
+  assert.equal(commentLines("a\n1 2\n\n3 4", (line) => line < 3), "a\n# 1 2\n\n3 4");
+});
+
+const ARM = { name: "two", rows: [{ kind: "revolute" }, { kind: "revolute" }] };
+const VERDICT = { typed: { values: [1.5, -2], units: [0.1, 1], shape: [2, 1], entries: [] }, wrong: [false, true] };
+
+test("marks say the place and the value of each entry", () => {
+  const answer = "1 | 1.5\n2 | -2\n99";
+  const tokens = [
+    { from: 0, to: 1, owner: "label" },
+    { from: 4, to: 7, owner: "entry", row: 0, column: 0 },
+    { from: 13, to: 14, owner: "entry", row: 1, column: 0 },
+    { from: 15, to: 17, owner: "context", reason: "another list" },
+  ];
+  const marks = listMarks({ ...EMPTY, ask: "torques", answer }, { verdict: VERDICT, arm: ARM, tokens });
+  assert.deepEqual(marks.map(({ kind, isWrong }) => [kind, isWrong]), [
+    ["label", false], ["entry", false], ["entry", true], ["context", false],
+  ]); // prettier-ignore
+  assert.match(marks[1].description, /^entry of joint 1, read as 1\.5$/);
+  assert.match(marks[2].description, /^entry of joint 2, read as −2, wrong$/);
+  assert.equal(answer.slice(marks[2].from, marks[2].to), "-2");
+  assert.equal(marks[3].description, "set aside: another list");
+});
+
+test("only a plain list is split into a grid of numbers", () => {
+  assert.deepEqual(splitNumbers(" [0.5, −pi/2; 3] "), ["0.5", "−pi/2", "3"]);
+  assert.deepEqual(splitNumbers(""), []);
+  for (const text of ["q1 = 0.5", "| 1 | 2 |", "np.array([1, 2])"]) assert.equal(splitNumbers(text), null, text);
+});
+
+function fakeStorage() {
+  const items = new Map();
+  return {
+    get length() { return items.size; },
+    key: (i) => [...items.keys()][i],
+    getItem: (key) => items.get(key) ?? null,
+    setItem: (key, value) => items.set(key, value),
+    removeItem: (key) => items.delete(key),
+  };
+} // prettier-ignore
+const give = (storage) => Object.defineProperty(globalThis, "localStorage", { ...storage, configurable: true });
+
+test("each question keeps its last answer until all are cleared", () => {
+  give({ value: fakeStorage() });
+  const memory = new AnswerMemory("check");
+  const [first, second] = ["jacobian", "torques"].map((ask) => ({ ...EMPTY, ask, arm: "PANDA", answer: ask }));
+  memory.save(first);
+  memory.save(second);
+  assert.deepEqual([memory.load(first), memory.loadLast()], [first, second]);
+  assert.equal(new AnswerMemory("02_jacobian-judge-0").loadLast(), null);
+  memory.save({ ...second, answer: " " });
+  assert.equal(memory.load(second), null);
+  clearAnswers();
+  assert.equal(memory.load(first), null);
+});
+
+test("a browser that refuses its storage keeps nothing and raises nothing", () => {
+  give({ get: () => { throw new Error("refused"); } }); // prettier-ignore
+  const memory = new AnswerMemory("check");
+  memory.save({ ...EMPTY, answer: "1" });
+  assert.equal(memory.loadLast(), null);
+  clearAnswers();
+});
+
+test("a kept question that no longer fits is refused", () => {
+  assert.equal(findQuestionFault({ ...EMPTY, arm: "PANDA" }, ["PANDA"]), "");
+  for (const change of [{ arm: "GONE" }, { ask: "x" }, { unit: "gon" }, { frame: "a" }, { more: "1" }, { q: 3 }])
+    assert.notEqual(findQuestionFault({ ...EMPTY, arm: "PANDA", ...change }, ["PANDA"]), "");
+});
