@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from course import topics
 from course.sheets import Part, Question, Sheet
 from helpers import checks, symbolic
-from helpers.checks.compare import Typed, numbers
+from helpers.checks.compare import TypedNumbers, read_numbers
 from helpers.inputs import ArmError
 
 Array = NDArray[np.float64]
@@ -80,7 +80,7 @@ def _filled(answer: Any) -> Any:
 
 def _numbers(question: Question, part: Part, answer: Any) -> tuple[float, str]:
     right = np.asarray(part.value, dtype=float)
-    typed = _shaped(numbers(answer, f"`{part.name}`"), right, part)
+    typed = _shaped(read_numbers(answer, f"`{part.name}`"), right, part)
     mine, unit = typed.values, max(part.unit, typed.units.min()) * _ROUNDING
     alike = [
         (_share(part, wrong), words)
@@ -105,18 +105,18 @@ def _numbers(question: Question, part: Part, answer: Any) -> tuple[float, str]:
     return credit, "\n".join([*named, *_where(question, part, typed, answer)])
 
 
-def _shaped(typed: Typed, right: Array, part: Part) -> Typed:
+def _shaped(typed: TypedNumbers, right: Array, part: Part) -> TypedNumbers:
     """The answer in the shape of the right one; half a Jacobian with zeros for the other half.
 
     Raises ArmError where it has another number of entries.
     """
     mine, units = typed.values, typed.units
     if mine.size == right.size:
-        return Typed(mine.reshape(right.shape), units.reshape(right.shape))
+        return TypedNumbers(mine.reshape(right.shape), units.reshape(right.shape))
     if part.kind == "jacobian" and mine.shape == (3, right.shape[1]):
         zeros = np.zeros_like(mine)
         halves = (np.r_[mine, zeros], np.r_[zeros, mine])
-        return Typed(max(halves, key=lambda half: _share(part, half)), np.r_[units, units])
+        return TypedNumbers(max(halves, key=lambda half: _share(part, half)), np.r_[units, units])
     given, wanted = (" × ".join(map(str, x.shape)) or "one" for x in (mine, right))
     words = f"{given} numbers given, expected {wanted}; write 0 for what you do not have"
     raise ArmError(words)
@@ -140,7 +140,7 @@ def _share(part: Part, mine: Array) -> float:
     return float(max(0.0, 1 - _wrong(part, mine).sum() / counting.sum()))
 
 
-def _where(question: Question, part: Part, typed: Typed, answer: Any) -> list[str]:
+def _where(question: Question, part: Part, typed: TypedNumbers, answer: Any) -> list[str]:
     """Which blocks are not right, as the student would point at them, and why if that is known."""
     own = np.maximum(part.unit, typed.units) * _ROUNDING
     surely = _blocks(part, np.abs(typed.values - part.value) - own).max(axis=1) > 0
@@ -201,7 +201,7 @@ def _column(question: Question, part: Part, answer: Any) -> tuple[float, str]:
     mine = [str(entry[0] if isinstance(entry, list) and entry else entry) for entry in answer]
     column, arm = int(question.given["column"]) - 1, topics.camera_arm(question.arm, question.given)
 
-    def judged(six: list[str]) -> checks.Report:
+    def judged(six: list[str]) -> checks.Verdict:
         J = [[str(entry) for entry in row] for row in symbolic.jacobian(arm).tolist()]
         for row, formula in zip(J, six, strict=True):
             row[column] = formula

@@ -249,10 +249,10 @@ class Arm:
             (0, 'pi/2', 0.3, 0)
         """
         # Imported here because the reader of tables builds on arms, and starts the judge.
-        from helpers.checks.tables import rows_of
+        from helpers.checks.tables import read_table
 
         require_type(name, str, "an arm's name")
-        rows, notes = rows_of(
+        rows, notes = read_table(
             source,
             columns=columns,
             lengths=lengths,

@@ -76,9 +76,9 @@ def plain_formula(written: str, name: str = "the entry") -> str:
     if _tree(text) is not None:
         return text
     # Imported here because the judge starts slowly, and no arm of the catalogue needs it.
-    from helpers.checks.engine import asked
+    from helpers.checks.engine import ask_judge
 
-    answer = asked("entry", text=text, kinds=_UNIT_KINDS.get(name, ["angle", "length"]))
+    answer = ask_judge("entry", text=text, kinds=_UNIT_KINDS.get(name, ["angle", "length"]))
     if answer.get("fault"):
         raise ArmError(f"{name} is {written!r}, which {answer['fault']}")
     if _tree(answer.get("text", "")) is None:

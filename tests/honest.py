@@ -36,7 +36,7 @@ def arm_of(name: str):
     return arm.lock(int(locked[:-1])) if locked else arm
 
 
-def report_on(work: Mapping) -> checks.Report:
+def report_on(work: Mapping) -> checks.Verdict:
     """The judge's report; raises ArmError where it refuses."""
     arm, text, says = arm_of(work["arm"]), work["text"], work["says"]
     match work["kind"]:

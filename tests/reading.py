@@ -1,6 +1,6 @@
 """The judge's reader under Node.js: what it makes of a text on the way to numbers."""
 
-from helpers.checks.tables import table_text
+from helpers.checks.tables import format_table
 from helpers.inputs import ArmError
 from tests.node import ask_node
 
@@ -20,7 +20,7 @@ def formula(text, what="the formula", **known):
 def tables(held, *, values=(), kinds=(), **options):
     """The readings of a table, the likeliest first, each with what it was meant as."""
     pairs = [list(pair) for pair in dict(values).items()]
-    return asked("tables", text=table_text(held), options=options, values=pairs, kinds=kinds)
+    return asked("tables", text=format_table(held), options=options, values=pairs, kinds=kinds)
 
 
 def rows(table):

@@ -292,7 +292,7 @@ SPECIAL = [
 # Classes that only the helpers create, and functions whose callers have checked the arguments.
 MADE = {
     "derive.Derivation", "derive.Line", "derive.DerivationStep",
-    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Report",
+    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Verdict",
     "inverse.NumericSolution", "inverse.Solutions", "motion.TraceReport",
     "motion.TraceReport.rows", "motion.SingularError", "motion.Trace",
     "motion.UnreachableError",

@@ -17,10 +17,10 @@ from helpers.checks import (
     compare_torques,
     functions,
 )
-from helpers.checks.arms import judged_data
-from helpers.checks.compare import numbers
-from helpers.checks.engine import asked
-from helpers.checks.held import array_data
+from helpers.checks.arms import judge_data
+from helpers.checks.compare import read_numbers
+from helpers.checks.engine import ask_judge
+from helpers.checks.plain_data import to_plain_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.corpus.jacobians import in_frame
@@ -85,7 +85,7 @@ class Held:
     ids=str,
 )
 def test_numbers_are_read_from_any_container(mine, values, units):
-    typed = numbers(mine, "yours")
+    typed = read_numbers(mine, "yours")
     assert np.array_equal(typed.values, values) or typed.values == pytest.approx(np.array(values))
     assert typed.values.shape == typed.units.shape == np.shape(values)
     assert typed.values.dtype == float
@@ -112,7 +112,7 @@ def test_numbers_are_read_from_any_container(mine, values, units):
 )
 def test_invalid_numbers_are_rejected(mine, words):
     with pytest.raises(ArmError) as refused:
-        numbers(mine, "yours", wanted="heights")
+        read_numbers(mine, "yours", wanted="heights")
     assert words in str(refused.value)
 
 
@@ -148,7 +148,7 @@ def test_sympy_expression_is_evaluated(expression, value):
 )
 def test_invalid_expression_is_rejected(expression):
     with pytest.raises(ArmError, match=r"^yours is .*; expected numbers"):
-        numbers([expression], "yours")
+        read_numbers([expression], "yours")
 
 
 # Joints
@@ -157,7 +157,7 @@ SLED = Arm("sled", [revolute(a=0.3), prismatic(alpha=H), revolute(a=0.1)])
 
 
 def joints(q, angles="rad"):
-    return asked("joints", q=array_data(q), arm=judged_data(SLED), angles=angles)
+    return ask_judge("joints", q=to_plain_data(q), arm=judge_data(SLED), angles=angles)
 
 
 @pytest.mark.parametrize(
@@ -198,7 +198,7 @@ def test_wrong_number_of_joint_values_is_rejected(q, count, angles):
 
 
 def given(function, q=Q3):
-    return functions.value_at(function, np.array(q), "yours")
+    return functions.call_student_function(function, np.array(q), "yours")
 
 
 def shapes(*given):
@@ -245,7 +245,7 @@ def test_function_error_is_passed_on_and_q_is_copied():
 
     q = Q3.copy()
     with pytest.raises(ArmError, match=r"^in its own words$"):
-        functions.value_at(refuses, q, "yours")
+        functions.call_student_function(refuses, q, "yours")
     assert q.tolist() == Q3.tolist()
 
 

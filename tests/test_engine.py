@@ -53,10 +53,10 @@ def test_engine_recovers_after_exceeding_a_limit(monkeypatch, limits):
 
 def test_numbers_reach_the_engine_unchanged():
     numbers = np.random.default_rng(3).uniform(-1, 1, 200) * 10.0 ** np.arange(-100, 100)
-    found = engine.asked("numbers", mine=numbers.tolist(), what="mine", wanted="numbers")
+    found = engine.ask_judge("numbers", mine=numbers.tolist(), what="mine", wanted="numbers")
     assert list(map(float, found["values"])) == numbers.tolist()
 
 
 def test_nan_is_rejected_before_the_engine():
     with pytest.raises(ValueError, match="Out of range"):
-        engine.asked("numbers", mine=[float("nan")], what="mine", wanted="numbers")
+        engine.ask_judge("numbers", mine=[float("nan")], what="mine", wanted="numbers")

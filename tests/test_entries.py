@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from helpers import checks, inverse
-from helpers.checks.compare import numbers
+from helpers.checks.compare import read_numbers
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 from tests.corpus import jacobians
@@ -306,6 +306,6 @@ def test_nothing_is_set_aside_where_no_joint_is_locked():
     ],
 )
 def test_formula_keeps_the_digits_of_its_decimals(text, value, unit):
-    number = numbers(text, "yours")
+    number = read_numbers(text, "yours")
     assert number.values == pytest.approx(value)
     assert number.units == pytest.approx(unit, rel=1e-6)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from helpers.checks import Finding, Report
-from helpers.checks.compare import numbers
+from helpers.checks import Finding, Verdict
+from helpers.checks.compare import read_numbers
 
 
 @pytest.mark.parametrize(
@@ -28,7 +28,7 @@ from helpers.checks.compare import numbers
     ],
 )
 def test_the_unit_of_each_number_is_that_of_its_own_last_place(texts, expected):
-    assert numbers(texts, "yours").units == pytest.approx(np.array(expected), rel=1e-12, abs=0)
+    assert read_numbers(texts, "yours").units == pytest.approx(np.array(expected), rel=1e-12, abs=0)
 
 
 def finding(what, words):
@@ -41,7 +41,7 @@ def test_a_report_in_lines_and_in_markdown():
         finding("row", "Row 2 is off."),
         finding("row", "Row 3 is off."),
     )
-    report = Report(
+    report = Verdict(
         "table",
         "Panda",
         "wrong",
@@ -65,9 +65,9 @@ def test_a_report_in_lines_and_in_markdown():
     ("grade", "mark"), [("right", "✔"), ("so far", "◐"), ("rounded", "≈"), ("wrong", "✘")]
 )
 def test_the_mark_of_a_grade(grade, mark):
-    report = Report("pose", "Panda", grade, "So it is.")
+    report = Verdict("pose", "Panda", grade, "So it is.")
     assert report.agrees == (grade == "right")
     assert report._repr_markdown_() == f"{mark} **So it is.**\n"
     assert (report.findings, report.causes, report.taken, report.notes) == ((), (), (), ())
     assert report.figures == {}
-    assert report == Report("pose", "Panda", grade, "So it is.", figures={"worst": 1.0})
+    assert report == Verdict("pose", "Panda", grade, "So it is.", figures={"worst": 1.0})

@@ -11,7 +11,7 @@ import sympy as sp
 
 from helpers import checks, inverse, symbolic
 from helpers.arm import Arm
-from helpers.checks.compare import numbers
+from helpers.checks.compare import read_numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.motion import circle_below, rest_to_rest
@@ -31,7 +31,7 @@ REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__im
 @pytest.mark.parametrize("seed", range(2))
 def test_pasted_matrix_is_read_from_each_program(program, seed):
     for text, wanted in PROGRAMS[program].pastes(random.Random(seed)):
-        found = numbers(text, "your matrix").values
+        found = read_numbers(text, "your matrix").values
         np.testing.assert_allclose(found, wanted, rtol=1e-6, atol=1e-9, err_msg=text)
 
 
@@ -98,7 +98,7 @@ def in_python(given):
 
 def branches(arm, typed):
     """Those of a point, or of a pose whose axes are made perpendicular as the nearest ones."""
-    target = np.array(numbers(typed, "target").values).ravel()
+    target = np.array(read_numbers(typed, "target").values).ravel()
     if target.size == 3:
         return inverse.elbow(arm, target)
     T = np.eye(4)

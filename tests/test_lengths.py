@@ -4,16 +4,16 @@ import pytest
 
 from helpers.arm import Arm, revolute
 from helpers.checks import compare_tables
-from helpers.checks.arms import judged_data
+from helpers.checks.arms import judge_data
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 
 
 def test_lengths_of_one_letter_within_a_tenth_are_taken_for_one_another():
     lengths = {"a_1": 1.0, "a_2": 0.91, "a_3": 0.8, "a_4": -0.95, "a_5": 0.8, "d_1": 0.99}
     arm = Arm("five", [revolute(name) for name in lengths], values=lengths)
-    found = [(one["name"], one["other"]) for one in judged_data(arm)["alike"]]
+    found = [(one["name"], one["other"]) for one in judge_data(arm)["alike"]]
     assert found == [("a_1", "a_2"), ("a_2", "a_1")]
-    assert not any("alike" in judged_data(one) for one in (STANFORD, ELBOW))
+    assert not any("alike" in judge_data(one) for one in (STANFORD, ELBOW))
 
 
 @pytest.mark.parametrize(
@@ -29,7 +29,7 @@ def test_lengths_of_one_letter_within_a_tenth_are_taken_for_one_another():
     ids=str,
 )
 def test_robots_of_nearly_one_name(arm, robots):
-    found = judged_data(arm).get("robots", [])
+    found = judge_data(arm).get("robots", [])
     lengths = [(one["name"], abs(one["rows"][1]["a"]), one["rows"][0]["d"]) for one in found]
     assert lengths == robots
     pens = [one["rows"][5]["d"] - one["penless"][5]["d"] for one in found]
@@ -37,11 +37,11 @@ def test_robots_of_nearly_one_name(arm, robots):
 
 
 def test_the_pen_forgotten_and_a_length_taken_for_another():
-    found = judged_data(UR10E)
+    found = judge_data(UR10E)
     assert found["rows"][5]["d"] - found["penless"]["rows"][5]["d"] == pytest.approx(0.1)
     lengths = [(one["name"], one["other"], one["rows"][1]["a"]) for one in found["alike"]]
     assert lengths == [("a_2", "a_3", -0.57155), ("a_3", "a_2", -0.6127)]
-    bare = judged_data(PANDA.with_values(l_pen=0, a_3=0.088))
+    bare = judge_data(PANDA.with_values(l_pen=0, a_3=0.088))
     assert not {"penless", "alike"} & bare.keys()
 
 

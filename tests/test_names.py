@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from helpers.checks.arms import judged_data
+from helpers.checks.arms import judge_data
 from helpers.inputs import ArmError
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import reading
@@ -20,7 +20,7 @@ LOCKED = PANDA.lock(3)  # its joints are 1, 2, 4, 5, 6, 7
 def meanings(names, arm, q, values=None):
     """The number of each name."""
     pairs = [list(pair) for pair in (values or {}).items()]
-    given = dict(names=list(names), arm=judged_data(arm), q=list(q), values=pairs)
+    given = dict(names=list(names), arm=judge_data(arm), q=list(q), values=pairs)
     return reading.asked("names", **given)
 
 

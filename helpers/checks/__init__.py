@@ -1,4 +1,4 @@
-"""Is it right? Comparisons that say what is wrong, in words."""
+"""Judge a student's answers and explain their mistakes in sentences."""
 
 from helpers.checks.check_line import check
 from helpers.checks.compare import (
@@ -9,11 +9,12 @@ from helpers.checks.compare import (
     compare_torques,
     compare_trace,
 )
-from helpers.checks.report import Finding, Report
+from helpers.checks.verdict import Finding, Verdict
+from helpers.deprecated import deprecated_names
 
 __all__ = [
     "Finding",
-    "Report",
+    "Verdict",
     "check",
     "compare_branches",
     "compare_jacobian",
@@ -22,3 +23,5 @@ __all__ = [
     "compare_torques",
     "compare_trace",
 ]
+
+__getattr__ = deprecated_names(__name__, Report="helpers.checks.Verdict")

@@ -1,4 +1,4 @@
-"""An arm as the judge needs it: plain data, and the tables that usual mistakes give."""
+"""Describe an arm to the judge as plain data, with the tables that usual mistakes give."""
 
 import json
 import math
@@ -13,7 +13,7 @@ Data = dict[str, Any]
 
 
 def arm_data(arm: Arm) -> Data:
-    """An arm with its values put in: SI units, null where no limit is known."""
+    """Return an arm as numbers in SI units; an unknown limit is None."""
     must_be(arm, Arm, "arm")
     return {
         "name": arm.name,
@@ -52,7 +52,7 @@ def _finite(value: float) -> float | None:
 
 
 @lru_cache(maxsize=64)
-def judged_data(arm: Arm) -> Data:
+def judge_data(arm: Arm) -> Data:
     """`arm_data`, the arm's values by name, the arm without its pen, for lengths that are near each
     other the arm with one taken for the other, the arm with the lengths of robots of nearly its
     name, and the centres of mass as a paper has them. Not to be changed.

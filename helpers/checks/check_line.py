@@ -1,4 +1,4 @@
-"""The visible check line of the notebooks."""
+"""Print the check lines of the notebooks."""
 
 from typing import Any
 
@@ -11,27 +11,33 @@ from helpers.inputs import must_be, number
 def check(
     label: str, actual: Any, expected: Any, tolerance: float = 0.0, *, book_only: bool = False
 ) -> None:
-    """Print one line that says `actual` agrees with `expected`, or raise AssertionError that says
-    by how much not.
+    """Print that `actual` agrees with `expected`, or raise AssertionError with the difference.
 
-    With `book_only`, what is expected is a number of the book's own arms and poses: elsewhere it
-    need not hold, so that the line says by how much not, and nothing is raised.
+    Args:
+        label: the claim that is checked.
+        actual, expected: numbers or arrays, SymPy's too, which agree if no entry differs by more
+            than `tolerance`; anything else, such as a matrix with symbols, must be equal.
+        tolerance: largest difference of an entry.
+        book_only: the expected value holds only for the book's own arms and poses. A difference is
+            printed and does not raise.
 
-    Numbers and arrays agree when no entry differs by more than `tolerance`, SymPy's numbers too
-    where there is one; anything else, such as a matrix with symbols, must be equal. Of the helpers
-    it is the one that prints, commands apart: its line is the reader's proof.
+    Apart from the commands no other function of the helpers prints.
     """
     must_be(label, str, "label")
     tolerance = number(tolerance, "tolerance", "a number of 0 or more", least=0)
-    got, wanted = _numbers(actual), _numbers(expected)
+    actual_numbers, expected_numbers = _to_numbers(actual), _to_numbers(expected)
     within = ""
-    if got is None or wanted is None or (not tolerance and _symbolic(actual, expected)):
-        agrees = _equal(actual, expected)
+    if (
+        actual_numbers is None
+        or expected_numbers is None
+        or (not tolerance and _is_symbolic(actual, expected))
+    ):
+        agrees = _is_equal(actual, expected)
         detail = f"got {actual}, expected {expected}"
-    elif got.shape != wanted.shape:
-        agrees, detail = False, f"shape {got.shape}, expected {wanted.shape}"
+    elif actual_numbers.shape != expected_numbers.shape:
+        agrees, detail = False, f"shape {actual_numbers.shape}, expected {expected_numbers.shape}"
     else:
-        difference = float(np.abs(got - wanted).max(initial=0.0))
+        difference = float(np.abs(actual_numbers - expected_numbers).max(initial=0.0))
         agrees = difference <= tolerance
         detail = f"off by {difference:.3g}, allowed {tolerance:g}"
         within = f" (within {tolerance:g})" if tolerance else ""
@@ -43,16 +49,15 @@ def check(
         raise AssertionError(f"{label}: {detail}")
 
 
-def _equal(actual: Any, expected: Any) -> bool:
-    """Whether two values that are not numbers are the same; NumPy compares arrays of words entry by
-    entry."""
+def _is_equal(actual: Any, expected: Any) -> bool:
+    """Return whether two values that are not numbers are equal, arrays entry by entry."""
     if isinstance(actual, np.ndarray) or isinstance(expected, np.ndarray):
         return np.array_equal(actual, expected)
     return bool(actual == expected)
 
 
-def _numbers(value: Any) -> NDArray[np.float64] | None:
-    """Numbers as an array, SymPy's among them; None for anything else."""
+def _to_numbers(value: Any) -> NDArray[np.float64] | None:
+    """Convert numbers, SymPy's too, to an array of floats; anything else to None."""
     try:
         array = np.asarray(value)
         if array.dtype.kind in "biuf":
@@ -67,6 +72,6 @@ def _is_number(x: Any) -> bool:
     return isinstance(x, int | float | np.number) or bool(getattr(x, "is_number", False))
 
 
-def _symbolic(*values: Any) -> bool:
-    """Whether numbers stand there that are exact, as SymPy's, and so are equal or not."""
+def _is_symbolic(*values: Any) -> bool:
+    """Return whether a value holds exact SymPy numbers, which are compared without tolerance."""
     return any(np.asarray(value).dtype == object for value in values)

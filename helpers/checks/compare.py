@@ -1,4 +1,7 @@
-"""The comparisons: what a student holds becomes a question to the judge, its answer a report."""
+"""Compare a student's answers with the right ones.
+
+Each comparison turns the answer into plain data, asks the judge and returns its `Verdict`.
+"""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -8,13 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.checks.arms import judged_data
-from helpers.checks.engine import asked, say
-from helpers.checks.functions import value_at
-from helpers.checks.held import array_data
-from helpers.checks.own_joints import in_own_joints
-from helpers.checks.report import Report, report_of
-from helpers.checks.tables import reading_options, table_text
+from helpers.checks.arms import judge_data
+from helpers.checks.engine import ask_judge, format_sentence
+from helpers.checks.functions import call_student_function
+from helpers.checks.plain_data import to_plain_data
+from helpers.checks.student_arm import express_in_student_joints
+from helpers.checks.tables import check_reading_options, format_table
+from helpers.checks.verdict import Verdict, make_verdict
 from helpers.inputs import ArmError, must_be, named, number, one_of, shown, whole
 from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics
@@ -27,16 +30,16 @@ Array = NDArray[Any]
 _NO_WRENCH = (0.0,) * 6
 
 
-# What all share
+# Shared by all comparisons
 
 
-def _settings(
+def _check_options(
     angles: str = "rad",
     tolerance: float | None = None,
     values: Mapping | None = None,
     which: int | None = None,
 ) -> dict[str, Any]:
-    """The options that all comparisons have; raises ArmError for one that is none."""
+    """Return the options common to all comparisons; raise ArmError for an invalid one."""
     one_of(angles, "angles", ("rad", "deg"))
     found: dict[str, Any] = {"angles": angles}
     if values is not None:
@@ -49,21 +52,31 @@ def _settings(
 
 
 @dataclass(frozen=True)
-class Typed:
-    """Numbers as they were handed in, with the unit of each one's last place; 0 where exact."""
+class TypedNumbers:
+    """Numbers as the student typed them.
+
+    Attributes:
+        values: the numbers, of any shape.
+        units: unit of the last decimal typed, of the same shape; 0 for an exact number.
+    """
 
     values: Array
     units: Array
 
 
-def numbers(mine: Any, what: str, wanted: str = "numbers") -> Typed:
-    """Numbers of any shape, held or typed; raises ArmError, which calls them `what`, for others."""
-    return _typed(asked("numbers", mine=array_data(mine), what=what, wanted=wanted))
+def read_numbers(mine: Any, what: str, wanted: str = "numbers") -> TypedNumbers:
+    """Read numbers of any shape from text, lists or arrays.
+
+    Raises ArmError, which calls them `what`, for anything else.
+    """
+    return _make_typed_numbers(
+        ask_judge("numbers", mine=to_plain_data(mine), what=what, wanted=wanted)
+    )
 
 
-def _typed(found: Mapping[str, Any]) -> Typed:
-    values, units = (np.array(found[key], float) for key in ("values", "units"))
-    return Typed(values.reshape(found["shape"]), units.reshape(found["shape"]))
+def _make_typed_numbers(answer: Mapping[str, Any]) -> TypedNumbers:
+    values, units = (np.array(answer[key], float) for key in ("values", "units"))
+    return TypedNumbers(values.reshape(answer["shape"]), units.reshape(answer["shape"]))
 
 
 # Tables
@@ -79,22 +92,24 @@ def compare_tables(
     convention: str | None = None,
     values: Mapping[str, float] | None = None,
     tolerance: float | None = None,
-) -> Report:
-    """Whether two DH tables describe the same arm, and if not, where they differ and why.
+) -> Verdict:
+    """Judge whether two DH tables describe the same arm.
 
-    Compared is what no choice of frames can change: the kind of each joint, distance and twist
-    between neighbouring axes, the offset along each axis (along parallel axes only the sum), and
-    where the tip is on the last link. Free are the directions of the axes, the places of common
-    normals between parallel axes, the zeros of the joints, the place of a sliding axis and
-    the number of fixed rows. Where the joints of a right table count otherwise, the report prints
-    the map and holds the arm in your joints, ``report.figures["arm"]``.
+    The verdict says where they differ and why.
+
+    The comparison uses what no choice of frames can change: the kind of each joint, distance and
+    twist between neighbouring axes, the offset along each axis (along parallel axes only the sum),
+    and where the tip is on the last link. The student may choose the directions of the axes, the
+    positions of common normals between parallel axes, the zeros of the joints, the position of a
+    sliding axis and the number of fixed rows. If a right table counts its joints otherwise, the
+    verdict prints the map, and ``verdict.figures["arm"]`` is the arm in your joints.
 
     Args:
         mine: an `Arm`, or rows in a list, text, `Link(...)` lines or 4 x 4 matrices, as
             ``Arm.from_table`` takes them.
         reference: the arm it should describe.
-        columns, lengths, angles, convention, values: how to read `mine`; guessed, and said, unless
-            given.
+        columns, lengths, angles, convention, values: how to read `mine`; guessed unless given, and
+            the verdict says what was guessed.
         tolerance: the largest deviation of a length (m); inferred from the digits typed unless
             given.
 
@@ -102,25 +117,32 @@ def compare_tables(
     Robotics, section 2.8.2, on the free choices.
     """
     must_be(reference, Arm, "the reference")
-    options = _settings("rad", tolerance, values)
+    options = _check_options("rad", tolerance, values)
     del options["angles"]  # those of a table may be guessed
     if not reference.dof or (isinstance(mine, Arm) and not mine.dof):
         raise ArmError(
             f"cannot compare {shown(mine)} with {reference!r}; expected arms with one joint or more"
         )
-    said = reading_options(columns, lengths, angles, convention)
-    if isinstance(mine, Arm) and said:
-        raise ArmError(say("arm is read", given=", ".join(map(shown, said.values()))))
-    held = _arm_table(mine) if isinstance(mine, Arm) else table_text(mine)
-    found = asked("table", mine=held, arm=judged_data(reference), options=options | said)
+    reading_options = check_reading_options(columns, lengths, angles, convention)
+    if isinstance(mine, Arm) and reading_options:
+        raise ArmError(
+            format_sentence("arm is read", given=", ".join(map(shown, reading_options.values())))
+        )
+    table = _arm_table(mine) if isinstance(mine, Arm) else format_table(mine)
+    found = ask_judge(
+        "table", mine=table, arm=judge_data(reference), options=options | reading_options
+    )
     if "map" not in found:
-        return report_of(found)
+        return make_verdict(found)
     both = found["map"]["signs"], found["map"]["offsets"]
-    own = in_own_joints(reference, found["map"], say("own joints", arm=reference.name))
-    return report_of(found, joint_map=tuple(zip(*both, strict=True)), arm=own)
+    own = express_in_student_joints(
+        reference, found["map"], format_sentence("own joints", arm=reference.name)
+    )
+    return make_verdict(found, joint_map=tuple(zip(*both, strict=True)), arm=own)
 
 
 def _arm_table(arm: Arm) -> dict[str, Any]:
+    """Return the rows of an arm as numbers and as text."""
     entries = ("a", "alpha", "d", "theta")
     rows = [
         {"kind": row.joint.kind, **{name: arm.number(getattr(row, name)) for name in entries}}
@@ -144,7 +166,7 @@ def compare_jacobian(
     values: Mapping[str, float] | None = None,
     tolerance: float | None = None,
     which: int | None = None,
-) -> Report:
+) -> Verdict:
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
@@ -163,22 +185,24 @@ def compare_jacobian(
     Raises ArmError where `mine` gives no matrix of numbers, or holds numbers and q is missing.
     """
     must_be(arm, Arm, "arm")
-    options = _settings(angles, tolerance, values, which)
+    options = _check_options(angles, tolerance, values, which)
     if not isinstance(angular_first, int | np.bool_):
         raise ArmError(f"angular_first is {shown(angular_first)}; expected True or False")
-    options |= {"angularFirst": bool(angular_first), "frame": _checked_frame(frame, arm)}
-    at = array_data(_generic_pose(arm) if q is None else q)
-    given = dict(arm=judged_data(arm), q=at)
+    options |= {"angularFirst": bool(angular_first), "frame": _check_frame(frame, arm)}
+    at = to_plain_data(_generic_pose(arm) if q is None else q)
+    given = dict(arm=judge_data(arm), q=at)
     if not callable(mine) or hasattr(mine, "free_symbols"):
         options["generic"] = q is None
-        return report_of(asked("jacobian", mine=array_data(mine), options=options, **given))
-    joints = np.array(asked("joints", **given, angles=angles)["values"])
-    found = value_at(mine, joints, f"{arm.name}: your Jacobian")
+        return make_verdict(
+            ask_judge("jacobian", mine=to_plain_data(mine), options=options, **given)
+        )
+    joints = np.array(ask_judge("joints", **given, angles=angles)["values"])
+    found = call_student_function(mine, joints, f"{arm.name}: your Jacobian")
     options["computed"] = True
-    return report_of(asked("jacobian", mine=array_data(found), options=options, **given))
+    return make_verdict(ask_judge("jacobian", mine=to_plain_data(found), options=options, **given))
 
 
-def _checked_frame(frame: int, arm: Arm) -> int:
+def _check_frame(frame: int, arm: Arm) -> int:
     number = whole(frame, f"{arm.name}: frame")
     if number > len(arm.rows):
         raise ArmError(
@@ -188,6 +212,7 @@ def _checked_frame(frame: int, arm: Arm) -> int:
 
 
 def _generic_pose(arm: Arm) -> Array:
+    """Return joint values, shape (dof,), within 1.5 of zero and away from limits and symmetry."""
     lower, upper = arm.limits
     lower, upper = np.maximum(lower, -1.5), np.minimum(upper, 1.5)
     return lower + (upper - lower) * np.random.default_rng(19).uniform(0.55, 0.95, arm.dof)
@@ -206,12 +231,12 @@ def compare_torques(
     angles: str = "rad",
     tolerance: float | None = None,
     which: int | None = None,
-) -> Report:
+) -> Verdict:
     """Compare your torques at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
 
     Args:
         mine: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
-            column vectors are turned round. A function of q is called at each pose.
+            column vectors are transposed. A function of q is called at each pose.
         arm: with masses.
         q: joints of shape (..., dof), or text.
         wrench: on the tool, by the world, shape (6,), or (..., 6) with one for each pose.
@@ -224,22 +249,27 @@ def compare_torques(
     or the arm has no masses.
     """
     must_be(arm, Arm, "arm")
-    options = _settings(angles, tolerance, which=which)
-    at, data = array_data(q), judged_data(arm)
+    options = _check_options(angles, tolerance, which=which)
+    at, data = to_plain_data(q), judge_data(arm)
     F = check_wrench(wrench)
     F = F.reshape(-1, 6) if F.ndim > 2 else F
-    poses = np.array(asked("poses", q=at, arm=data, angles=angles)["values"]).reshape(-1, arm.dof)
+    poses = np.array(ask_judge("poses", q=at, arm=data, angles=angles)["values"]).reshape(
+        -1, arm.dof
+    )
     static_torque(arm, poses, F, gravity)  # says what is wrong with the load
     options |= {"wrench": F.tolist(), "gravity": np.asarray(gravity, float).tolist()}
     given = dict(arm=data, q=at)
     if callable(mine):
         q = poses if len(poses) > 1 or F.ndim == 1 else np.tile(poses, (len(F), 1))
-        mine = _torques_along(mine, q, f"{arm.name}: your torques")
-    return report_of(asked("torques", mine=array_data(mine), options=options, **given))
+        mine = _call_at_poses(mine, q, f"{arm.name}: your torques")
+    return make_verdict(ask_judge("torques", mine=to_plain_data(mine), options=options, **given))
 
 
-def _torques_along(function: Callable, poses: Array, what: str) -> Any:
-    rows = [numbers(value_at(function, q, what), what).values.ravel() for q in poses]
+def _call_at_poses(function: Callable, poses: Array, what: str) -> Any:
+    """Return the torques that a student's function gives at each pose."""
+    rows = [
+        read_numbers(call_student_function(function, q, what), what).values.ravel() for q in poses
+    ]
     return rows if len(rows) > 1 else rows[0]
 
 
@@ -253,16 +283,16 @@ def compare_branches(
     angles: str = "rad",
     tolerance: float | None = None,
     which: int | None = None,
-) -> Report:
+) -> Verdict:
     """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
 
-    Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is
-    and, where one slip or two explain it, which; what is missing is named. Where a joint is free
-    any one value of it stands for the branch.
+    Order and whole turns do not matter. For a wrong answer the verdict gives the distance of the
+    tip from its target and the one or two mistakes that explain it; it names missing branches. Any
+    value of a free joint counts as the branch.
 
     Args:
         mine: an array, lists, text, or pairs such as ('theta1', 0.3).
-        found: what a closed form gives for the target.
+        found: the solutions of a closed form for the target.
         angles: "deg" where yours are in degrees.
         tolerance: the largest deviation of a joint (rad or m); inferred from the digits typed
             unless given.
@@ -271,9 +301,9 @@ def compare_branches(
     Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
-    options = _settings(angles, tolerance, which=which)
+    options = _check_options(angles, tolerance, which=which)
     if found.valid.ndim != 1:
-        raise ArmError(say("one target", arm=found.arm.name, count=found.distance.size))
+        raise ArmError(format_sentence("one target", arm=found.arm.name, count=found.distance.size))
     branches = [
         {"name": str(name), "q": q.tolist(), "free": free.tolist(), "times": int(times)}
         for name, q, free, times in zip(
@@ -283,8 +313,8 @@ def compare_branches(
     ]
     tip = forward_kinematics(found.arm, branches[0]["q"]).tolist() if branches else None
     options["found"] = {"arm": found.arm.name, "branches": branches, "target": tip}
-    given = dict(arm=judged_data(found.arm), mine=array_data(mine))
-    return report_of(asked("branches", options=options, **given))
+    given = dict(arm=judge_data(found.arm), mine=to_plain_data(mine))
+    return make_verdict(ask_judge("branches", options=options, **given))
 
 
 def compare_pose(
@@ -295,14 +325,16 @@ def compare_pose(
     angles: str = "rad",
     tolerance: float | None = None,
     which: int | None = None,
-) -> Report:
-    """Whether joint values take an arm's tip to a pose T, shape (4, 4), or to a point (3,), and if
-    not, what slip would.
+) -> Verdict:
+    """Judge whether joint values take an arm's tip to its target.
+
+    For a wrong answer the verdict names the mistake that would give it.
 
     Args:
         q: one joint vector, as an array, list, text or pairs such as ('theta1', 0.3).
         arm: any arm.
-        T: where the tip should be, in base axes (m); numbers or formulas of the joints.
+        T: target pose, shape (4, 4), or point, shape (3,), in base axes (m); numbers or formulas
+            in the joints.
         angles: "deg" where q is in degrees.
         tolerance: the largest miss (m and rad); inferred from the digits of q and T unless given.
         which: of several answers that differ in a text, the number of the one that is meant.
@@ -310,12 +342,12 @@ def compare_pose(
     Raises ArmError for another shape.
     """
     must_be(arm, Arm, "arm")
-    options = _settings(angles, tolerance, which=which)
-    given = dict(arm=judged_data(arm), mine=array_data(q), target=array_data(T))
-    return report_of(asked("pose", options=options, **given))
+    options = _check_options(angles, tolerance, which=which)
+    given = dict(arm=judge_data(arm), mine=to_plain_data(q), target=to_plain_data(T))
+    return make_verdict(ask_judge("pose", options=options, **given))
 
 
-# Runs
+# Traces
 
 
 def compare_trace(
@@ -326,55 +358,56 @@ def compare_trace(
     *,
     angles: str = "rad",
     which: int | None = None,
-) -> Report:
-    """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not,
-    in what way they fail.
+) -> Verdict:
+    """Judge whether joint vectors, shape (steps + 1, dof), make the tip follow a path.
 
     Args:
         mine: one row for each of the path's times, or for all but the last; an array, lists, text
             such as CSV.
         arm: whose joints they are.
-        path: what the tip should draw, at held orientation.
+        path: the path of the tip, which keeps its orientation.
         tolerance: the largest distance (m) from where the tip should be; 2 mm, and what the digits
-            of the joints leave open, unless given. The tool may lean or spin by 1 degree, or as it
-            likes where fewer than six joints hold it. Unless a tolerance is given, a run so near
-            that shows a slip (other lengths, the velocity of the next step) is wrong all the same.
+            of the joints leave open, unless given. The tool may tilt or spin by 1 degree,
+            or by any angle if the arm has fewer than six joints. Unless a tolerance is given, a
+            trace within these bounds that shows a mistake (other lengths, the velocity of the next
+            step) is still wrong.
         angles: "deg" where yours are in degrees.
         which: of several answers that differ in a text, the number of the one that is meant.
 
-    Limits of range and speed are notes: the homework's own circle breaks them. Where joints jump by
-    whole turns they are counted on, which is a note too. Raises ArmError where `mine` holds
+    Exceeded limits of range and speed become notes, since the homework's own circle exceeds them.
+    Jumps of joints by whole turns are removed, also with a note. Raises ArmError where `mine` holds
     anything but finite numbers.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
-    options = _settings(angles, tolerance, which=which)
-    given = dict(mine=array_data(mine), arm=judged_data(arm), options=options)
-    held = {"times": path.times.tolist(), "normal": path.normal.tolist(), "at": []}
-    wanted = _likely(path.times)
-    while len(wanted):
-        held["at"] += _sampled(path, np.asarray(wanted))
-        found = asked("trace", path=held, **given)
-        wanted = found.get("wanted", ())
-    joints = found.get("figures", {}).pop("q", None)
-    return report_of(found, **({} if joints is None else {"run": _run(arm, path, joints)}))
+    options = _check_options(angles, tolerance, which=which)
+    given = dict(mine=to_plain_data(mine), arm=judge_data(arm), options=options)
+    samples = {"times": path.times.tolist(), "normal": path.normal.tolist(), "at": []}
+    missing_times = _likely_times(path.times)
+    while len(missing_times):
+        samples["at"] += _sample_path(path, np.asarray(missing_times))
+        answer = ask_judge("trace", path=samples, **given)
+        missing_times = answer.get("wanted", ())
+    joints = answer.get("figures", {}).pop("q", None)
+    figures = {} if joints is None else {"run": _report_trace(arm, path, joints)}
+    return make_verdict(answer, **figures)
 
 
-def _likely(times: Array) -> Array:
-    """The times at which most verdicts need a path: those of its steps, and the middles."""
+def _likely_times(times: Array) -> Array:
+    """Return the times at which most verdicts need the path: its steps and their midpoints."""
     step = np.diff(times)
     middles = times[:-1] + 0.5 * step
     return np.unique(np.concatenate([times, times[:-1] + step, middles, middles + step]))
 
 
-def _sampled(path: Path, times: Array) -> list:
-    """Where, and how fast, at each time."""
-    both = path.position(times.copy()), path.velocity(times.copy())
-    return [list(x) for x in zip(times.tolist(), *(x.tolist() for x in both), strict=True)]
+def _sample_path(path: Path, times: Array) -> list:
+    """Return time, position (m) and velocity (m/s) of the path at each time."""
+    columns = times, path.position(times.copy()), path.velocity(times.copy())
+    return [list(row) for row in zip(*(c.tolist() for c in columns), strict=True)]
 
 
-def _run(arm: Arm, path: Path, joints: list) -> Any:
-    """The report of `helpers.motion` on the joints as they were judged."""
+def _report_trace(arm: Arm, path: Path, joints: list) -> Any:
+    """Return the report of `helpers.motion` on the joints as the judge read them."""
     q = np.array(joints)
     path = replace(path, times=path.times[: len(q)])
     q_dot = np.diff(q, axis=0) / np.diff(path.times)[:, None]

@@ -1,7 +1,7 @@
-"""The judge, which is JavaScript (judge/, here bundled into judge.js), asked from Python.
+"""Ask the judge, which is JavaScript (judge/, bundled into judge.js), from Python.
 
-A question and its answer are JSON text, which keeps every bit of a number. QuickJS runs the script;
-in Pyodide, where QuickJS is not to be had, the browser does (that was not run).
+Question and answer are JSON text, which keeps every bit of a number. QuickJS runs the script.
+Pyodide has no QuickJS; there the browser runs it (not tested).
 """
 
 import json
@@ -11,36 +11,37 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from helpers.checks.report import advised
+from helpers.checks.verdict import format_advice
 from helpers.inputs import ArmError
 
 _SCRIPT = Path(__file__).with_name("judge.js")
 _MEMORY = 512 << 20  # bytes
-_SECONDS = 120  # of processor time for a question; one that needs more gets no verdict
+_SECONDS = 120  # processor time for one question
 _engines = threading.local()  # a context belongs to one thread
 
 
-def asked(topic: str, **question: Any) -> Any:
-    """What the judge answers; raises ArmError, in its words, where it refuses."""
+def ask_judge(topic: str, **question: Any) -> Any:
+    """Return the judge's answer to a question; raise ArmError with its message if it refuses."""
     if not hasattr(_engines, "ask"):
-        _engines.ask = _started()
+        _engines.ask = _start_engine()
     answer = json.loads(_engines.ask(json.dumps({"topic": topic, **question}, allow_nan=False)))
     if "refused" in answer:
-        raise ArmError(". ".join([answer["refused"], *map(advised, answer["advice"])]))
+        raise ArmError(". ".join([answer["refused"], *map(format_advice, answer["advice"])]))
     return answer["answer"]
 
 
-def say(key: str, **fields: object) -> str:
-    """A sentence of the judge's with its fields put in."""
-    return asked("words", key=key, fields=fields)
+def format_sentence(key: str, **fields: object) -> str:
+    """Return a sentence of judge/sentences.json with its fields filled in."""
+    return ask_judge("words", key=key, fields=fields)
 
 
-def _started() -> Callable[[str], str]:
+def _start_engine() -> Callable[[str], str]:
     script = _SCRIPT.read_text(encoding="utf-8")
-    return _in_browser(script) if sys.platform == "emscripten" else _in_quickjs(script)
+    return _start_in_browser(script) if sys.platform == "emscripten" else _start_quickjs(script)
 
 
-def _in_quickjs(script: str) -> Callable[[str], str]:
+def _start_quickjs(script: str) -> Callable[[str], str]:
+    """Start QuickJS with limits on memory and time, and return the function that asks it."""
     import quickjs
 
     context = quickjs.Context()
@@ -49,21 +50,23 @@ def _in_quickjs(script: str) -> Callable[[str], str]:
     context.set_memory_limit(_MEMORY)
     context.set_time_limit(_SECONDS)
 
-    def limited(text: str) -> str:
+    def ask_within_limits(text: str) -> str:
         try:
             return ask(text)
         except (quickjs.JSException, quickjs.StackOverflow) as problem:
-            del _engines.ask  # what broke off half-way is not asked again
+            del (
+                _engines.ask
+            )  # an interrupted engine may be inconsistent; the next question starts another
             first = str(problem).partition("\n")[0]
             raise ArmError(
                 f"the judge gave up ({first}); expected a question that takes it at most"
                 f" {_SECONDS} s and {_MEMORY >> 20} MB"
             ) from problem
 
-    return limited
+    return ask_within_limits
 
 
-def _in_browser(script: str) -> Callable[[str], str]:
+def _start_in_browser(script: str) -> Callable[[str], str]:
     import js  # type: ignore[import-not-found]
 
     return js.Function(f"{script}; return (text) => ArmJudge.ask(text);")()

@@ -1,4 +1,4 @@
-"""A student's function, called as it asks to be: f(q) or f(q_1, q_2, ...)."""
+"""Call a student's function by its own signature, f(q) or f(q_1, q_2, ...)."""
 
 import inspect
 from collections.abc import Callable
@@ -7,38 +7,45 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.checks.engine import say
+from helpers.checks.engine import format_sentence
 from helpers.inputs import ArmError
 
 Array = NDArray[Any]
 
 
-def value_at(function: Callable, q: Array, what: str) -> Any:
-    """What a function gives at q, shape (dof,); it gets a copy.
+def call_student_function(function: Callable, q: Array, what: str) -> Any:
+    """Return the value of a student's function at q.
 
-    Raises ArmError, which calls the function `what`, where it fails.
+    Args:
+        function: takes q, or its joints one by one.
+        q: shape (dof,); the function receives a copy.
+        what: name of the function in messages.
+
+    Raises ArmError if the function fails.
     """
-    each = _wants_each(function, len(q))
-    calls: list[list] = [] if each else [[np.array(q)]]
-    calls += [[*map(float, q)]] if each or len(q) == 1 else []
-    failed: list[Exception] = []
-    for given in calls:
+    is_separate = _takes_joints_separately(function, len(q))
+    calls: list[list] = [] if is_separate else [[np.array(q)]]
+    calls += [[*map(float, q)]] if is_separate or len(q) == 1 else []
+    failures: list[Exception] = []
+    for arguments in calls:
         try:
-            return function(*given)
+            return function(*arguments)
         except ArmError:
             raise
         except Exception as error:
-            failed.append(error)
-    told = f"{type(failed[0]).__name__}: {failed[0]}"
-    raise ArmError(say("function failed", what=what, error=told, dof=len(q))) from failed[0]
+            failures.append(error)
+    message = f"{type(failures[0]).__name__}: {failures[0]}"
+    raise ArmError(
+        format_sentence("function failed", what=what, error=message, dof=len(q))
+    ) from failures[0]
 
 
-def _wants_each(function: Callable, dof: int) -> bool:
-    """Whether a function asks for the joints one by one."""
+def _takes_joints_separately(function: Callable, dof: int) -> bool:
+    """Return whether a function takes the joints as separate arguments."""
     try:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
         return False
-    by_place = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    needed = sum(p.default is p.empty and p.kind in by_place for p in parameters)
+    positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    needed = sum(p.default is p.empty and p.kind in positional for p in parameters)
     return needed == dof > 1 or (not needed and any(p.kind is p.VAR_POSITIONAL for p in parameters))

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from helpers import motion, robots
 from helpers.arm import Arm
-from helpers.checks.arms import Data, judged_data
+from helpers.checks.arms import Data, judge_data
 from helpers.inputs import ArmError
 
 # As a reader may ask of them: their names in helpers.robots, and what is locked.
@@ -109,4 +109,4 @@ def listed(call: str) -> Data:
     arm = catalogue_arm(call)
     locked = f", joint {call[-2]} locked" if "lock" in call else ""
     live = {} if locked else {"explorer": arm.name}
-    return {**judged_data(arm), "key": call, "title": arm.name + locked, **live}
+    return {**judge_data(arm), "key": call, "title": arm.name + locked, **live}

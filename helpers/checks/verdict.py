@@ -1,4 +1,4 @@
-"""The one report of all comparisons, and the one kind of finding."""
+"""The verdict that every comparison returns, and its findings."""
 
 import json
 from collections.abc import Mapping
@@ -11,17 +11,17 @@ _MARKS = {RIGHT: "✔", "so far": "◐", "rounded": "≈", WRONG: "✘"}
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is to be said of an answer.
+    """One observation on an answer.
 
     Attributes:
-        what: its kind: "cause" for what explains the whole; of what is wrong, "shape", "column",
-            "row", "joint", "answer" or "step"; "found" and "missing" branches or rows; or the
-            catalogue's key of a mistake in one place, such as "J.column sign:2", "table.sign:a:3",
-            "trace.jump" or "pose.entry".
-        where: the place, such as "joint 3", "row 2, alpha" or "answer 1"; empty where it is the
-            whole.
-        mine, expected: what was typed and what it should be, where a sentence quotes them; None
-            where it would give the solution away.
+        what: its kind: "cause" for an explanation of the whole answer; for a wrong part, "shape",
+            "column", "row", "joint", "answer" or "step"; "found" and "missing" branches or rows; or
+            the catalogue's key of a mistake in one place, such as "J.column sign:2",
+            "table.sign:a:3", "trace.jump" or "pose.entry".
+        where: the position, such as "joint 3", "row 2, alpha" or "answer 1"; empty for the
+            whole answer.
+        mine, expected: typed value and right value, if the sentence quotes them; None if that
+            would give the solution away.
         words: the sentence.
     """
 
@@ -53,22 +53,22 @@ class NumberRead:
 
 
 @dataclass(frozen=True, repr=False)
-class Report:
-    """What a comparison found. It reads as text in a terminal and as Markdown in a notebook.
+class Verdict:
+    """Result of a comparison, shown as text in a terminal and as Markdown in a notebook.
 
     Attributes:
         topic: "table", "Jacobian", "torques", "trace", "branches" or "pose".
         grade: "right", "so far", "rounded" or "wrong".
-        headline: the verdict in one sentence; the cause, where one was found.
+        headline: the result in one sentence, with the cause if one was found.
         findings: the cause first, then where it shows.
-        causes: the catalogue's keys of what was named, the likeliest first, two joined by " + ".
-        taken: how the answer was read.
-        advice: what to set, as an argument, where the answer is meant otherwise than asked.
-        notes: what is no mistake and still worth knowing.
+        causes: the catalogue's keys of the named causes, the likeliest first, two joined by " + ".
+        taken: sentences on how the answer was read.
+        advice: arguments to set if the answer was meant for another question.
+        notes: remarks that are not mistakes.
         figures: measured numbers, by name, such as worst or position_error.
         read: the numbers that were taken as entries of the answer, row by row.
-        mark: the grade whose mark it is shown with, where that is another: "so far" for a right
-            table with other zeros.
+        mark: the grade whose mark is shown, if it differs: "so far" for a right table with other
+            zeros.
     """
 
     topic: str
@@ -86,14 +86,12 @@ class Report:
 
     @property
     def agrees(self) -> bool:
-        """Whether it is right, with digits enough to tell."""
+        """Whether the answer is right and has enough digits to show it."""
         return self.grade == RIGHT
 
     @property
     def lines(self) -> list[str]:
-        """Everything below the headline, a sentence each; what stands in the headline is not
-        repeated.
-        """
+        """The sentences below the headline, without those that it repeats."""
         notes = [f"Note: {note}" for note in self.notes]
         symptoms = [f.words for f in self.findings if f.what != "cause"]
         symptoms = [words for words in symptoms if words[1:] not in self.headline]
@@ -109,27 +107,27 @@ class Report:
         return "\n".join([head, "", *(f"- {line}" for line in self.lines)])
 
 
-def report_of(said: Mapping[str, Any], **figures: Any) -> Report:
-    """The report that the judge's answer is, with figures of Python's own."""
-    return Report(
-        said["topic"],
-        said["arm"],
-        said["grade"],
-        said["headline"],
-        tuple(map(_finding, said["findings"])),
-        tuple(said["causes"]),
-        tuple(said["taken"]),
-        tuple(map(advised, said.get("advice", ()))),
-        tuple(said["notes"]),
-        {name: _held(x) for name, x in said.get("figures", {}).items()} | figures,
-        tuple(NumberRead(**number) for number in said.get("read", ())),
-        said.get("mark", ""),
+def make_verdict(answer: Mapping[str, Any], **figures: Any) -> Verdict:
+    """Return the judge's answer as a verdict, with figures that Python computed."""
+    return Verdict(
+        answer["topic"],
+        answer["arm"],
+        answer["grade"],
+        answer["headline"],
+        tuple(map(_make_finding, answer["findings"])),
+        tuple(answer["causes"]),
+        tuple(answer["taken"]),
+        tuple(map(format_advice, answer.get("advice", ()))),
+        tuple(answer["notes"]),
+        {name: _as_tuple(x) for name, x in answer.get("figures", {}).items()} | figures,
+        tuple(NumberRead(**number) for number in answer.get("read", ())),
+        answer.get("mark", ""),
     )
 
 
-def advised(said: Mapping[str, Any]) -> str:
-    """A piece of the judge's advice, a field of the question and its value, in Python's words."""
-    field, value = said["field"], said["value"]
+def format_advice(advice: Mapping[str, Any]) -> str:
+    """Return a piece of the judge's advice as a sentence that names Python's arguments."""
+    field, value = advice["field"], advice["value"]
     if field == "ownJoints":
         return 'The arm in your joints is report.figures["arm"]'
     words = {
@@ -142,10 +140,10 @@ def advised(said: Mapping[str, Any]) -> str:
     return f"If that is what you mean, {setting}"
 
 
-def _finding(said: Mapping[str, Any]) -> Finding:
-    mine, expected = (_held(said.get(key)) for key in ("mine", "expected"))
-    return Finding(said["what"], said["where"], mine, expected, said["words"])
+def _make_finding(finding: Mapping[str, Any]) -> Finding:
+    mine, expected = (_as_tuple(finding.get(key)) for key in ("mine", "expected"))
+    return Finding(finding["what"], finding["where"], mine, expected, finding["words"])
 
 
-def _held(value: Any) -> Any:
+def _as_tuple(value: Any) -> Any:
     return tuple(value) if isinstance(value, list) else value

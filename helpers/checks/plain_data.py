@@ -1,6 +1,6 @@
-"""What a student holds as plain data for the judge: arrays, SymPy matrices, pandas tables, lists.
+"""Convert a student's arrays, SymPy matrices, pandas tables and lists to plain data.
 
-A text stays as it is: only the judge reads texts, and nothing is ever evaluated.
+Text stays as it is: only the judge reads text, and nothing is ever evaluated.
 """
 
 import math
@@ -16,18 +16,18 @@ Data = Any  # str, or nested lists of float, str, None (no finite number), {"tre
 _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan")
 
 
-def array_data(mine: Any) -> Data:
-    """Numbers, formulas as text and SymPy expressions in nested lists; a mapping is its values."""
+def to_plain_data(mine: Any) -> Data:
+    """Convert numbers, text and SymPy expressions to nested lists; of a mapping take the values."""
     if isinstance(mine, Mapping) and mine:
-        return [array_data(value) for value in mine.values()]
+        return [to_plain_data(value) for value in mine.values()]
     if isinstance(mine, np.ndarray) and mine.dtype.kind in "iuf" and not np.ma.isMA(mine):
         return _finite(mine)
     if hasattr(mine, "tolist"):
         mine = mine.tolist()
     elif hasattr(mine, "to_numpy"):
-        return array_data(mine.to_numpy())
+        return to_plain_data(mine.to_numpy())
     if isinstance(mine, list | tuple):
-        return [array_data(item) for item in mine]
+        return [to_plain_data(item) for item in mine]
     return _entry(mine)
 
 
@@ -35,11 +35,11 @@ def _finite(array: NDArray[Any]) -> list | float | None:
     values = array.astype(float)
     if np.isfinite(values).all():
         return values.tolist()
-    return array_data(values.astype(object))
+    return to_plain_data(values.astype(object))
 
 
 def _entry(x: Any) -> Data:
-    """A number as a float, None where it is not finite; {"odd": ...} for what is no number."""
+    """Convert a number to float, or None if it is not finite; anything else to {"odd": ...}."""
     if isinstance(x, str):
         return x
     if isinstance(x, bool | np.bool_ | complex | None):
@@ -62,9 +62,10 @@ def _number(x: Any) -> float | None:
 
 
 def _tree(e: Any) -> list:
-    """A SymPy expression as a formula's tree; sums and products are halved, so that none is deep.
+    """Convert a SymPy expression to the tree of a formula.
 
-    Raises TypeError where it holds what no formula does.
+    Sums and products are split into halves, which keeps the tree shallow. Raises TypeError for an
+    expression that the judge's formulas do not have.
     """
     from sympy.core.function import AppliedUndef
 
@@ -73,7 +74,7 @@ def _tree(e: Any) -> list:
     if e.is_number and not e.args:
         return ["num", _real(e)]
     if e.is_Add or e.is_Mul:
-        return _halved("+" if e.is_Add else "*", [_tree(part) for part in e.args])
+        return _split_into_halves("+" if e.is_Add else "*", [_tree(part) for part in e.args])
     if e.is_Pow:
         return ["^", *map(_tree, e.args)]
     if e.func.__name__ in _FUNCTIONS:
@@ -90,8 +91,12 @@ def _real(e: Any) -> float:
     return value
 
 
-def _halved(sign: str, parts: list[list]) -> list:
+def _split_into_halves(operator: str, parts: list[list]) -> list:
     if len(parts) == 1:
         return parts[0]
     middle = len(parts) // 2
-    return [sign, _halved(sign, parts[:middle]), _halved(sign, parts[middle:])]
+    return [
+        operator,
+        _split_into_halves(operator, parts[:middle]),
+        _split_into_halves(operator, parts[middle:]),
+    ]
