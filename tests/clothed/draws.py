@@ -135,7 +135,11 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
     rows, corner = _row_names(question, len(values), is_list, rng)
     grid = layouts.Grid(dressed, typed, columns, rows, corner, name, heading)
     marks["sentence"] = _sentence(question, unit, place, rng)
+    grid = _with_neighbours(grid, question, layout_name, rng, marks)
     block = layout.write(grid, rng)
+    if layout_name in _COMMENTED and rng.random() < 0.15:
+        marks["line comments"] = "yes"
+        block = _with_comments(block, question, rng)
     if layout_name in ("Python list", "array(...)") and unit == "deg" and rng.random() < 0.4:
         inner = block.split(" = ")[-1]
         block = f"{name} = {rng.choice(('np.radians', 'np.deg2rad'))}({inner})"
@@ -220,9 +224,10 @@ def _cell(text: str, unit: str, decoration: cells.Decoration, place, value: floa
     if not decoration.applies(place):
         return text + unit
     older = f"{value * 1.25 + 0.5:.3f}"
-    inner = text + unit if decoration.outside_unit else text
+    outside = decoration.outside_unit and "num" not in decoration.pattern
+    inner = text + unit if outside else text
     dressed = decoration.pattern.format(x=inner, o=older, u="0.001")
-    return dressed if decoration.outside_unit else dressed + unit
+    return dressed if outside else dressed + unit
 
 
 def _columns(
@@ -247,6 +252,58 @@ def _row_names(question: Question, count: int, is_list: bool, rng: Random):
     names = [style.format(n=i + 1, z=i) for i in range(count)]
     corner = {"trace": ("step", "k", "i", ""), "branches": ("#", "Solution", "", "Branch")}
     return names, rng.choice(corner.get(question.topic, ("pose", "#", "")))
+
+
+#: Tables whose header names a column beside the answer's own.
+_WIDE = (
+    "Markdown table", "spreadsheet", "CSV", "Word table", "HTML table", "LaTeX tabular",
+    "prettytable", "tabulate", "org table", "pandas frame",
+)  # fmt: skip
+_COMMENTED = ("lines", "assignments", "one a line", "YAML")
+
+
+def _with_neighbours(grid: layouts.Grid, question: Question, layout: str, rng: Random, marks: dict):
+    """Add columns that tables have beside the answer: times, tip, limits, errors, remarks."""
+    # A third of the tables: logs of a circle start with the time, tables of torques have limits.
+    if layout not in _WIDE or question.topic == "jacobian" or rng.random() > 0.35:
+        return grid
+    count = len(question.right) if len(grid.cells) > 1 else len(grid.columns)
+    if question.topic == "trace":
+        times = question.extra.times
+        if rng.random() < 0.6:
+            marks["neighbours"] = "time"
+            return replace(
+                grid, rows=[f"{t:.3f}" for t in times], corner=rng.choice(("t", "t [s]"))
+            )
+        marks["neighbours"] = "tip"
+        tip = question.extra.positions
+        columns = {x: [f"{p:.4f}" for p in tip[:, i]] for i, x in enumerate("xyz")}
+    elif question.topic == "torques" and len(grid.cells) == 1:
+        marks["neighbours"] = "limits"
+        rows = [question.arm.rows[n - 1] for n in question.joints]
+        columns = {"limit": [f"{row.joint.effort:g}" for row in rows]}
+    elif question.topic == "pose" and np.isfinite(question.arm.limits).all():
+        marks["neighbours"] = "range"
+        scale = [_factor(kind, marks["unit"]) for kind in question.kinds]
+        lower, upper = (limit * scale for limit in question.arm.limits)
+        columns = {"range": [f"{x:.4g}..{y:.4g}" for x, y in zip(lower, upper, strict=True)]}
+    else:
+        marks["neighbours"] = "remarks"
+        pool = {"error": ["1e-12", "0.0", "3e-16"], "ok?": ["yes", "✓"], "note": ["-", "checked"]}
+        title = rng.choice(list(pool))
+        columns = {title: [rng.choice(pool[title]) for _ in range(count)]}
+    return replace(grid, neighbours=columns)
+
+
+def _with_comments(block: str, question: Question, rng: Random) -> str:
+    """Put a remark behind each line, or behind one of them."""
+    lines, mark = block.split("\n"), rng.choice(("  # ", "  % ", "  // ", "   <- "))
+    pool = ("joint {n}", "checked", "ok", "limit 87", "see eq. {n}", "2nd try")
+    remark = rng.choice(pool)
+    chosen = range(len(lines)) if rng.random() < 0.5 else (rng.randrange(len(lines)),)
+    for i in chosen:
+        lines[i] += mark + remark.format(n=i + 1)
+    return "\n".join(lines)
 
 
 def _sentence(question: Question, unit: str, place: str, rng: Random) -> str:

@@ -6,7 +6,7 @@ their write-ups, then lines typed by hand, then spreadsheets; other tools are ra
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from random import Random
 
 import numpy as np
@@ -24,6 +24,7 @@ class Grid:
         corner: name of the column of row names.
         name: variable or symbol of the whole.
         unit: unit that a heading may show, or "".
+        neighbours: further columns of a table, by header.
     """
 
     cells: list[list[str]]
@@ -33,6 +34,7 @@ class Grid:
     corner: str
     name: str
     unit: str
+    neighbours: dict[str, list[str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -230,14 +232,18 @@ def _two_columns(grid: Grid) -> Grid:
     """Turn a list into a table of joint and value."""
     head = f"{grid.name} [{grid.unit}]" if grid.unit else grid.name
     cells = [[cell] for cell in grid.cells[0]]
-    return Grid(cells, grid.values.T, [head], grid.columns, grid.corner, grid.name, grid.unit)
+    columns, more = [head], grid.neighbours
+    return Grid(
+        cells, grid.values.T, columns, grid.columns, grid.corner, grid.name, grid.unit, more
+    )
 
 
 def _as_table(write: Callable[[Grid, Random], str]) -> Callable[[Grid, Random], str]:
     """Lay a list out as a table, one joint a row or one a column."""
 
     def write_list(grid: Grid, rng: Random) -> str:
-        return write(_two_columns(grid) if rng.random() < 0.7 else grid, rng)
+        upright = bool(grid.neighbours) or rng.random() < 0.7
+        return write(_two_columns(grid) if upright else grid, rng)
 
     return write_list
 
@@ -271,9 +277,15 @@ def _braces(grid: Grid, rng: Random) -> str:
 
 
 def _full(grid: Grid) -> list[list[str]]:
-    """Return header and rows with their names in front."""
-    head = [grid.corner, *grid.columns]
-    return [head, *([name, *row] for name, row in zip(grid.rows, grid.cells, strict=True))]
+    """Return header and rows with their names in front and the neighbours behind."""
+    return [[name, *row] for name, row in zip([grid.corner, *grid.rows], _body(grid), strict=True)]
+
+
+def _body(grid: Grid) -> list[list[str]]:
+    """Return header and rows with the neighbours behind."""
+    more = list(grid.neighbours.values())
+    rows = [[*row, *(column[i] for column in more)] for i, row in enumerate(grid.cells)]
+    return [[*grid.columns, *grid.neighbours], *rows]
 
 
 def _padded(rows: list[list[str]], right: bool = True) -> list[list[str]]:
@@ -325,15 +337,16 @@ def _tabulate(grid: Grid, rng: Random) -> str:
 def _csv(grid: Grid, rng: Random) -> str:
     comma = any("," in cell for row in grid.cells for cell in row)
     mark = ";" if comma else rng.choice((",", ",", ", ", ";"))
-    rows = _full(grid) if rng.random() < 0.7 else [grid.columns, *grid.cells]
-    rows = rows if rng.random() < 0.75 else rows[1:]
+    rows = _full(grid) if rng.random() < 0.7 else _body(grid)
+    rows = rows if grid.neighbours or rng.random() < 0.75 else rows[1:]
     quote = '"' if rng.random() < 0.15 else ""
     return "\n".join(mark.join(quote + cell + quote for cell in row) for row in rows)
 
 
 def _sheet(grid: Grid, rng: Random) -> str:
-    rows = _full(grid) if rng.random() < 0.7 else [grid.columns, *grid.cells]
-    return "\n".join("\t".join(row) for row in (rows if rng.random() < 0.85 else rows[1:]))
+    rows = _full(grid) if rng.random() < 0.7 else _body(grid)
+    whole = bool(grid.neighbours) or rng.random() < 0.85
+    return "\n".join("\t".join(row) for row in (rows if whole else rows[1:]))
 
 
 def _word_table(grid: Grid, rng: Random) -> str:
@@ -357,7 +370,7 @@ def _tabular(grid: Grid, rng: Random) -> str:
     top, middle, end = rng.choice(((r"\hline",) * 3, (r"\toprule", r"\midrule", r"\bottomrule")))
     lines = [" & ".join(row) + r" \\" for row in rows]
     columns = rng.choice(
-        ("c" * len(rows[0]), "|" + "c|" * len(rows[0]), "l" + "r" * len(grid.columns))
+        ("c" * len(rows[0]), "|" + "c|" * len(rows[0]), "l" + "r" * (len(rows[0]) - 1))
     )
     body = "\n".join([top, lines[0], middle, *lines[1:], end])
     return f"\\begin{{tabular}}{{{columns}}}\n{body}\n\\end{{tabular}}"
@@ -377,9 +390,7 @@ def _latex_matrix(grid: Grid, rng: Random) -> str:
 
 def _pandas(grid: Grid, rng: Random) -> str:
     """Write a frame as pandas prints it; wide frames wrap at 80 characters."""
-    rows = _padded(
-        [["", *grid.columns], *([n, *r] for n, r in zip(grid.rows, grid.cells, strict=True))]
-    )
+    rows = _padded([["", *_body(grid)[0]], *_full(grid)[1:]])
     lines = ["  ".join(row) for row in rows]
     if len(lines[0]) <= 80 or rng.random() < 0.4:
         return "\n".join(lines)

@@ -146,7 +146,7 @@ _STARTS = {
 def _traced(name: str, radius: float, steps: int) -> tuple[Arm, motion.Path, np.ndarray]:
     """Return arm, path and exact joint values of a circle."""
     start, plane = _STARTS[name]
-    arm = robots.named(name)
+    arm = next(arm for arm in robots.ARMS if arm.name == name)
     arm = arm.lock(3) if name.startswith("Panda") else arm
     path = motion.circle_below(arm, start, radius, plane, 5, steps)
     if arm.dof == 3:
