@@ -584,7 +584,7 @@ def test_stub_describes_arm_and_pose():
     assert html[0].startswith('<div class="arm-explorer whole"><p>')
     assert html[1].startswith('<div class="arm-explorer"><p>')
     for text in html:
-        assert "<p>Ä at q_1 = 0.123, q_2 = 0.</p><script" in text
+        assert "<p>Ä at q_1 = 0.123, q_2 = 0. Run the cell to move it.</p><script" in text
         assert '"arms":[{"name":"Ä","home":[0.0,0.0],' in text
         assert '"q":[0.12345,-1e-09],"wrench":[0.0,0.0,0.0,0.0,0.0,0.0],"trace":null' in text
 
@@ -595,9 +595,26 @@ def test_figure_stub_is_valid_html():
     start, data = html.removesuffix("</script></div>").split('<script type="application/json">')
     place = ElementTree.fromstring(f"{start}</div>")
     assert place.attrib == {"class": "arm-explorer", "data-figure": "columns"}
-    assert [(p.tag, p.text) for p in place] == [("p", 'A live figure of the Ä & "B".')]
+    assert [(p.tag, p.text) for p in place] == [
+        ("p", 'A live figure of the Ä & "B". Run the cell to move it.')
+    ]
     assert json.loads(data) == {"joints": [], "arm": arm_data(arm)}
     assert ": " not in data
+
+
+def test_live_figure_shows_a_still_picture_first(monkeypatch):
+    shown = []
+    monkeypatch.setattr("IPython.display.display", lambda data, raw: shown.append(data))
+    for live in (ArmFigure("ways"), ArmExplorer(ELBOW)):
+        live._ipython_display_()
+    for still, stub in (shown[:2], shown[2:]):
+        assert ElementTree.fromstring(still["image/svg+xml"]).tag.endswith("svg")
+        assert stub["text/html"].startswith('<div class="arm-explorer')
+
+
+def test_still_picture_shows_the_pose_of_the_figure():
+    pictures = {ArmFigure("matrix", q=q)._still() for q in ([0, 0, 0], [0, 0, 1], [0, 0, 1])}
+    assert len(pictures) == 2
 
 
 def test_widgets_share_script_keyed_by_its_hash():

@@ -46,6 +46,22 @@ def tags(cell):
     return cell.metadata.get("tags", [])
 
 
+def is_live(cell):
+    """Return whether a cell shows a live figure, with its still picture for other readers."""
+    return any(
+        "arm-explorer" in o.get("data", {}).get("text/html", "") for o in cell.get("outputs", [])
+    )
+
+
+@every_notebook
+def test_live_figure_stores_a_still_picture_before_it(path):
+    for cell in filter(is_live, code_cells(path)):
+        still, live = (output.data for output in cell.outputs[-2:])
+        assert ET.fromstring(still["image/svg+xml"]).tag.endswith("svg")
+        assert set(live) == {"text/html", "text/plain"}
+        assert "Run the cell to move it." in live["text/html"]
+
+
 def test_book_has_five_chapters():
     assert [path.stem[:2] for path in CHAPTERS] == ["01", "02", "03", "04", "05"]
 
@@ -119,7 +135,7 @@ def test_cells_have_no_errors(path):
 @every_notebook
 def test_pictures_are_svg_with_alt_and_caption(path):
     for cell, below in pairwise(read(path).cells):
-        outputs = cell.get("outputs", []) if "remove-cell" not in tags(cell) else []
+        outputs = [] if "remove-cell" in tags(cell) or is_live(cell) else cell.get("outputs", [])
         formats = {kind for output in outputs for kind in output.get("data", {})} & PICTURES
         if not formats:
             continue
@@ -134,7 +150,7 @@ def test_pictures_are_svg_with_alt_and_caption(path):
 def test_drawing_cell_has_no_other_output(path):
     """A cell must not end in what a drawing call returns: its text would stand above the figure."""
     for cell, drawn in on_the_page(path):
-        if PICTURES & set(drawn.get("data", {})):
+        if PICTURES & set(drawn.get("data", {})) and not is_live(cell):
             (output,) = cell.outputs
             assert re.match("<Figure|<IPython.core.display.SVG", output.data["text/plain"]), (
                 cell.source

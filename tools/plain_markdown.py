@@ -68,6 +68,7 @@ class DressBlocks(SphinxTransform):
     def apply(self, **_: object) -> None:
         for node_type, dress in (
             (nodes.raw, self.place_judge),
+            (nodes.raw, drop_still),
             (nodes.block_quote, dress_box),
             (nodes.section, dress_exercise),
             (nodes.paragraph, dress_caption),
@@ -94,6 +95,18 @@ class DressBlocks(SphinxTransform):
         for node in [*content, following[len(content)]]:
             parent.remove(node)
         opening.replace_self(judge_nodes(dict(DATA.findall(tag[1])), content))
+
+
+def drop_still(html: nodes.raw) -> None:
+    """Drop the still picture beside a live figure, since tools/stills.py draws the page's own."""
+    if '<div class="arm-explorer' not in html.astext():
+        return
+    output = html.parent
+    while output is not None and not is_of_class(output, "cell_output"):
+        output = output.parent
+    for part in list(output or ()):
+        if next(part.findall(nodes.image), None) is not None:
+            output.remove(part)
 
 
 def judge_nodes(question: dict[str, str], content: list[nodes.Node]) -> list[nodes.Node]:

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
-from helpers.explorer.stub import stub
+from helpers.explorer.still import draw_still
+from helpers.explorer.stub import RUN_HINT, stub
 from helpers.explorer.widget import Live, esm
 from helpers.inputs import ArmError, listed, must_be, one_of, shown
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
@@ -80,17 +81,20 @@ class ArmFigure(Live):
         spec["arm"] = arm_data(arm)
         if q is not None:
             spec["q"] = arm.joint_vector(q).tolist()
-        self._arm_name = arm.name
+        self._arm = arm
         super().__init__(_spec=spec)
 
     @property
     def _stub(self) -> str:
         options = {key: value for key, value in self._spec.items() if key != "figure"}
-        words = f"A live figure of the {self._arm_name}."
-        return stub(words, options, figure=self._spec["figure"])
+        words = f"A live figure of the {self._arm.name}."
+        return stub(words + RUN_HINT, options, figure=self._spec["figure"])
+
+    def _still(self) -> str:
+        return draw_still(self._arm, self._spec.get("q", self._arm.home))
 
     def __repr__(self) -> str:
-        return f"<ArmFigure {self._spec['figure']} of the {self._arm_name}>"
+        return f"<ArmFigure {self._spec['figure']} of the {self._arm.name}>"
 
 
 def _table(arm: Arm) -> list[tuple]:

@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm
 from helpers.explorer.data import Data
 
+RUN_HINT = " Run the cell to move it."  # seen where a notebook is only read
+
 
 def stub(words: str, spec: Data, name: str = "arm-explorer", figure: str = "") -> str:
     """A live part in HTML, `words` for what reads no more; `figure` is the kind of a small one. The

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
 from helpers.explorer.data import arm_from, branches_data, path_data
-from helpers.explorer.stub import standing, stub
+from helpers.explorer.still import draw_still
+from helpers.explorer.stub import RUN_HINT, standing, stub
 from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
 from helpers.inverse import Solutions
 
@@ -47,8 +48,11 @@ class Floats(traitlets.TraitType):
 
 
 class Live(anywidget.AnyWidget):
-    """What is live in a running notebook, and has beside it a stub that a static page brings to
-    life."""
+    """A figure that is live in a running notebook and on the book's pages.
+
+    A cell that ends in one has two outputs: a still picture, for GitHub and for notebooks opened
+    without a kernel, and the live figure with an HTML stub that a page brings to life.
+    """
 
     _stub: Any
 
@@ -56,6 +60,17 @@ class Live(anywidget.AnyWidget):
         live: Any = super()._repr_mimebundle_(**kwargs)
         live = live[0] if isinstance(live, tuple) else live
         return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
+
+    def _still(self) -> str:
+        """Return the still picture as SVG text."""
+        raise NotImplementedError
+
+    def _ipython_display_(self) -> None:
+        from IPython.display import display  # a notebook has it, the page's build need not
+
+        still = {"image/svg+xml": self._still(), "text/plain": f"<still picture of {self!r}>"}
+        display(still, raw=True)
+        display(self._repr_mimebundle_(), raw=True)
 
 
 class ArmExplorer(Live):
@@ -174,7 +189,10 @@ class ArmExplorer(Live):
     def _stub(self) -> str:
         state = {"q": self.q, "wrench": self.wrench, "trace": self.trace, "branches": self.branches}
         name = "arm-explorer whole" if self._spec["link"] else "arm-explorer"
-        return stub(standing(self.arm, self.q), {**self._spec, **state}, name)
+        return stub(standing(self.arm, self.q) + RUN_HINT, {**self._spec, **state}, name)
+
+    def _still(self) -> str:
+        return draw_still(self.arm, self.q)
 
     def __repr__(self) -> str:
         return f"<ArmExplorer of the {self.arm_name}>"

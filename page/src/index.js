@@ -111,8 +111,10 @@ export function widget() {
 
   function render({ model, el }) {
     const host = appendHost(el);
+    const showStill = hideStill(el);
     const dispose = buildPanel(host, store, model.get("_spec"));
     return () => {
+      showStill();
       dispose();
       host.remove();
     };
@@ -126,6 +128,24 @@ function appendHost(el) {
   host.dataset.lmSuppressShortcuts = "true";
   el.append(host);
   return host;
+}
+
+// Hide the still picture that JupyterLab shows in the output before a live figure; returns a
+// function that shows it again. The figure is drawn before its element stands in the notebook.
+function hideStill(el) {
+  let still = null;
+  let frame = requestAnimationFrame(function hide() {
+    if (!el.isConnected) frame = requestAnimationFrame(hide);
+    else {
+      still = el.closest(".jp-OutputArea-child")?.previousElementSibling;
+      if (!still?.querySelector(".jp-RenderedSVG")) still = null;
+      still?.style.setProperty("display", "none");
+    }
+  });
+  return () => {
+    cancelAnimationFrame(frame);
+    still?.style.removeProperty("display");
+  };
 }
 
 // Keep a model and a store equal; returns a function that stops this.
@@ -172,8 +192,10 @@ export const figureWidget = () => ({
   render({ model, el }) {
     const host = appendHost(el);
     const spec = model.get("_spec");
+    const showStill = hideStill(el);
     const dispose = FIGURES[spec.figure](host, spec);
     return () => {
+      showStill();
       dispose();
       host.remove();
     };

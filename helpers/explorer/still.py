@@ -1,0 +1,27 @@
+"""Still pictures of arms, for readers of a notebook that runs nothing."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helpers.arm import Arm
+
+ISOMETRIC = (-45.0, math.degrees(math.atan(math.sqrt(0.5))))  # azimuth and elevation, degrees
+
+
+def draw_still(arm: Arm, q: ArrayLike) -> str:
+    """Return a picture of an arm at q, shape (dof,), as SVG text with the same bytes every time.
+
+    Matplotlib is imported only here, since the build of the book's pages needs no pictures.
+    """
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+
+    from helpers import plotting
+    from helpers.plotting.style import STYLE, svg
+
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(3.6, 3.6))
+        plotting.arm_drawing(figure.subplots(), arm, np.asarray(q, dtype=float), ISOMETRIC)
+        return svg(figure)
