@@ -80,9 +80,12 @@ elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would 
 changed: $(BIN)/.installed-dev ## run each chapter with each length, mass and limit of each of its arms changed
 	CHANGES=all $(BIN)/python -m pytest -n 2 -q tests/test_changed_arms.py
 
-# What is there already is the reader's own work, and stays.
+# Pages that notebooks link to; the answer sheets are there once the book was built.
+LINKED_PAGES = $(wildcard book/*.md book/answers/*.md)
+
+# A copy that exists may hold the reader's own work and stays.
 lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab
-	@mkdir -p my && for book in $(NOTEBOOKS); do test -e my/$${book##*/} || cp $$book my; done
+	@mkdir -p my/answers && for page in $(NOTEBOOKS) $(LINKED_PAGES); do copy=my/$${page#book/}; test -e $$copy || cp $$page $$copy; done
 	@echo "Your copies: $(CURDIR)/my. Delete one, and the next make lab copies it anew."
 	$(BIN)/jupyter lab my
 

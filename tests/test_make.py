@@ -87,6 +87,7 @@ def test_make_lab_opens_copies_and_keeps_them(project):
     assert "jupyter lab my" in said, "JupyterLab must open the folder of copies"
     copy = project / "my" / Path(NOTEBOOK).name
     assert copy.read_bytes() == (project / NOTEBOOK).read_bytes()
+    assert (project / "my/page.md").exists(), "notebooks link to pages"
     for name in (copy.name, "own.ipynb"):
         (project / "my" / name).write_text("mine", "utf-8")
     assert make(project, "lab")[0] == 0

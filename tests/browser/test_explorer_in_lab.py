@@ -145,6 +145,9 @@ def test_sliders_and_python_share_one_arm(browser, lab):
     run(7)  # a chapter's small figure, of which a text cell shows only the words
     figure = page.locator("figure.live")
     expect(figure.locator(".words")).to_contain_text("Rank 6", timeout=60_000)
+    stills = page.locator(".jp-RenderedSVG")
+    assert stills.count(), "GitHub shows a picture"
+    expect(stills.locator("visible=true")).to_have_count(0)
     figure.get_by_role("slider", name="Joint 4").focus()
     before = figure.locator("output").inner_text()
     page.keyboard.press("PageUp")
