@@ -1,7 +1,7 @@
-"""Answer sheets: every A_i, T_0i, o_i, z_i, J, det J, P and g(q) of an arm, to read and to copy
-into a program.
+"""Write answer sheets: every A_i, T_0i, o_i, z_i, J, det J, P and g(q) of an arm.
 
-`markdown` makes a page of the book, `document` one HTML file for an arm of your own;
+A sheet is for reading and for copying into programs. `markdown` makes a page of the book,
+`document` one HTML file for any arm;
 ``python -m answers`` writes a file from the command line.
 """
 

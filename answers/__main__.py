@@ -11,7 +11,7 @@ from helpers.inputs import ArmError
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Read the command line, write the file, say where it is; what is wrong is told in words."""
+    """Write the sheet that the command line asks for and print its path."""
     parser = argparse.ArgumentParser(prog="python -m answers", description=__doc__)
     parser.add_argument(
         "arm", help="a name of the catalogue, a robot description (arm.urdf), or my_arm.py:NAME"
@@ -21,10 +21,10 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument(
         "--out", type=Path, help="the file to write; named after the arm unless given"
     )
-    given = parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
     try:
-        arm = read_arm(given.arm, given.base, given.tip)
-        out = given.out or Path(f"{slug(arm.name)}_answers.html")
+        arm = read_arm(options.arm, options.base, options.tip)
+        out = options.out or Path(f"{file_stem(arm.name)}_answers.html")
         out.write_text(document(arm), encoding="utf-8")
     except (ArmError, OSError) as error:
         sys.exit(str(error))
@@ -33,8 +33,8 @@ def main(arguments: list[str] | None = None) -> None:
     sys.stdout.write(f"{out}\n")
 
 
-def slug(name: str) -> str:
-    """A name as it may stand in a file's name."""
+def file_stem(name: str) -> str:
+    """Return a name in lower case with underscores, fit for the name of a file."""
     return re.sub(r"\W+", "_", name).strip("_").lower() or "arm"
 
 

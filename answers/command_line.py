@@ -1,4 +1,4 @@
-"""An arm from the words of a command line, as the commands of `sheets` and `course` take it."""
+"""Read the arm that a command of `answers` or `course` names."""
 
 import runpy
 from pathlib import Path
@@ -10,18 +10,23 @@ from helpers.urdf import from_urdf
 
 
 def read_arm(text: str, base: str | None = None, tip: str | None = None) -> Arm:
-    """The arm that a name of the catalogue, a robot description or ``file.py:NAME`` stands for.
+    """Return the arm that an argument of a command names.
 
-    The Python file is the caller's own and is run. Raises ArmError where there is no such arm.
+    Args:
+        text: a name of the catalogue, a robot description (.urdf, .xml) or ``file.py:NAME``. The
+            Python file is run.
+        base, tip: first and last link in a robot description.
+
+    Raises ArmError if there is no such arm.
     """
     file, colon, name = text.rpartition(":")
     if colon and file.endswith(".py"):
         if not Path(file).is_file():
             raise ArmError(f"{file} is not there; expected a Python file, as in my_arm.py:ARM")
-        found = runpy.run_path(file).get(name)
-        if not isinstance(found, Arm):
-            raise ArmError(f"{name} of {file} is {found!r}; expected an Arm")
-        return found
+        arm = runpy.run_path(file).get(name)
+        if not isinstance(arm, Arm):
+            raise ArmError(f"{name} of {file} is {arm!r}; expected an Arm")
+        return arm
     if text.endswith((".urdf", ".xml")):
         return from_urdf(text, base, tip)
     return find_arm(text)

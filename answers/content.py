@@ -1,6 +1,4 @@
-"""What an answer sheet holds: every matrix and vector of an arm's homework, in symbols and at its
-home pose in numbers.
-"""
+"""Compute the answers of a sheet, in symbols, and in numbers at the arm's home pose."""
 
 import re
 from dataclasses import dataclass
@@ -18,8 +16,8 @@ from helpers.inputs import ArmError, must_be
 
 Array = NDArray[np.float64]
 
-# Names that a program on the sheet, or one of its languages, uses for something else.
-_TAKEN = frozenset(
+# Names with another meaning in a program on the sheet or in one of its languages.
+_RESERVED = frozenset(
     (
         "np", "sp", "pi", "break", "case", "catch", "classdef", "continue", "else",
         "elseif", "end", "for", "function", "global", "if", "otherwise", "parfor",
@@ -27,38 +25,38 @@ _TAKEN = frozenset(
         "G", "P", "J", "g", "cos", "sin", "sqrt", "q", "Matrix", "symbols", "Rational",
     )
 )  # fmt: skip
-_OURS = re.compile(r"[cs]_[\dmp]+|[AToz]_\d+|[mq]_\d+|[xyz]_c\d+")
+_SHEET_NAMES = re.compile(r"[cs]_[\dmp]+|[AToz]_\d+|[mq]_\d+|[xyz]_c\d+")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,62}")
 
 
 @dataclass(frozen=True, eq=False)
-class Item:
-    """One answer.
+class Answer:
+    """One answer of a sheet.
 
     Attributes:
-        name: what programs call it, as ``T_03``, ``J`` or ``det_J``.
-        value: its entries in short symbols; a vector is one column, a number one entry.
-        home: the same at the arm's home pose, in numbers.
-        letters: what its short symbols stand for, c_23 for cos(q_2 + q_3).
+        name: its name in programs, such as ``T_03``, ``J`` or ``det_J``.
+        value: its entries in short symbols; a vector has one column, a number one entry.
+        home: its entries at the arm's home pose, in numbers.
+        definitions: what its short symbols mean, such as cos(q_2 + q_3) for c_23.
     """
 
     name: str
     value: sp.ImmutableMatrix
     home: Array
-    letters: dict[sp.Symbol, sp.Expr]
+    definitions: dict[sp.Symbol, sp.Expr]
 
     @property
     def is_number(self) -> bool:
-        """Whether it has one entry."""
+        """Whether the answer has one entry."""
         return self.value.shape == (1, 1)
 
 
-class Sheet:
-    """The answers of an arm. Numbers are taken at its home pose.
+class AnswerSheet:
+    """All answers for an arm, with numbers at its home pose.
 
     Raises:
-        ArmError: no Arm, one without joints, or one whose letters have names that a program cannot
-            use, or needs for something else.
+        ArmError: `arm` is not an Arm or has no joints, or one of its symbols has a name that a
+            program on the sheet cannot use.
     """
 
     def __init__(self, arm: Arm) -> None:
@@ -66,86 +64,90 @@ class Sheet:
         if not arm.dof:
             raise ArmError(f"{arm.name} has no joints; a sheet needs an arm that moves")
         for name in arm.values:
-            if name in _TAKEN or _OURS.fullmatch(name) or not _NAME.fullmatch(name):
+            if name in _RESERVED or _SHEET_NAMES.fullmatch(name) or not _NAME.fullmatch(name):
                 raise ArmError(
                     f"{arm.name} has a letter called {name}, which a program on its sheet cannot"
                     " use, or needs for something else; expected another name, as a_2 or l_pen"
                 )
         self.arm = arm
-        self.home = at_home(arm)
+        self.home = compute_home_values(arm)
 
     # The answers
 
     @cached_property
-    def links(self) -> list[Item]:
+    def links(self) -> list[Answer]:
         """A_1 .. A_n, each 4x4."""
         links = enumerate(symbolic.link_transforms(self.arm), 1)
-        return [self._item(f"A_{i}", A) for i, A in links]
+        return [self._make_answer(f"A_{i}", A) for i, A in links]
 
     @cached_property
-    def frames(self) -> list[Item]:
+    def frames(self) -> list[Answer]:
         """T_01 .. T_0n, each 4x4."""
-        return [self._item(f"T_0{i}", T) for i, T in enumerate(self._frames)][1:]
+        return [self._make_answer(f"T_0{i}", T) for i, T in enumerate(self._frames)][1:]
 
     @cached_property
-    def origins(self) -> list[Item]:
+    def origins(self) -> list[Answer]:
         """o_0 .. o_n, each 3x1."""
-        return [self._item(f"o_{i}", T[:3, 3]) for i, T in enumerate(self._frames)]
+        return [self._make_answer(f"o_{i}", T[:3, 3]) for i, T in enumerate(self._frames)]
 
     @cached_property
-    def axes(self) -> list[Item]:
+    def axes(self) -> list[Answer]:
         """z_0 .. z_n, each 3x1."""
-        return [self._item(f"z_{i}", T[:3, 2]) for i, T in enumerate(self._frames)]
+        return [self._make_answer(f"z_{i}", T[:3, 2]) for i, T in enumerate(self._frames)]
 
     @cached_property
     def _frames(self) -> list[sp.ImmutableMatrix]:
         return symbolic.link_frames(self.arm)
 
     @cached_property
-    def jacobian(self) -> Item:
+    def jacobian(self) -> Answer:
         """J, 6 x dof."""
-        return self._item("J", symbolic.jacobian(self.arm))
+        return self._make_answer("J", symbolic.jacobian(self.arm))
 
     @cached_property
-    def determinant(self) -> Item | None:
+    def determinant(self) -> Answer | None:
         """det J of a six-joint arm, or of the first three rows of J for three joints; else None."""
         if "det_J" not in self.home:
             return None
-        return self._item("det_J", sp.ImmutableMatrix([[symbolic.determinant(self.arm)]]))
+        return self._make_answer("det_J", sp.ImmutableMatrix([[symbolic.determinant(self.arm)]]))
 
     @cached_property
-    def gravity(self) -> list[Item]:
+    def gravity(self) -> list[Answer]:
         """P, the potential energy (J), and g(q) = dP/dq, dof x 1 (N m, or N where a joint slides),
         where the arm has masses; programs call the latter G.
         """
         if not self.arm.bodies:
             return []
         energy = sp.ImmutableMatrix([[symbolic.potential_energy(self.arm)]])
-        return [self._item("P", energy), self._item("G", symbolic.gravity_torque(self.arm))]
+        return [
+            self._make_answer("P", energy),
+            self._make_answer("G", symbolic.gravity_torque(self.arm)),
+        ]
 
     @cached_property
-    def items(self) -> list[Item]:
+    def items(self) -> list[Answer]:
         """All answers, in the order of the homework."""
         several = [*self.links, *self.frames, *self.origins, *self.axes, self.jacobian]
         return [*several, *([self.determinant] if self.determinant else []), *self.gravity]
 
-    def _item(self, name: str, value: sp.ImmutableMatrix) -> Item:
-        """An answer in the short form, with decimals for fractions of powers of ten, and with x_c1
-        for the coordinate x_1 of a centre of mass, for z_1 is an axis here."""
+    def _make_answer(self, name: str, value: sp.ImmutableMatrix) -> Answer:
+        """Return an answer in short symbols.
+
+        Decimal fractions become decimals. Coordinates of a centre of mass are called x_c1, since
+        z_1 is an axis on the sheet.
+        """
         fractions = (number for number in value.atoms(sp.Rational) if number.q > 1)
         decimals = {number: sp.Float(number) for number in fractions if 10**9 % number.q == 0}
         value = value.xreplace({**self._centres, **decimals})
         pairs = [(letter, function) for function, letter in short_names(value).items()]
-        letters = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
-        return Item(name, short(value), self.home[name], letters)
+        definitions = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
+        return Answer(name, short(value), self.home[name], definitions)
 
-    # What their letters mean
+    # Meaning of the symbols
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """The numbers of all letters but the joint variables: lengths, angles, masses, centres of
-        mass and g.
-        """
+        """Values of all symbols but the joint variables: lengths, angles, masses, centres, g."""
         lengths = {name: value for name, value in self.arm.values.items() if value}
         if not self.arm.bodies:
             return lengths
@@ -163,8 +165,8 @@ class Sheet:
         return {s: sp.Symbol(s.name.replace("_", "_c")) for s in bodies if s.name[0] in "xyz"}
 
 
-def at_home(arm: Arm) -> dict[str, Array]:
-    """The numbers of all answers at the home pose, by their names."""
+def compute_home_values(arm: Arm) -> dict[str, Array]:
+    """Return the numbers of all answers at the home pose, by name."""
     q = np.array(arm.home)
     frames, J = kinematics.link_frames(arm, q), kinematics.jacobian(arm, q)
     found = {f"A_{i}": np.linalg.inv(a) @ b for i, (a, b) in enumerate(pairwise(frames), 1)}

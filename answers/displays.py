@@ -1,19 +1,20 @@
-"""An answer in TeX, as a page shows it and a LaTeX document takes it: a matrix as a matrix, with
-names for its long entries, which are written out below, or among the origins and axes. No line is
-wider than a page.
+"""Write an answer in TeX for a page or a LaTeX document.
+
+Long entries of a matrix get names, which are written out below it or under Origins and Axes, so
+that no line is wider than a page.
 """
 
 import sympy as sp
 
-from answers.content import Array, Item, Sheet
+from answers.content import Answer, AnswerSheet, Array
 from helpers.formulas import lines, seen, tex
 
-_WIDTH = 56  # letters and signs of a line
-_HEIGHT = 16  # lines of a display
+_WIDTH = 56  # characters in a line
+_HEIGHT = 16  # lines in a display
 
 
-def name(item: Item) -> str:
-    """An answer's name as books write it."""
+def name(item: Answer) -> str:
+    """Return an answer's name in TeX."""
     letter, _, index = item.name.partition("_")
     named = {"J": "J", "det": r"\det J", "P": "P", "G": "g(q)"}
     if letter in named:
@@ -21,9 +22,14 @@ def name(item: Item) -> str:
     return f"{{}}^{{0}}T_{{{index[1:]}}}" if letter == "T" else f"{letter}_{{{index}}}"
 
 
-def symbols(sheet: Sheet, item: Item, complete: bool = False) -> list[str]:
-    """An answer in symbols, a display each; long parts of origins and axes, which the page has
-    elsewhere, are written out if it is to be complete."""
+def symbols(sheet: AnswerSheet, item: Answer, complete: bool = False) -> list[str]:
+    """Write an answer in symbols, as a list of displays.
+
+    Args:
+        sheet: the sheet of the answer.
+        item: the answer.
+        complete: write out long parts of origins and axes, which a page has elsewhere.
+    """
     value, names = item.value, _entry_names(sheet, item)
     if not item.is_number and _width(value) <= _WIDTH:
         return [f"{name(item)} = {sp.latex(value)}"]
@@ -33,7 +39,7 @@ def symbols(sheet: Sheet, item: Item, complete: bool = False) -> list[str]:
             return [f"{name(item)} = {name(first)}"]
         return _aligned([*zip(names, value, strict=True)])
     elsewhere = {} if complete else _parts(sheet, item)
-    cut, long = _cut(value, [elsewhere.get(k, own) for k, own in enumerate(names)])
+    cut, long = _name_long_entries(value, [elsewhere.get(k, own) for k, own in enumerate(names)])
     by_columns = sorted({*long} - elsewhere.keys(), key=lambda k: (k % value.cols, k))
     return [
         f"{name(item)} = {sp.latex(cut)}",
@@ -41,9 +47,9 @@ def symbols(sheet: Sheet, item: Item, complete: bool = False) -> list[str]:
     ]
 
 
-def _parts(sheet: Sheet, item: Item) -> dict[int, str]:
-    """The names of what a frame has of its axis and origin, and J of the axes, by their places."""
-    columns, first = item.value.cols, {}  # the place of a vector's first entry
+def _parts(sheet: AnswerSheet, item: Answer) -> dict[int, str]:
+    """Return names for the entries that a frame or J shares with axes and origins, by index."""
+    columns, first = item.value.cols, {}  # index of a vector's first entry
     if item.name[0] == "T":
         i = int(item.name[2:])
         first = {2: sheet.axes[i], 3: sheet.origins[i]}
@@ -51,14 +57,14 @@ def _parts(sheet: Sheet, item: Item) -> dict[int, str]:
         joints = enumerate(zip(sheet.arm.joints, sheet.arm.turning, strict=True))
         first = {k + 3 * columns * turns: sheet.axes[i - 1] for k, (i, turns) in joints}
     return {
-        place + row * columns: entry
-        for place, vector in first.items()
+        start + row * columns: entry
+        for start, vector in first.items()
         for row, entry in enumerate(_entry_names(sheet, vector))
     }
 
 
 def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
-    """Named formulas below each other, some lines a display."""
+    """Write named formulas below each other, at most _HEIGHT lines in a display."""
     displays: list[list[str]] = []
     for label, formula in formulas:
         first, *rest = lines(formula, _WIDTH)
@@ -71,8 +77,8 @@ def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
     return [f"\\begin{{aligned}}\n{display}\n\\end{{aligned}}" for display in joined]
 
 
-def _cut(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[int]]:
-    """A matrix with names for as many of its longest entries as have no room, and their places."""
+def _name_long_entries(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[int]]:
+    """Replace a matrix's longest entries by names until it fits; return it and their indices."""
     lengths = [seen(tex(entry)) for entry in value]
     for longest in sorted({0, *lengths}, reverse=True):
         long = [k for k, length in enumerate(lengths) if length > max(longest, seen(names[k]))]
@@ -83,8 +89,8 @@ def _cut(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[i
     return cut, long
 
 
-def numbers(item: Item, home: Array) -> str:
-    """An answer's numbers, rounded: a number to six decimals, others to four."""
+def numbers(item: Answer, home: Array) -> str:
+    """Write an answer's numbers, a scalar to six decimals, matrices to four."""
     if item.is_number:
         return f"{name(item)} = {sp.latex(_rounded(home[0, 0], 6))}"
     value = sp.Matrix([[_rounded(x, 4) for x in row] for row in home])
@@ -92,10 +98,9 @@ def numbers(item: Item, home: Array) -> str:
     return f"{name(item)} = {shown.replace('c' * value.cols, 'r' * value.cols, 1)}"
 
 
-def as_latex(sheet: Sheet, item: Item) -> str:
-    """Displays for a document that uses amsmath; what c_{23} and the like mean stands above them as
-    comments."""
-    legend = [f"% ${sp.latex(letter)} = {tex(f)}$" for letter, f in item.letters.items()]
+def as_latex(sheet: AnswerSheet, item: Answer) -> str:
+    """Write displays for amsmath, below comments that define c_{23} and the like."""
+    legend = [f"% ${sp.latex(letter)} = {tex(f)}$" for letter, f in item.definitions.items()]
     return "\n".join([*legend, *(f"\\[\n{display}\n\\]" for display in symbols(sheet, item, True))])
 
 
@@ -104,8 +109,8 @@ def _rounded(value: float, digits: int) -> sp.Expr:
     return sp.Integer(rounded) if rounded.is_integer() else sp.Float(str(rounded))
 
 
-def _entry_names(sheet: Sheet, item: Item) -> list[str]:
-    """The name of each entry: by row and column, by component, by joint, or the number's own."""
+def _entry_names(sheet: AnswerSheet, item: Answer) -> list[str]:
+    """Return the TeX name of each entry, by row and column, component or joint."""
     rows, columns = item.value.shape
     letter = item.name[0]
     if item.is_number:
@@ -119,5 +124,6 @@ def _entry_names(sheet: Sheet, item: Item) -> list[str]:
 
 
 def _width(matrix: sp.Matrix) -> int:
+    """Return the width of a matrix in characters."""
     columns = (matrix.col(k) for k in range(matrix.cols))
     return sum(max(seen(tex(entry)) for entry in column) + 2 for column in columns)

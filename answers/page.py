@@ -1,5 +1,6 @@
-"""An arm's answer sheet as a page in Markdown: every answer folded under the question, its formulas
-in TeX. The blocks that its buttons copy, by ``answers.js``, are data in one <script> element.
+"""Write an arm's answer sheet in Markdown or HTML, each answer folded below its question.
+
+The programs that its buttons copy (``answers.js``) are data in one <script> element.
 """
 
 import json
@@ -11,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from answers import displays, programs
-from answers.content import Array, Item, Sheet
+from answers.content import Answer, AnswerSheet, Array
 from answers.typeset import mathml
 from helpers.arm import Arm
 from helpers.formulas import tex
@@ -28,12 +29,12 @@ LANGUAGES = {
 def markdown(
     arm: Arm, heading: str, lead: str, also: tuple[Arm, ...] = (), description: str = ""
 ) -> str:
-    """The sheet as a page of the book, in MyST Markdown.
+    """Write the sheet as a page of the book, in MyST Markdown.
 
     Args:
-        arm: whose sheet.
-        heading, lead: the page's title and what is said first, in Markdown.
-        also: the same arm with other lengths, whose numbers stand beside.
+        arm: the arm of the sheet.
+        heading, lead: the page's title and first paragraph, in Markdown.
+        also: the same arm with other lengths; the page gives their numbers too.
         description: one sentence for search engines.
 
     Raises ArmError for an arm of `also` with other rows, for letters that programs cannot use, and
@@ -49,7 +50,7 @@ def markdown(
 
 
 def document(arm: Arm) -> str:
-    """The sheet as one HTML file that needs nothing else, formulas in MathML.
+    """Write the sheet as one self-contained HTML file, with formulas in MathML.
 
     Raises ArmError as `markdown` does.
     """
@@ -69,26 +70,25 @@ def document(arm: Arm) -> str:
 
 
 def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
-    """The parts of a sheet, each a heading, a question, and the answers to it, between their style
-    and their script."""
+    """Write style, sections (heading, question, answers) and script of a sheet."""
     arms = (arm, *listed(also, "also", "arms with the same rows"))
     for other in also:
         if other.rows != arm.rows:
             raise ArmError(
                 f"{other.name} has other rows than {arm.name}; expected other values only"
             )
-    sheet, *others = (Sheet(replace(a, name=escape(a.name))) for a in arms)
+    sheet, *others = (AnswerSheet(replace(a, name=escape(a.name))) for a in arms)
     found = [
         ("Link matrices", _ASK_LINKS, sheet.links),
         ("Frames seen from the base", _ASK_FRAMES, sheet.frames),
         ("Origins", _ASK_ORIGINS, sheet.origins),
         ("Axes", _ASK_AXES, sheet.axes),
-        ("Jacobian", _ASK_JACOBIAN % len(arm.rows) + _joints(arm), [sheet.jacobian]),
+        ("Jacobian", _ASK_JACOBIAN % len(arm.rows) + _joint_note(arm), [sheet.jacobian]),
     ]
     if det := sheet.determinant:
         found.append(("Determinant", _ask_determinant(sheet, det), [det]))
     if sheet.gravity:
-        found.append(("Gravity", _ASK_GRAVITY + _joints(arm), sheet.gravity))
+        found.append(("Gravity", _ASK_GRAVITY + _joint_note(arm), sheet.gravity))
     answers = "\n\n".join(
         f"## {heading}\n\n**First try.** {question}\n\n"
         + "\n\n".join(_answer(sheet, item, others) for item in items)
@@ -96,13 +96,13 @@ def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
     )
     style, script = ((_STATIC / f"answers.{kind}").read_text("utf-8") for kind in ("css", "js"))
     return (
-        f"<style>\n{style}</style>\n\n{_TOOLS}\n\n## Table\n\n{_given(sheet, others)}\n\n"
-        f"{answers}\n\n{_blocks(sheet)}\n\n<script>\n{script}</script>\n"
+        f"<style>\n{style}</style>\n\n{_TOOLS}\n\n## Table\n\n{_introduction(sheet, others)}\n\n"
+        f"{answers}\n\n{_program_data(sheet)}\n\n<script>\n{script}</script>\n"
     )
 
 
-def _blocks(sheet: Sheet) -> str:
-    """What is copied of each answer, by language."""
+def _program_data(sheet: AnswerSheet) -> str:
+    """Write the <script> element with the programs of each answer, by language."""
     texts = {
         _id(item): {language: block(sheet, item) for language, block in LANGUAGES.items()}
         for item in sheet.items
@@ -111,21 +111,21 @@ def _blocks(sheet: Sheet) -> str:
     return f'<script type="application/json">{data}</script>'
 
 
-def _answer(sheet: Sheet, item: Item, others: list[Sheet]) -> str:
-    """One answer, folded: the formula, its numbers at home, and for each of the others too."""
+def _answer(sheet: AnswerSheet, item: Answer, others: list[AnswerSheet]) -> str:
+    """Write one folded answer: its formula and its numbers at home, for `others` too."""
     formulas = [f"$$\n{display}\n$$" for display in displays.symbols(sheet, item)]
     for of, home in _at_home(sheet, item, others):
         formulas.append(f"In numbers{of}:\n\n$$\n{displays.numbers(item, home)}\n$$")
-    title = f'<details class="answer" id="{_id(item)}"><summary>{_title(item)}</summary>'
+    title = f'<details class="answer" id="{_id(item)}"><summary>{_html_name(item)}</summary>'
     return "\n\n".join([title, *formulas, "</details>"])
 
 
-def _id(item: Item) -> str:
+def _id(item: Answer) -> str:
     return item.name.replace("_", "-").lower()
 
 
-def _title(item: Item) -> str:
-    """An answer's name in HTML."""
+def _html_name(item: Answer) -> str:
+    """Return an answer's name in HTML."""
     letter, _, index = item.name.partition("_")
     named = {"det": "det <i>J</i>", "G": "<i>g</i>(<i>q</i>)", "J": "<i>J</i>", "P": "<i>P</i>"}
     if letter == "T":
@@ -133,8 +133,10 @@ def _title(item: Item) -> str:
     return named.get(letter, f"<i>{letter}</i><sub>{index}</sub>")
 
 
-def _at_home(sheet: Sheet, item: Item, others: list[Sheet]) -> list[tuple[str, Array]]:
-    """The item's numbers for each arm whose numbers differ, with what they are called."""
+def _at_home(
+    sheet: AnswerSheet, item: Answer, others: list[AnswerSheet]
+) -> list[tuple[str, Array]]:
+    """Return captions and numbers of an answer for each arm whose numbers differ."""
     found = [(f", {sheet.arm.name}", item.home)]
     for other in others:
         if not np.allclose(other.home[item.name], item.home, rtol=0, atol=5e-5):
@@ -142,11 +144,11 @@ def _at_home(sheet: Sheet, item: Item, others: list[Sheet]) -> list[tuple[str, A
     return found if len(found) > 1 else [("", item.home)]
 
 
-# What stands above the answers
+# The text above the answers
 
 
-def _given(sheet: Sheet, others: list[Sheet]) -> str:
-    """The table, the values of its letters, the pose of the numbers, and the short names."""
+def _introduction(sheet: AnswerSheet, others: list[AnswerSheet]) -> str:
+    """Write the table, the values of its symbols, the home pose and the short names."""
     arm = sheet.arm
     pairs = zip(arm.variables, arm.home, strict=True)
     home = ", ".join(f"${name} = {sp.latex(programs.angle(value))}$" for name, value in pairs)
@@ -157,13 +159,13 @@ def _given(sheet: Sheet, others: list[Sheet]) -> str:
         parts.append(f"What is 0, here {', '.join(zero)}, is left out of the formulas.")
     parts.append(f"Numbers are given at {home} (rad; m where a joint slides), rounded.")
     parts.append(f"Short names: {_legend(sheet)}.")
-    parts += [_masses(s) for s in (sheet, *others) if s.arm.bodies]
+    parts += [_mass_table(s) for s in (sheet, *others) if s.arm.bodies]
     return "\n\n".join(parts)
 
 
-def _legend(sheet: Sheet) -> str:
-    """c_23 = cos(q_2 + q_3) and the like, each index once, single joints in general."""
-    letters = {letter: f for item in sheet.items for letter, f in item.letters.items()}
+def _legend(sheet: AnswerSheet) -> str:
+    """List the short names of sums of angles, such as c_23 = cos(q_2 + q_3)."""
+    letters = {letter: f for item in sheet.items for letter, f in item.definitions.items()}
     sums = [
         f"${sp.latex(letter)} = {tex(f)}$"
         for letter, f in sorted(letters.items(), key=str)
@@ -172,8 +174,8 @@ def _legend(sheet: Sheet) -> str:
     return ", ".join([r"$c_i = \cos(q_i)$, $s_i = \sin(q_i)$", *sums])
 
 
-def _masses(sheet: Sheet) -> str:
-    """The masses and centres of mass of an arm's links, a row each."""
+def _mass_table(sheet: AnswerSheet) -> str:
+    """Write a table of the links' masses and centres of mass."""
     head = (
         f"{sheet.arm.name}: masses (kg), and centres of mass (m) in the frame that moves with"
         " each link; $g = 9.81$ m/s².\n\n| link | $m$ | $x_c$ | $y_c$ | $z_c$ |\n"
@@ -188,18 +190,18 @@ def _masses(sheet: Sheet) -> str:
     return head + "\n".join(lines).replace("-", "\N{MINUS SIGN}")
 
 
-def _joints(arm: Arm) -> str:
-    """Which joints the columns of J and the entries of g belong to, where that is not all rows."""
+def _joint_note(arm: Arm) -> str:
+    """Name the joints of the columns of J and the entries of g, if some rows have no joint."""
     if arm.dof == len(arm.rows):
         return ""
     return f" Joints that move, in this order: {', '.join(map(str, arm.joints))}."
 
 
-def _ask_determinant(sheet: Sheet, det: Item) -> str:
-    """The question, and how many factors the answer has, for the reader who has opened it."""
+def _ask_determinant(sheet: AnswerSheet, det: Answer) -> str:
+    """Write the question about det J, with the number of factors of the answer."""
     rows = "" if sheet.arm.dof == 6 else " of the first three rows"
     asked = f"At which poses does the arm lose a freedom? Where $\\det J${rows} is 0."
-    turning = {*det.letters, *map(sp.Symbol, sheet.arm.variables)}
+    turning = {*det.definitions, *map(sp.Symbol, sheet.arm.variables)}
     factors = [f for f in sp.Mul.make_args(det.value[0]) if f.free_symbols & turning]
     if not det.value[0]:
         return f"{asked} This one is 0 everywhere."
@@ -209,7 +211,7 @@ def _ask_determinant(sheet: Sheet, det: Item) -> str:
 
 
 _STATIC = Path(__file__).parent / "static"
-# Buttons that hold the place of those that the script makes, so that nothing moves when it does.
+# Disabled buttons keep the space for those of the script, so that the page does not move.
 _BUTTON = '<button type="button" disabled'
 _COPY = "".join(f'{_BUTTON} data-language="{to}">Copy all as {to}</button>' for to in LANGUAGES)
 _TOOLS = f'<p class="answer-tools">{_BUTTON}>Open all answers</button>{_COPY}</p>'

@@ -17,9 +17,9 @@ import pytest
 import sympy as sp
 
 from answers import displays, document, markdown
-from answers.__main__ import main, slug
+from answers.__main__ import file_stem, main
 from answers.command_line import read_arm
-from answers.content import Sheet
+from answers.content import AnswerSheet
 from helpers import kinematics, robots, statics
 from helpers.arm import Arm, ArmError, Body, fixed, prismatic, revolute
 from helpers.derive import Axis, derive
@@ -40,7 +40,9 @@ SKEWED = derive(
 ).with_bodies([1.0, 2.0, 0.5], [[0.1, 0, 0.1], [0.2, 0.1, 0], [0.3, 0, 0]])
 NUMBERED = Arm("numbers only", [revolute(a=0.25, theta="pi/3"), prismatic(alpha="pi/4", d=1 / 3)])
 ARMS = {page.name: page.arms[-1] for page in answers.PAGES}
-SHEETS = {name: Sheet(arm) for name, arm in {**ARMS, "skewed": SKEWED, "numbers": NUMBERED}.items()}
+SHEETS = {
+    name: AnswerSheet(arm) for name, arm in {**ARMS, "skewed": SKEWED, "numbers": NUMBERED}.items()
+}
 PARALLEL = ["z_{7} = z_{6}", "z_{4} = z_{3}"]  # of the Panda, and of the skewed arm's slide
 every_arm = pytest.mark.parametrize("sheet", SHEETS.values(), ids=SHEETS)
 
@@ -298,7 +300,7 @@ def test_command_writes_a_file(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     main(["elbow arm"])
     assert capsys.readouterr().out == "elbow_arm_answers.html\n"
-    assert [slug(name) for name in ("UR10e (homework)", "…")] == ["ur10e_homework", "arm"]
+    assert [file_stem(name) for name in ("UR10e (homework)", "…")] == ["ur10e_homework", "arm"]
     assert "Elbow arm" in (tmp_path / "elbow_arm_answers.html").read_text(encoding="utf-8")
 
 
@@ -339,12 +341,12 @@ def test_command_reads_arm_from_file_or_explains(tmp_path):
 )
 def test_reserved_symbol_is_rejected(letter):
     with pytest.raises(ArmError, match=f"has a letter called {letter}, which a program"):
-        Sheet(Arm("mine", [revolute(a=letter)], {letter: 1.0}))
+        AnswerSheet(Arm("mine", [revolute(a=letter)], {letter: 1.0}))
 
 
 def test_arm_without_joints_is_rejected():
     with pytest.raises(ArmError, match="arm is 'Panda'; expected an Arm"):
-        Sheet("Panda")
+        AnswerSheet("Panda")
     with pytest.raises(ArmError, match="post has no joints; a sheet needs an arm that moves"):
         document(Arm("post", [fixed(a=1)]))
 

@@ -1,4 +1,4 @@
-"""Formulas as a page shows them: TeX, made MathML by Temml (temml.min.js), which QuickJS runs."""
+"""Convert TeX to MathML by Temml (temml.min.js), which runs in QuickJS."""
 
 import json
 import threading
@@ -18,31 +18,32 @@ _engines = threading.local()  # a context belongs to one thread
 
 
 def mathml(tex: str, display: bool = False) -> str:
-    """A formula in MathML.
+    """Convert a formula to MathML.
 
-    Raises ArmError where Temml does not know what the TeX says.
+    Raises ArmError if Temml cannot parse the TeX.
     """
-    return _written(_made(tex, display, "none"))
+    return _to_text(_convert(tex, display, "none"))
 
 
 def parts(tex: str) -> list[str]:
-    """A formula in MathML, an element for each part after which a line may break: no browser breaks
-    one within.
+    """Convert a formula to MathML, one element for each part after which a line may break.
+
+    Browsers break no line inside an element.
 
     Raises ArmError as `mathml` does.
     """
-    formula = _made(tex, False, "tex")
+    formula = _convert(tex, False, "tex")
     if len(formula) < 2 or any(part.tag != "mrow" for part in formula):
-        return [_written(formula)]
+        return [_to_text(formula)]
     rows: list[Element] = []
     for part in formula:
         if not rows or not "".join(rows[-1].itertext()).endswith("\N{FUNCTION APPLICATION}"):
             rows.append(Element("math"))
         rows[-1].append(part)  # with the name of the function that is taken of it
-    return [_written(row) for row in rows]
+    return [_to_text(row) for row in rows]
 
 
-def _made(tex: str, display: bool, wrap: str) -> Element:
+def _convert(tex: str, display: bool, wrap: str) -> Element:
     import quickjs
 
     must_be(tex, str, "tex")
@@ -58,17 +59,17 @@ def _made(tex: str, display: bool, wrap: str) -> Element:
     formula = ElementTree.fromstring(markup.replace("&nbsp;", "\N{NO-BREAK SPACE}"))
     for cell in formula.iter("mtd"):
         cell.attrib.pop("style", None)  # its room in points, which no page can make less
-    _close_up(formula)
-    _keep_low(formula)
-    _part_names(formula)
+    _remove_index_spaces(formula)
+    _keep_brackets_low(formula)
+    _space_function_names(formula)
     for cell in formula.iterfind(".//mtd[@class='tml-left']"):
         for sign in cell.iterfind("mrow/mo[1][@form='prefix']"):
             sign.set("form", "infix")  # a row that goes on with a sum
     return formula
 
 
-def _close_up(formula: Element) -> None:
-    """No room around a sign in an index, as TeX has it."""
+def _remove_index_spaces(formula: Element) -> None:
+    """Remove the space around operators in an index, as TeX does."""
     for base in formula.iter():
         if base.tag in _INDEXED:
             for index in base[1:]:
@@ -76,16 +77,16 @@ def _close_up(formula: Element) -> None:
                     sign.attrib |= {"lspace": "0", "rspace": "0"}
 
 
-def _keep_low(formula: Element) -> None:
-    """A bracket around nothing tall is as high as a letter: an index alone would make it grow."""
+def _keep_brackets_low(formula: Element) -> None:
+    """Stop brackets from growing around low content, where an index alone would stretch them."""
     for row in formula.iter("mrow"):
         if _TALL.isdisjoint(part.tag for part in row.iter()):
             for sign in row.findall("mo[@fence]"):
                 sign.set("stretchy", "false")
 
 
-def _part_names(formula: Element) -> None:
-    """Thin room before the name of a function, and none between it and a bracket, as TeX has it."""
+def _space_function_names(formula: Element) -> None:
+    """Put a thin space before a function's name and none before its bracket, as TeX does."""
     for row in formula.iter():
         for before, name, after in zip([None, *row], list(row), [*row[1:], None], strict=False):
             if name.findtext("mo") != "\N{FUNCTION APPLICATION}":
@@ -97,5 +98,5 @@ def _part_names(formula: Element) -> None:
                 name.insert(0, Element("mspace", width="0.1667em"))
 
 
-def _written(formula: Element) -> str:
+def _to_text(formula: Element) -> str:
     return ElementTree.tostring(formula, "unicode")
