@@ -1,4 +1,4 @@
-// The page's questions: links that are read or refused in words, and one's own table.
+// Questions of the check page: their links, typed tables and the judge's advice.
 
 import assert from "node:assert/strict";
 import test from "node:test";
@@ -9,7 +9,7 @@ import { formatNumber } from "../../judge/sentences.js";
 const ARMS = ["PANDA", "ELBOW"];
 const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
 
-test("a question survives its link", () => {
+test("a question link restores the question", () => {
   assert.deepEqual(parseQuestionLink(formatQuestionLink(asked), ARMS), { question: asked, message: "" });
 });
 
@@ -22,19 +22,19 @@ for (const [fragment, words] of [
   [`#ask=jacobian&arm=ELBOW&answer=${"1".repeat(8001)}`, /answer is too long/],
   [`#ask=jacobian&arm=ELBOW&answer=${"1".repeat(13000)}`, /13\d{3} characters; 12000 are the most/],
 ]) {
-  test(`a link is refused in words: ${words}`, () => {
+  test(`a bad question link is refused: ${words}`, () => {
     const found = parseQuestionLink(fragment, ARMS);
     assert.equal(found.question, null);
     assert.match(found.message, words);
   });
 }
 
-test("other fragments are none of its business", () => {
+test("other fragments hold no question", () => {
   assert.deepEqual(parseQuestionLink("#sec-check-table", ARMS), { question: null, message: "" });
   assert.deepEqual(parseQuestionLink("", ARMS), { question: null, message: "" });
 });
 
-test("one's own table turns or slides by its variable", () => {
+test("a typed table has the joint kinds of its variables", () => {
   const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0" };
   const { rows } = findArm(own, []);
   assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
@@ -47,7 +47,7 @@ test("one's own table turns or slides by its variable", () => {
   }
 });
 
-test("numbers are written to so many digits", () => {
+test("numbers are formatted with three digits", () => {
   const sizes = [[0, "0"], [-0.00001234, "-0.0000123"], [1234567, "1230000"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
   for (const [x, text] of sizes) assert.equal(formatNumber(x), text);
 }); // prettier-ignore
@@ -67,7 +67,7 @@ for (const [advice, patch, key, value, words] of [
   [["arm", "Panda"], { arm: "PANDA.lock(3)" }, "arm", "PANDA", "Arm: Panda"],
   [["values", "L"], { values: "h = 1" }, "values", "h = 1, L = ", "Your own symbols: h = 1, L = …"],
 ]) {
-  test(`an advice names a field and sets it: ${words}`, () => {
+  test(`an advice sets its field: ${words}`, () => {
     const question = { ...EMPTY, arm: "PANDA", ...patch };
     const offer = makeOffer({ field: advice[0], value: advice[1] }, question, LISTED);
     assert.deepEqual(offer, { key, value, text: words });
@@ -75,13 +75,13 @@ for (const [advice, patch, key, value, words] of [
   });
 }
 
-test("an advice that nothing here can follow is no button", () => {
+test("an advice without a field makes no offer", () => {
   const question = { ...EMPTY, arm: "PANDA" };
   for (const [field, value] of [["ownJoints", true], ["locked", 5], ["arm", "Nobody"]])
     assert.equal(makeOffer({ field, value }, question, LISTED), null);
 });
 
-test("without an example a question begins at the arm's home, in its unit", () => {
+test("a question without example starts at the home pose", () => {
   const rows = [{ kind: "revolute" }, { kind: "prismatic" }];
   const pages = { arms: [{ key: "MINE", home: [Math.PI / 2, 0.5], rows }], examples: [{ ask: "pose", arm: "MINE", answer: "1" }] };
   const begun = (given) => makeStartingQuestion({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);

@@ -1,4 +1,4 @@
-// The arm in the hand: within limits always, and back where it came from.
+// Dragged tips: joints stay within their limits and return to where they were.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -31,7 +31,7 @@ const line = (from, to, n = 12) =>
   Array.from({ length: n }, (_, i) => from.map((v, k) => v + ((i + 1) / n) * (to[k] - v)));
 
 for (const arm of ARMS) {
-  test(`${arm.name}: a tip taken out of reach and back finds its joints again`, () => {
+  test(`${arm.name}: a tip dragged out of reach and back restores its joints`, () => {
     const start = BENT[arm.name] ?? arm.home;
     const { o } = tip(arm, start);
     const far = [o[0] + 2, o[1] + 1, o[2] + 0.5];
@@ -43,7 +43,7 @@ for (const arm of ARMS) {
   });
 }
 
-test("a tip within reach arrives, and a stretched arm leaves its singular pose", () => {
+test("a dragged tip arrives, also from a singular pose", () => {
   const near = dragged(ELBOW, ELBOW.home, [[0.3, 0.2, 0.6]]);
   assert.ok(norm(minus(tip(ELBOW, near).o, [0.3, 0.2, 0.6])) < 1e-3);
   const straight = [0, 0.5, 0];
@@ -52,7 +52,7 @@ test("a tip within reach arrives, and a stretched arm leaves its singular pose",
   assert.ok(norm(minus(tip(ELBOW, dragged(ELBOW, straight, [target])).o, target)) < 2e-3);
 });
 
-test("a kept direction stays within a degree where the arm can", () => {
+test("a kept tool direction stays within one degree", () => {
   const { o, x } = tip(PANDA, BENT.Panda);
   const q = dragged(PANDA, BENT.Panda, [[o[0] - 0.05, o[1] + 0.05, o[2] - 0.04]], { turns: true });
   const cosine = tip(PANDA, q).x.reduce((s, v, k) => s + v * x[k], 0);

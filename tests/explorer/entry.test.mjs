@@ -1,4 +1,4 @@
-// What is typed in a field is read as tests/cases.json says, an angle alike in a field, a formula and a table.
+// Entries of tests/cases.json: a field, a formula and a table read the same angle.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -28,17 +28,17 @@ for (const { text, quantity, unit, value } of ENTRIES) {
   });
 }
 
-test("what is written in a field is read back the same", () => {
+test("a formatted entry is read back unchanged", () => {
   for (const value of [0, Math.PI / 2, -Math.PI, (3 * Math.PI) / 4, -Math.PI / 12, 0.25, 1.234567])
     for (const unit of ["deg", "rad"])
       assert.ok(Math.abs(readEntry(formatEntry(value, true, unit), "angle", unit).value - value) < 1e-6);
 });
 
-test("a refusal names the unit that does not fit", () => {
+test("a wrong unit is named in the error", () => {
   assert.match(readEntry("5 N", "length").error, /has the unit N; a length/);
   assert.match(readEntry("90°", "length").error, /has the unit °/);
 });
 
-test("no number comes of what divides by nothing", () => {
+test("undefined results are no numbers", () => {
   for (const text of ["1/0", "1/(1/0)", "0^-1", "sqrt(-1)", "1e400", "q"]) assert.equal(number(text), null);
 });

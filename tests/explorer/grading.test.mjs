@@ -1,4 +1,4 @@
-// What causes say, and how they are called.
+// Names and messages of causes.
 
 import assert from "node:assert/strict";
 import test from "node:test";
@@ -11,7 +11,7 @@ const [ONE, TWO, THREE] = [
   makeCause("J.frame", { k: 3, _name: "frame 3" }),
 ];
 
-test("what causes say and how they are called", () => {
+test("combined causes join names and messages", () => {
   assert.equal(causeName(THREE), "J.frame:3");
   const two = combineCauses(ONE, TWO);
   assert.equal(causeName(two), "J.halves + J.all signs");
@@ -24,7 +24,7 @@ test("what causes say and how they are called", () => {
   assert.equal(joinCauseMessages([two, combineCauses(TWO, ONE)]), causeMessage(two));
 });
 
-test("sentences inside others", () => {
+test("a sentence inside another starts in lower case", () => {
   const sentences = ["The sign", "A", "NM", "A_i is", "q_1 is", "It_is"];
   assert.deepEqual(sentences.map(uncapitalize), ["the sign", "a", "NM", "A_i is", "q_1 is", "it_is"]);
 });

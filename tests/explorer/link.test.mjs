@@ -1,4 +1,4 @@
-// Links: what they carry comes back, and what makes no sense is left out in words.
+// Explorer links: they restore the state, and invalid parts are left out with a message.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -10,7 +10,7 @@ import { ARMS, PANDA } from "./arms.mjs";
 const VIEWS = ["table", "pose", "torque", "homework"];
 const read = (fragment) => parseFragment(fragment, ARMS, VIEWS);
 
-test("what is seen comes back by a link", () => {
+test("a link restores the explorer's state", () => {
   const runs = [HOMEWORK, { ...HOMEWORK, method: "rk4", mistake: "z_i", steps: 100, radius: 0.05, gain: 5 }];
   const q = [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7];
   const store = new Store(makeInitialState({ arm: PANDA, q, view: "homework", unit: "rad", frames: "all", runs }));
@@ -40,7 +40,7 @@ const cases = {
   "a mark too far away": "#arm=Panda&mark=0,0,1e9",
 };
 for (const [name, fragment] of Object.entries(cases)) {
-  test(`refused in words: ${name}`, () => {
+  test(`refused with a message: ${name}`, () => {
     const { patch, message } = read(fragment);
     assert.match(message, /^Part of the link was left out: .+\.$/);
     if (patch.arm) assert.ok(ARMS.includes(patch.arm), "the arm is one of the list");
@@ -48,7 +48,7 @@ for (const [name, fragment] of Object.entries(cases)) {
   });
 }
 
-test("a link refuses runs that are none", () => {
+test("a link refuses invalid runs", () => {
   const fine = "euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_";
   for (const bad of ["euler", fine.replace("1000", "1e9"), fine.replace("inverse", "constructor"), fine.replace("0.1_", "_"), Array(9).fill(fine).join(";")]) {
     const told = read(`#arm=Panda&view=homework&runs=${bad}`);
@@ -57,6 +57,6 @@ test("a link refuses runs that are none", () => {
   }
 });
 
-test("a fragment of the page, and none, change nothing", () => {
+test("fragments of the page change nothing", () => {
   for (const fragment of ["", "#the-instrument", "#fig-1"]) assert.deepEqual(read(fragment), { patch: {}, message: "" });
 });

@@ -1,10 +1,10 @@
-// Tables from a clipboard, in the field's own order and unit; the judge's reader of tables is tested with the judge.
+// Pasted tables in the table's own column order and unit; the judge's tests cover the reader.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { readPastedTable } from "../../page/src/paste.js";
 
-test("without heads the columns are the table's, and bare angles in its unit", () => {
+test("a table without headers has the shown order and unit", () => {
   for (const [unit, size] of [["rad", 1], ["deg", Math.PI / 180]]) {
     const { rows } = readPastedTable("0.2\t1.5\t0.3\tq1\n0.4\t0\td2\t1.5", unit);
     const entries = rows.map(({ kind, a, alpha, d, theta }) => [kind, a, alpha / size, d, theta / size]);
@@ -14,7 +14,7 @@ test("without heads the columns are the table's, and bare angles in its unit", (
   assert.deepEqual([a, d], [0.5, 1]);
 });
 
-test("one entry is no table, and what is none is refused in words", () => {
+test("single entries are no table, bad tables are refused", () => {
   assert.equal(readPastedTable("0.333", "rad"), null);
   assert.equal(readPastedTable("−90°", "rad"), null);
   const endless = "0\t0\t1\tq1\n".repeat(17);

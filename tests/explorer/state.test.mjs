@@ -1,4 +1,4 @@
-// What the explorer shows after each event: whatever depends on what changed is dropped.
+// The explorer's state after each event: fields that depend on a change are reset.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -11,7 +11,7 @@ import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 const start = (arm = PANDA) => new Store(makeInitialState({ arm, q: [...arm.home] }));
 const path = [PANDA.home, PANDA.home.map((v) => v + 0.1)];
 
-// A Panda that plays a circle, with all that is said of it.
+// A store whose Panda plays a circle, with every resettable field set.
 function playing() {
   const store = start();
   const { arm, circle } = store.state;
@@ -23,22 +23,22 @@ function playing() {
   return store;
 }
 
-const said = (state) => Object.fromEntries(Object.keys(EMPTY).map((key) => [key, state[key]]));
+const getResettable = (state) => Object.fromEntries(Object.keys(EMPTY).map((key) => [key, state[key]]));
 
 for (const [how, event] of [
   ["chosen", { type: "selectArm", arm: ELBOW }],
   ["linked to", { type: "replaceState", arm: ELBOW, base: ELBOW, reference: ELBOW, q: ELBOW.home }],
 ]) {
-  test(`another arm that is ${how} drops what was said of the one before`, () => {
+  test(`an arm that is ${how} resets the dependent fields`, () => {
     const store = playing();
     store.dispatch(event);
     const { base, reference, q } = store.state;
-    assert.deepEqual(said(store.state), EMPTY);
+    assert.deepEqual(getResettable(store.state), EMPTY);
     assert.deepEqual([base, reference, q], [ELBOW, ELBOW, ELBOW.home]);
   });
 }
 
-test("another radius drops the circle that was drawn with the old one", () => {
+test("another radius resets the drawn circle", () => {
   const store = playing();
   store.dispatch({ type: "setCircle", radius: 0.2 });
   const { trace, wantedPath, progress, playing: on } = store.state;
@@ -46,19 +46,19 @@ test("another radius drops the circle that was drawn with the old one", () => {
   assert.deepEqual(store.state.circle, { normal: "x", radius: 0.2 });
 });
 
-test("a joint that the reader moves stops the play, and the path stays", () => {
+test("moving a joint stops the play and keeps the path", () => {
   const store = playing();
   store.dispatch({ type: "moveJoints", q: PANDA.home.map((v) => v + 0.2) });
   assert.deepEqual([store.state.playing, store.state.trace], [false, path]);
 });
 
-test("a play ends at the trace's last pose", () => {
+test("a play ends at the last pose of the trace", () => {
   const store = playing();
   store.dispatch({ type: "seek", progress: 1 });
   store.state.q.forEach((v, k) => assert.ok(Math.abs(v - path[1][k]) < 1e-12));
 });
 
-test("a gesture that goes on after an undo leaves nothing to redo", () => {
+test("a gesture after an undo clears the redo steps", () => {
   const store = start();
   const move = (by, gesture) => store.dispatch({ type: "moveJoints", q: PANDA.home.map((v) => v + by), gesture });
   move(0.1, "first");
@@ -69,7 +69,7 @@ test("a gesture that goes on after an undo leaves nothing to redo", () => {
   assert.deepEqual(store.state.future, []);
 });
 
-test("what makes no sense here changes nothing", () => {
+test("events that do not fit the state change nothing", () => {
   const { home, rows: [row, ...rows] } = PANDA; // prettier-ignore
   const store = start();
   const { circle } = store.state;
@@ -85,10 +85,10 @@ test("what makes no sense here changes nothing", () => {
   ])
     assert.equal(store.dispatch(event), false, event.type);
   store.dispatch({ type: "replaceState", trace: [[0, 0, 0], [1, 1, 1]] });
-  assert.equal(store.dispatch({ type: "seek", progress: 0.5 }), false, "a trace of another arm");
+  assert.equal(store.dispatch({ type: "seek", progress: 0.5 }), false, "the trace belongs to another arm");
 });
 
-test("a typed arm has a name of its own and nothing that was not typed", () => {
+test("an edited arm has no limits or masses", () => {
   const store = start();
   store.dispatch({ type: "editTable", rows: PANDA.rows.map((row, i) => (i === 2 ? { ...row, a: 0.088 } : row)) });
   const { arm, reference, q } = store.state;
@@ -98,23 +98,23 @@ test("a typed arm has a name of its own and nothing that was not typed", () => {
     assert.equal(row.body, undefined);
   }
   store.dispatch({ type: "editTable", rows: PANDA.rows.map((row) => ({ ...row })) });
-  assert.equal(store.state.arm, PANDA, "typed back it is the Panda again, limits and masses with it");
+  assert.equal(store.state.arm, PANDA, "the original rows restore the Panda with limits and masses");
 });
 
-test("ways are marked once the tip has left the pose, and come back with it", () => {
+test("the tip's offset from the branches is measured", () => {
   const q = [0.2, 1.2, -0.9];
   const store = start(ELBOW);
   store.dispatch({ type: "moveJoints", q });
   store.dispatch({ type: "setBranches", arm: ELBOW, branches: findBranches(ELBOW, q) });
-  const left = (values) => {
+  const measureOffset = (values) => {
     store.dispatch({ type: "moveJoints", q: values });
     return measureTipOffset(store.state, store.derived);
   };
-  assert.ok(left([0.2, 1.2, -0.8]).distance > 0.02);
-  for (const way of store.state.branches.list) assert.equal(left(way.q), null);
+  assert.ok(measureOffset([0.2, 1.2, -0.8]).distance > 0.02);
+  for (const branch of store.state.branches.list) assert.equal(measureOffset(branch.q), null);
 });
 
-test("undo and redo walk through what the reader did, a drag as one step", () => {
+test("undo and redo treat a drag as one step", () => {
   const store = start(ELBOW);
   const move = (v, gesture) => store.dispatch({ type: "moveJoints", q: [v, 0.8, -1.5], gesture });
   for (const v of [0.1, 0.2, 0.3]) move(v, "drag 1");
@@ -127,13 +127,13 @@ test("undo and redo walk through what the reader did, a drag as one step", () =>
   store.dispatch({ type: "redo" });
   assert.equal(store.state.q[0], 0.3);
   move(9);
-  assert.deepEqual(store.state.future, [], "another way was taken");
+  assert.deepEqual(store.state.future, [], "a new step clears the redo steps");
   move(8);
   store.dispatch({ type: "undo" });
-  assert.equal(store.state.q[0], 9, "what belongs to no gesture is a step of its own");
+  assert.equal(store.state.q[0], 9, "an event without a gesture is one step");
 });
 
-test("views of one store hear the same, and no more once they are gone", () => {
+test("listeners are called until their signal is aborted", () => {
   const store = start();
   const heard = [];
   const [one, two] = [new AbortController(), new AbortController()];
@@ -145,7 +145,7 @@ test("views of one store hear the same, and no more once they are gone", () => {
   assert.deepEqual(heard, [["one", "unit"], ["two", "reader"], ["two", "python"]]);
 });
 
-test("an arm without a joint has numbers too", () => {
+test("an arm without joints has derived values", () => {
   const still = { name: "post", home: [], rows: [{ ...ELBOW.rows[0], kind: "fixed" }] };
   const { derived } = start(still);
   assert.equal(describeRank(derived).text, "No joint moves this arm.");
