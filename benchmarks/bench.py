@@ -78,12 +78,12 @@ def scientific(error: float) -> str:
 
 
 def digits(milliseconds: float) -> str:
-    """Three digits, and no power of ten."""
+    """Format a number with three digits and no power of ten."""
     return f"{milliseconds:.0f}" if milliseconds >= 100 else f"{milliseconds:.3g}"
 
 
 def table(topics: list[ModuleType]) -> Iterator[str]:
-    """The table's lines, each as soon as it is measured."""
+    """Yield the table's lines as soon as each is measured."""
     yield "| work | who, and called how | ms | helpers / peer | largest difference |"
     yield "|:--|:--|--:|--:|--:|"
     for topic in topics:
@@ -92,7 +92,7 @@ def table(topics: list[ModuleType]) -> Iterator[str]:
 
 
 def page(lines: list[str]) -> str:
-    """The book's appendix."""
+    """Write the book's appendix."""
     versions = (f"{name} {version(name)}" for name in PEERS)
     machine = f"{processor()}, {os.cpu_count()} cores, {platform.system()}"
     return PAGE.format(
@@ -106,7 +106,7 @@ def page(lines: list[str]) -> str:
 
 
 def processor() -> str:
-    """The processor's name, as Linux knows it."""
+    """Return the processor's name on Linux."""
     known = Path("/proc/cpuinfo")
     names = (
         re.findall(r"model name\s*: (.*)", known.read_text(encoding="utf-8"))

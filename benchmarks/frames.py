@@ -72,7 +72,7 @@ DRAG = """(frames) => new Promise((done) => {
 
 
 def dragged(browser: Browser) -> list[float]:
-    """Milliseconds of script in each frame of a drag; one drag before it is not counted."""
+    """Return milliseconds of script per frame of a drag, after one warm-up drag."""
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     page.add_init_script(CLOCK)
     page.goto((ROOT / "book/_build/html/explorer.html").as_uri() + "#arm=Panda&view=pose")

@@ -1,4 +1,4 @@
-"""Inverse kinematics: all branches of the UR10e, and one numeric solution for the Panda."""
+"""Time inverse kinematics: all branches of the UR10e, one numeric solution of the Panda."""
 
 import eaik.IK_DH
 import numpy as np
@@ -25,7 +25,7 @@ def ours(found) -> np.ndarray:
 
 
 def of_eaik(found) -> np.ndarray:
-    """EAIK's least-squares answers to unreachable branches are left out."""
+    """Return EAIK's exact solutions, without least-squares answers for unreachable branches."""
     return signature([pose.Q[~np.array(pose.is_LS)] for pose in found])
 
 

@@ -1,4 +1,4 @@
-"""Forward kinematics and Jacobians of the Panda."""
+"""Time forward kinematics and Jacobians of the Panda."""
 
 import shutil
 import sysconfig
@@ -25,7 +25,7 @@ BARE = PANDA.with_values(l_pen=0)  # the peers' tip is the flange
 
 
 def ets() -> rtb.ETS:
-    """The table as roboticstoolbox's elementary transforms."""
+    """Return the table as roboticstoolbox's elementary transforms."""
     chain = rtb.ETS()
     for row in BARE.rows:
         a, alpha, d = (BARE.number(e) for e in (row.a, row.alpha, row.d))
@@ -34,7 +34,7 @@ def ets() -> rtb.ETS:
 
 
 def link(row: NumericRow, c, s) -> list[list]:
-    """A row's transform, its joint turned by the angle with this cosine and sine."""
+    """Return a row's transform for the cosine and sine of its joint angle."""
     ca, sa = row.cos_alpha, row.sin_alpha
     return [
         [c, -s * ca, s * sa, row.a * c],
@@ -45,7 +45,7 @@ def link(row: NumericRow, c, s) -> list[list]:
 
 
 def casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
-    """The table in CasADi: q, the pose, and the Jacobian with columns z x (o_n - o) over z."""
+    """Build q, the pose and the Jacobian, with columns z x (o_n - o) over z, in CasADi."""
     q, T, frames = casadi.SX.sym("q", 7), casadi.SX.eye(4), []
     for k, row in enumerate(BARE.numeric):
         frames.append(T)
@@ -99,7 +99,7 @@ def _with_arrays(over: casadi.Function, shape: tuple[int, int]):
 
 
 def _through_buffers(function: casadi.Function, shape: tuple[int, int]):
-    """In blocks, which is faster than a map over all of a large batch."""
+    """Evaluate in blocks, which is faster than one map over a large batch."""
     over = function.map(BLOCK)
     buffer, run = over.buffer()
 
@@ -115,13 +115,13 @@ def _through_buffers(function: casadi.Function, shape: tuple[int, int]):
 
 
 def product(left, right) -> list[list]:
-    """Of two matrices as lists of lines, whose entries may be numbers or whole batches."""
+    """Multiply two matrices as lists of rows, with numbers or batches as entries."""
     columns = list(zip(*right, strict=True))
     return [[sum(x * y for x, y in zip(line, c, strict=True)) for c in columns] for line in left]
 
 
 def jax_of_matrices() -> tuple[Callable, Callable]:
-    """The pose and the Jacobian of one configuration, from 4 x 4 matrices."""
+    """Compute pose and Jacobian of one configuration from 4 x 4 matrices."""
 
     def matrices(q):
         T = [jnp.eye(4)]
@@ -143,7 +143,7 @@ def jax_of_matrices() -> tuple[Callable, Callable]:
 
 
 def jax_of_entries() -> tuple[Callable, Callable]:
-    """The poses and the Jacobians of a batch, entry by entry."""
+    """Compute poses and Jacobians of a batch entry by entry."""
 
     def entries(q):
         T = [np.eye(4).tolist()]
@@ -170,7 +170,7 @@ def jax_of_entries() -> tuple[Callable, Callable]:
 
 
 def jax_ways() -> list[dict]:
-    """Poses and Jacobians in JAX: 4 x 4 matrices, and entry by entry over the batch."""
+    """Compute poses and Jacobians in JAX by 4 x 4 matrices and entry by entry."""
     jax.config.update("jax_enable_x64", True)
 
     def plain(function):
@@ -192,7 +192,7 @@ def jax_ways() -> list[dict]:
 
 
 class Pinocchio:
-    """Pinocchio's own Panda, called once per configuration."""
+    """Call Pinocchio's own Panda once per configuration."""
 
     def __init__(self) -> None:
         site = Path(sysconfig.get_paths()["purelib"])
@@ -253,7 +253,7 @@ def batches(Case):
 
 
 def one_pose(Case):
-    """Calls for a single joint vector, from one array to another."""
+    """Return calls that take a single joint vector as an array."""
     pin, chain = Pinocchio(), ets()
     q, T, J = casadi_expressions()
     pose, jac = (casadi.Function("f", [q], [x]) for x in (T, J))

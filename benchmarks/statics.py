@@ -1,4 +1,4 @@
-"""Gravity torques of the Panda."""
+"""Time gravity torques of the Panda."""
 
 from collections.abc import Callable
 from functools import partial
@@ -20,7 +20,7 @@ CENTRES = np.array([[PANDA.number(c) for c in body.com] for body in PANDA.bodies
 
 
 def casadi_gravity() -> tuple[casadi.SX, casadi.SX]:
-    """q, and dP/dq by CasADi's automatic differentiation of the potential energy."""
+    """Build q and dP/dq by CasADi's automatic differentiation of the potential energy."""
     q, T, energy = casadi.SX.sym("q", 7), casadi.SX.eye(4), 0
     for k, (row, mass, centre) in enumerate(zip(PANDA.numeric, MASSES, CENTRES, strict=True)):
         T = T @ casadi.vertcat(
@@ -31,7 +31,7 @@ def casadi_gravity() -> tuple[casadi.SX, casadi.SX]:
 
 
 def pinocchio_panda() -> pinocchio.Model:
-    """Pinocchio's Panda with the same masses."""
+    """Build Pinocchio's Panda with the same masses."""
     pin = Pinocchio()
     home = np.array(PANDA.home)
     frames = np.array([pin_frame.homogeneous for pin_frame in _placements(pin, home)])
@@ -43,7 +43,7 @@ def pinocchio_panda() -> pinocchio.Model:
 
 
 def pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
-    """Called once per configuration."""
+    """Call Pinocchio once per configuration."""
     model = pinocchio_panda()
     data = model.createData()
 
@@ -57,7 +57,7 @@ def pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
 
 
 def pinocchio_at_rest(q: np.ndarray, threads: int) -> Callable[[], np.ndarray]:
-    """Newton and Euler at rest, of all configurations in one call."""
+    """Run Newton-Euler at rest for all configurations in one call."""
     pool = pinocchio.ModelPool(pinocchio_panda(), threads)
     still, found = np.zeros(q.T.shape, order="F"), np.empty(q.T.shape, order="F")
 
@@ -110,7 +110,7 @@ def mujoco_panda() -> str:
 
 
 def jax_ways(q: np.ndarray) -> dict[str, Callable[[], np.ndarray]]:
-    """dP/dq by JAX: of one pose's 4 x 4 matrices, and entry by entry over the whole batch."""
+    """Compute dP/dq in JAX by 4 x 4 matrices and entry by entry over the batch."""
     jax.config.update("jax_enable_x64", True)
 
     def of_matrices(q):

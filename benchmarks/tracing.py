@@ -1,4 +1,4 @@
-"""The homework's loop of 1000 steps with each program, by Euler, Runge and Kutta, and Newton."""
+"""Time the homework's 1000 steps by Euler, Runge-Kutta and Newton in each program."""
 
 from functools import partial
 
@@ -16,7 +16,7 @@ ARM = BARE.lock(3)
 
 
 class Looped:
-    """The loops as users write them, around a program's 6 x 7 Jacobian, column 3 left out."""
+    """Loops that a user would write around a 6 x 7 Jacobian without column 3."""
 
     def __init__(self, jacobian_of) -> None:
         self.jacobian_of = jacobian_of
@@ -26,7 +26,7 @@ class Looped:
         return np.linalg.solve(self.jacobian_of(np.insert(q, 2, 0.0))[:, FREE], twist)
 
     def euler(self) -> np.ndarray:
-        """q_{k+1} = q_k + dt J^-1 xi, the velocities in a table, the twist padded at each step."""
+        """Trace by q_{k+1} = q_k + dt J^-1 xi, with tabulated velocities padded at each step."""
         q, run = np.array(PANDA.home), np.empty((len(PATH.times), 7))
         run[0] = q
         for k, v in enumerate(PATH.velocities[:-1]):
@@ -36,7 +36,7 @@ class Looped:
         return np.delete(run, 2, axis=1)
 
     def euler_padded(self) -> np.ndarray:
-        """The same, the twists padded beforehand."""
+        """Trace in the same way with twists padded beforehand."""
         q, run = np.array(PANDA.home), np.empty((len(PATH.times), 7))
         run[0] = q
         twists = np.hstack([PATH.velocities, np.zeros_like(PATH.velocities)])
@@ -59,7 +59,7 @@ class Looped:
 
 
 class Locked:
-    """Pinocchio at its best: joint 3 locked in its model, its signs kept, a loop of bare calls."""
+    """Trace with Pinocchio's fastest calls, joint 3 locked in its model."""
 
     def __init__(self, pin: Pinocchio) -> None:
         self.signs = SIGNS[FREE]

@@ -1,4 +1,4 @@
-"""Arms as plain data that a browser can read, and back."""
+"""Convert arms to plain data for the browser, and back."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -17,7 +17,7 @@ _DIGITS = 5  # of its joint values, so that the last digit of a machine's arithm
 
 
 def arm_from(name: str, rows: Sequence[Mapping[str, Any]]) -> Arm:
-    """The arm whose rows a browser sends; raises ArmError where they make no arm."""
+    """Return the arm of the rows that a browser sends; raise ArmError for invalid rows."""
     bodies = [Body(row["body"][0], tuple(row["body"][1:])) for row in rows if row.get("body")]
     complete = bodies if len(bodies) == len(rows) else []
     return Arm(name, tuple(_row(row) for row in rows), bodies=tuple(complete))

@@ -66,7 +66,7 @@ tool   0        0.207  0      0""",
 
 
 def traced() -> dict[str, str]:
-    """The example of a run: the circle in a plane that lets it be drawn the other way round."""
+    """Return the example path: a circle in a plane where its direction can be reversed."""
     q = (0.3, -0.6, 1.4, -0.8, 0.9, 0.2)
     path = motion.circle_below(robots.UR10E_HOMEWORK, q, 0.1, "yz", 5.0, 24)
     run = motion.trace(robots.UR10E_HOMEWORK, q, path, method="exact")
@@ -76,7 +76,7 @@ def traced() -> dict[str, str]:
 
 
 def catalogue_arm(call: str) -> Arm:
-    """The arm of a call such as ``PANDA.lock(3)``."""
+    """Return the arm that a call such as ``PANDA.lock(3)`` makes."""
     name, _, locked = call.removesuffix(")").partition(".lock(")
     arm = getattr(robots, name, None)
     if not isinstance(arm, Arm):
@@ -105,7 +105,7 @@ def stub(given: Mapping[str, str] | None = None) -> tuple[str, str]:
 
 
 def listed(call: str) -> Data:
-    """An arm as the page lists it."""
+    """Return the data of an arm in the page's list."""
     arm = catalogue_arm(call)
     locked = f", joint {call[-2]} locked" if "lock" in call else ""
     live = {} if locked else {"explorer": arm.name}

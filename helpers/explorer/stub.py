@@ -23,6 +23,6 @@ def stub(words: str, spec: Data, name: str = "arm-explorer", figure: str = "") -
 
 
 def standing(arm: Arm, q: ArrayLike) -> str:
-    """Where an arm stands at q, shape (dof,), in words."""
+    """Describe the pose of an arm at q, shape (dof,), in a sentence."""
     pairs = zip(arm.variables, np.round(arm.joint_vector(q), 3) + 0.0, strict=True)
     return f"{arm.name} at {', '.join(f'{name} = {value:g}' for name, value in pairs)}."

@@ -1,4 +1,4 @@
-"""The widget: one object in Python, one instrument in the page, the same joint vector in both."""
+"""The explorer's widget, which shares its joint vector with the page."""
 
 import hashlib
 from collections.abc import Iterable, Mapping
@@ -38,7 +38,7 @@ def esm(widget: str = "widget") -> str:
 
 
 class Floats(traitlets.TraitType):
-    """A tuple of floats that any array, list or tuple of numbers may be assigned to."""
+    """Tuple of floats that accepts any array, list or tuple of numbers."""
 
     def validate(self, obj: object, value: Any) -> tuple[float, ...]:
         array = floats(value, str(self.name), "numbers")
@@ -138,7 +138,7 @@ class ArmExplorer(Live):
 
     @property
     def arm(self) -> Arm:
-        """The arm shown now, the chosen one or that of a typed table, which is `Your arm`."""
+        """The arm shown: the chosen one, or `Your arm` of a typed table."""
         return arm_from(TYPED, self.rows) if self.rows else self._arms[self.arm_name]
 
     @traitlets.validate("arm_name")
@@ -151,7 +151,7 @@ class ArmExplorer(Live):
 
     @traitlets.observe("arm_name", "rows")
     def _on_another_arm(self, change: Mapping[str, Any]) -> None:
-        """Another arm stands at its home, and what was computed for the one before is dropped."""
+        """Put a new arm at its home and drop results of the previous arm."""
         if not self._settled:
             return
         with self.hold_sync():
@@ -161,7 +161,7 @@ class ArmExplorer(Live):
             self.q = self.arm.home if len(self.arm.home) == self.arm.dof else [0] * self.arm.dof
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
-        """Take what the page sends, which says itself what goes with another arm."""
+        """Take a state from the page, which is complete if it names another arm."""
         self._settled = False
         try:
             super().set_state(sync_data)

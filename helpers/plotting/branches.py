@@ -1,4 +1,4 @@
-"""Pictures of inverse kinematics: the two views of an elbow arm, regions of starts."""
+"""Draw inverse kinematics: two views of an elbow arm, regions of starts."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -104,7 +104,7 @@ def _triangle(ax: Axes, points: Array, away: float, legs: tuple[str, str]) -> No
 
 
 def _beside(ax: Axes, start: Array, stop: Array, text: str, away: float) -> None:
-    """A text to the left of the middle of a way."""
+    """Write a text to the left of the middle of a line."""
     step = stop - start
     x, y = (start + stop) / 2 + away * np.array([-step[1], step[0]]) / np.linalg.norm(step)
     ax.text(x, y, text, ha="center", va="center")
@@ -138,7 +138,7 @@ def regions(
 
 
 def _cells(x: NDArray, y: NDArray, inside: NDArray) -> Path:
-    """One rectangle for each run of grid points in a row that are inside."""
+    """Return a rectangle for each unbroken row of grid points inside a region."""
     half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
     edge = np.diff(np.pad(inside.astype(int), ((0, 0), (1, 1))), axis=1)
     rows, first = np.nonzero(edge == 1)

@@ -1,4 +1,4 @@
-"""The picture of the four Denavit-Hartenberg numbers."""
+"""Draw the four Denavit-Hartenberg numbers."""
 
 from typing import Any
 

@@ -39,7 +39,7 @@ _PALE = "#C9CDD3"
 
 
 def seen(points: ArrayLike, view: View) -> Array:
-    """Where points, shape (..., 3), stand in a drawing: to the right, up, and towards the eye."""
+    """Project points, shape (..., 3), to right, up and towards the viewer."""
     points = numbers(points, "points", "points (..., 3), finite, in m", (3,), many=True)
     return np.asarray(points @ eye_of(view).T)
 
@@ -71,7 +71,7 @@ def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1
 
 
 def bare(ax: Axes) -> None:
-    """A drawing without rulers, at equal scale."""
+    """Set up axes without ticks, at equal scale."""
     ax.set_aspect("equal")
     ax.set_axis_off()
 
@@ -86,7 +86,7 @@ def _ground(ax: Axes, place: Array, half: float) -> None:
 
 
 def joint_shape(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> None:
-    """A barrel about z, or a box along it, as its outline and the face that is turned to us."""
+    """Draw a barrel about z or a box along it: its outline and its visible face."""
     sides = 18 if turns else 4
     angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
     ring = radius * frame[:3, :2] @ [np.cos(angle), np.sin(angle)] + frame[:3, 3:]
@@ -215,7 +215,7 @@ def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
 def named_arrow(
     ax: Axes, ends: tuple[Array, Array], colour: str, text: str, side: float = 0
 ) -> None:
-    """An arrow with its name beyond its head, or to its left (pt) where `side` is not 0."""
+    """Draw an arrow with its name beyond its head, or `side` points to its left if not 0."""
     start, end = ends
     look = dict(arrowstyle="-|>", color=colour, lw=1.4, shrinkA=0, shrinkB=0, mutation_scale=9)
     ax.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look, zorder=6)
@@ -292,7 +292,7 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
 
 
 def _away(axis: Array, other: Array, view: View, side: float) -> float:
-    """To which side of an axis (pt, left is positive) its name is clear of another axis."""
+    """Return the offset (pt, left is positive) that keeps an axis' name off another axis."""
     one, two = seen([axis, other], view)[:, :2]
     return -side if one[0] * two[1] > one[1] * two[0] else side
 

@@ -1,4 +1,4 @@
-"""Arms that move in a plane, drawn flat."""
+"""Draw arms that move in a plane."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,7 +11,7 @@ from helpers.plotting.style import GREY, SLATE
 
 
 def pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
-    """The link frames at one pose, q of shape (dof,): what can be drawn."""
+    """Return the link frames to draw at one pose, q of shape (dof,)."""
     must_be(arm, Arm, "arm")
     return link_frames(arm, arm.joint_vector(q, many=False))
 

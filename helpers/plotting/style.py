@@ -1,4 +1,4 @@
-"""Colours and settings shared by all figures."""
+"""Colours and settings of all figures."""
 
 import re
 import sys
@@ -67,7 +67,7 @@ def use_book_style() -> None:
 
 
 def time_axis(ax: Axes) -> None:
-    """Name and number the time under this panel too, sparingly: on a phone it stands alone."""
+    """Label the time axis of this panel too, since a phone shows one panel at a time."""
     ax.set_xlabel("$t$ (s)")
     ax.xaxis.set_major_locator(MaxNLocator(2, steps=[1, 2, 2.5, 5, 10]))
     ax.tick_params(labelbottom=True)

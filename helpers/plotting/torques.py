@@ -1,4 +1,4 @@
-"""Joint torques along a path, and the forces at the pen's tip."""
+"""Draw joint torques along a path and the forces at the pen's tip."""
 
 from collections.abc import Mapping
 from typing import Any

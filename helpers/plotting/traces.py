@@ -1,4 +1,4 @@
-"""Traced paths, joint histories, and a moving picture of the arm that needs no script."""
+"""Draw traced paths, joint histories, and a moving picture without a script."""
 
 from html import escape
 from typing import Any
@@ -52,7 +52,7 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
 
 
 def _some(run: Trace) -> NDArray[np.intp]:
-    """Steps enough for a smooth line, the first and the last among them."""
+    """Return indices of enough steps for a smooth line, with the first and the last."""
     return np.unique(np.linspace(0, len(run.t) - 1, 61).astype(int))
 
 
@@ -86,7 +86,7 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
 
 
 def _panel(bones: Array, tips: Array, plane: str, seconds: float, left: float) -> str:
-    """The arm's bones and the way of its tip, in pixels, as seen in a plane."""
+    """Return the arm's links and the path of its tip in a plane, in pixels."""
     i, j = plane_axes(plane)
 
     def points(array: Array) -> list[str]:
