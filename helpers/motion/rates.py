@@ -141,7 +141,7 @@ def damped(damping: float) -> Rates:
 
 
 def levenberg(scale: float = 0.1) -> Rates:
-    """Return the damped rule with damping^2 = scale |xi|.
+    """Return the damped rule with damping^2 = scale * norm(xi).
 
     It is meant for the method "exact", whose xi is an error: far from the target its steps are
     short, near the target they are those of Newton's method.
