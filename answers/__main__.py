@@ -19,11 +19,18 @@ def main(arguments: list[str] | None = None) -> None:
     parser.add_argument("--base", help="a robot description's first link")
     parser.add_argument("--tip", help="a robot description's last link")
     parser.add_argument(
+        "--tolerance",
+        type=float,
+        default=1e-9,
+        help="axes of a robot description closer than this (m, or sine of an angle) meet or are"
+        " parallel; a warning says where it must be larger",
+    )
+    parser.add_argument(
         "--out", type=Path, help="the file to write; named after the arm unless given"
     )
     options = parser.parse_args(arguments)
     try:
-        arm = read_arm(options.arm, options.base, options.tip)
+        arm = read_arm(options.arm, options.base, options.tip, options.tolerance)
         out = options.out or Path(f"{file_stem(arm.name)}_answers.html")
         out.write_text(document(arm), encoding="utf-8")
     except (ArmError, OSError) as error:

@@ -9,15 +9,20 @@ from helpers.robots import find_arm
 from helpers.urdf import from_urdf
 
 
-def read_arm(text: str, base: str | None = None, tip: str | None = None) -> Arm:
-    """Return the arm that an argument of a command names.
+def read_arm(
+    text: str, base: str | None = None, tip: str | None = None, tolerance: float = 1e-9
+) -> Arm:
+    """Read the arm that a command line names.
 
     Args:
-        text: a name of the catalogue, a robot description (.urdf, .xml) or ``file.py:NAME``. The
-            Python file is run.
-        base, tip: first and last link in a robot description.
+        text: A name of the catalogue, a robot description (``arm.urdf``), or ``file.py:NAME``; the
+            Python file is the caller's own and is run.
+        base: First link of a robot description.
+        tip: Last link of a robot description.
+        tolerance: Tolerance with which a robot description is read.
 
-    Raises ArmError if there is no such arm.
+    Raises:
+        ArmError: There is no such arm.
     """
     file, colon, name = text.rpartition(":")
     if colon and file.endswith(".py"):
@@ -27,6 +32,6 @@ def read_arm(text: str, base: str | None = None, tip: str | None = None) -> Arm:
         if not isinstance(arm, Arm):
             raise ArmError(f"{name} of {file} is {arm!r}; expected an Arm")
         return arm
-    if text.endswith((".urdf", ".xml")):
-        return from_urdf(text, base, tip)
+    if text.lower().endswith((".urdf", ".xml", ".xacro", ".sdf")):
+        return from_urdf(text, base, tip, tolerance=tolerance)
     return find_arm(text)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, derive
-from helpers.inputs import shorten
+from helpers.inputs import finite_number, shorten
 from helpers.rows import Kind, cos_sin
 
 __all__ = ["from_urdf"]
@@ -34,6 +34,12 @@ _KINDS: dict[str, Kind] = {
 }
 _MISSING_NUMBER = (math.nan,)
 
+# What to do with a file of another format, by its root element.
+_OTHER_FORMATS = {
+    "sdf": "an SDF model of Gazebo; give the robot's URDF, from which most SDF models are made",
+    "mujoco": "an MJCF model of MuJoCo; give the robot's URDF, which its README mostly names",
+}
+
 
 def from_urdf(
     source: str | os.PathLike[str],
@@ -41,18 +47,23 @@ def from_urdf(
     tip: str | None = None,
     *,
     tolerance: float = 1e-9,
+    angle_tolerance: float = 1e-4,
 ) -> Arm:
     """Read an arm from a robot description, in standard Denavit-Hartenberg form.
 
     The joints keep the zeros and signs of the file, so q is the file's. A limit of 0 for speed or
-    effort counts as unknown, because many files write 0 there. Rounded angles can give the warning
-    of `helpers.derive.derive`, which a larger tolerance mends.
+    effort counts as unknown, because many files write 0 there. Files round right angles, to 1.5708
+    for instance; such angles are taken as exact, and the arm's `source` says so. Other rounded
+    angles can give the warning of `helpers.derive.derive`, which a larger tolerance mends.
 
     Args:
         source: The file's path, or its text.
-        base: Name of the link where the chain begins; by default the one without a parent.
+        base: Name of the link where the chain begins; by default the one without a parent. It may
+            be fixed to a link of the chain, as UR's "base" is to "base_link".
         tip: Name of the link where it ends; by default the last one, if there is only one.
         tolerance: As for `helpers.derive.derive`.
+        angle_tolerance: Angles this close (rad) to a multiple of a right angle are taken as that;
+            0 takes every angle as it stands.
 
     Raises:
         ArmError: The file is no robot description, or the chain has a planar or floating joint, or
@@ -65,15 +76,17 @@ def from_urdf(
         >>> from_urdf(text)
         <Arm slide: 1 rows, P>
     """
-    tree = _read_tree(_read_robot(source))
+    expected = "a number of rad, 0 or more"
+    angle_tolerance = finite_number(angle_tolerance, "angle_tolerance", expected, least=0)
+    tree = _read_tree(_read_robot(source), angle_tolerance)
     if base is None:
         base = tree.require_single(tree.roots, "without a parent")
     base = tree.require_link(base, "base")
     if tip is None:
-        tip = tree.require_single(tree.ends(base), f"at the end beyond {base}")
+        tip = tree.require_single(tree.ends_from(base), f"at the end beyond {base}")
     tip = tree.require_link(tip, "tip")
-    chain = tree.chain(base, tip)
-    axes, pose, loads = _walk(chain, tree.loads_with_branches(chain))
+    start, chain = tree.chain(base, tip)
+    axes, pose, loads = _walk(start, chain, tree.loads_with_branches(chain))
     if not axes:
         raise ArmError(
             f"{tree.name}: nothing moves from {base} to {tip}; expected a joint that does"
@@ -83,7 +96,8 @@ def from_urdf(
     centres = loads[:, :3] / np.where(masses, masses, 1)[:, None]
     arm = derivation.with_bodies(masses, centres) if masses.any() else derivation.arm
     moving = ", ".join(joint.name for joint in chain if joint.kind != "fixed")
-    return replace(arm, source=f"robot description: {base} to {tip}; joints {moving}")
+    note = f"robot description: {base} to {tip}; joints {moving}{_rounding_note(chain)}"
+    return replace(arm, source=note)
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +111,8 @@ class _FileJoint:
         child: Name of the link that it moves.
         origin: Pose of the child's frame in the parent's at q = 0, 4x4.
         element: The element <joint>.
+        direction: Direction of its axis in the child's frame, shape (3,).
+        angle_change: Largest change, in rad, that rounding made to an angle of its origin or axis.
     """
 
     name: str
@@ -105,6 +121,8 @@ class _FileJoint:
     child: str
     origin: Array
     element: ET.Element
+    direction: Array
+    angle_change: float
 
     def as_axis(self, pose: Array) -> Axis:
         """Return the joint's axis in base axes.
@@ -115,18 +133,21 @@ class _FileJoint:
         Raises:
             ArmError: No row of a table moves as the joint does.
         """
-        if self.kind not in _KINDS or self.element.find("mimic") is not None:
-            problem = f"is {self.kind}" if self.kind not in _KINDS else "mimics another"
+        if self.kind not in _KINDS:
             raise ArmError(
-                f"joint {self.name} {problem}; a table has rows for revolute, continuous,"
-                " prismatic and fixed joints, each with a freedom of its own"
+                f"joint {self.name} is {self.kind}; a table has rows for revolute, continuous,"
+                " prismatic and fixed joints. Begin the chain beyond it, with base ="
+                f" {self.child!r}, or end it before, with tip = {self.parent!r}"
             )
-        direction = _read_numbers(
-            self.element.find("axis"), "xyz", f"the axis of {self.name}", (1, 0, 0)
-        )
-        if not direction.any():
+        if (mimic := self.element.find("mimic")) is not None:
+            raise ArmError(
+                f"joint {self.name} follows joint {mimic.get('joint')} (mimic); a row of a table"
+                " moves by itself. End the chain before it, with tip ="
+                f" {self.parent!r}, or remove <mimic> to move it by itself"
+            )
+        if not self.direction.any():
             raise ArmError(f"the axis of {self.name} is 0 0 0; expected a direction")
-        return Axis(tuple(pose[:3, 3]), tuple(pose[:3, :3] @ direction), self._limits())
+        return Axis(tuple(pose[:3, 3]), tuple(pose[:3, :3] @ self.direction), self._limits())
 
     def _limits(self) -> Joint:
         """Return the joint's range, speed and effort; infinite where they are missing or 0."""
@@ -146,10 +167,13 @@ class _FileJoint:
         return Joint(_KINDS[self.kind], lower, upper, speed, effort)
 
 
-def _walk(chain: Sequence[_FileJoint], loads: dict[str, Array]) -> tuple[list[Axis], Array, Array]:
+def _walk(
+    start: Array, chain: Sequence[_FileJoint], loads: dict[str, Array]
+) -> tuple[list[Axis], Array, Array]:
     """Follow the chain at q = 0, in base axes.
 
     Args:
+        start: Pose of the chain's first link in the base, 4x4.
         chain: The joints from the base to the tip.
         loads: For each link its load, as `_read_load` returns it.
 
@@ -157,7 +181,7 @@ def _walk(chain: Sequence[_FileJoint], loads: dict[str, Array]) -> tuple[list[Ax
         The axes of the moving joints, the tip's pose 4x4, and the load that each of these joints
         moves before the next one does, shape (dof, 4).
     """
-    pose, axes, carried = np.eye(4), [], []
+    pose, axes, carried = start, [], []
     for joint in chain:
         pose = pose @ joint.origin
         if joint.kind != "fixed":
@@ -196,13 +220,21 @@ class _Tree:
                 beyond.add(joint.child)
         return sorted(beyond - {joint.parent for joint in self.joints})
 
+    def ends_from(self, base: str) -> list[str]:
+        """Return the last links beyond the base, or beyond the links to which it is fixed."""
+        if (ends := self.ends(base)) != [base]:
+            return ends
+        *_, root = self.fixed_ancestors(base)
+        return [link for link in self.ends(root) if link != base] or ends
+
     def require_single(self, links: list[str], where: str) -> str:
         """Return the only link of a list; raise ArmError if there are none or several."""
         if len(links) == 1:
             return links[0]
         raise ArmError(
-            f"{self.name}: links {where} are {_list_names(links)}; expected one, or the name of"
-            " one as base and as tip"
+            f"{self.name}: links {where} are {_list_names(links)}; expected one. Say which link"
+            " begins the chain and which ends it, with base and tip (--base and --tip at the"
+            " command line)"
         )
 
     def require_link(self, name: object, argument: str) -> str:
@@ -214,11 +246,29 @@ class _Tree:
             f" {_list_names(self.loads)}"
         )
 
-    def chain(self, base: str, tip: str) -> list[_FileJoint]:
-        """Return the joints from the link `base` to the link `tip` beyond it."""
+    def fixed_ancestors(self, base: str) -> dict[str, Array]:
+        """Return the links to which `base` is fixed, itself first, with their poses in `base`."""
+        above = {joint.child: joint for joint in self.joints}
+        link, pose = base, np.eye(4)
+        poses = {base: pose}
+        while link in above and above[link].kind == "fixed":
+            pose = pose @ np.linalg.inv(above[link].origin)
+            link = above[link].parent
+            poses[link] = pose
+        return poses
+
+    def chain(self, base: str, tip: str) -> tuple[Array, list[_FileJoint]]:
+        """Return the joints from the link `base` to the link `tip`.
+
+        Where `base` is fixed to a link of the chain, the chain begins with that link.
+
+        Returns:
+            The pose of the first link in `base`, 4x4, and the joints.
+        """
+        starts = self.fixed_ancestors(base)
         above = {joint.child: joint for joint in self.joints}
         joints, link = [], tip
-        while link != base:
+        while link not in starts:
             if link not in above:
                 raise ArmError(
                     f"{self.name}: {tip} does not lie beyond {base}; expected a chain from base to"
@@ -226,7 +276,7 @@ class _Tree:
                 )
             joints.append(above[link])
             link = above[link].parent
-        return joints[::-1]
+        return starts[link], joints[::-1]
 
     def loads_with_branches(self, chain: Sequence[_FileJoint]) -> dict[str, Array]:
         """Return the load of each link with all that hangs on it beside the chain."""
@@ -237,25 +287,44 @@ class _Tree:
         return loads
 
 
+def _rounding_note(chain: Sequence[_FileJoint]) -> str:
+    """Say how many joints had their angles rounded, for the arm's `source`."""
+    changes = [joint.angle_change for joint in chain if joint.angle_change > 1e-11]
+    if not changes:
+        return ""
+    return (
+        f"; angles of {len(changes)} joints are taken as the right angles that they are within"
+        f" {max(changes):.1g} rad of"
+    )
+
+
 # Reading the file
 
 
 def _read_robot(source: str | os.PathLike[str]) -> ET.Element:
     """Return the element <robot> of a file or a text."""
     if isinstance(source, str) and "<" in source:
-        text, name = source.encode("utf-8", "replace"), "the text"
+        text, name = source.lstrip().encode("utf-8", "replace"), "the text"
         parser = ET.XMLParser(encoding="utf-8")
     else:
-        text, name, parser = _read_bytes(source), os.fspath(source), ET.XMLParser()
+        # A blank first line is no XML, but common in text that was copied.
+        text, name, parser = _read_bytes(source).lstrip(), os.fspath(source), ET.XMLParser()
     if b"<!DOCTYPE" in text:
         raise ArmError(f"{name} has a document type, which a robot description does not need")
     try:
         root = ET.fromstring(text, parser)
     except (ET.ParseError, LookupError, ValueError) as error:
         raise ArmError(f"{name} is no XML ({error}); expected a robot description") from None
-    if root.tag != "robot" or any("xacro" in str(element.tag) for element in root.iter()):
-        kind = "a xacro, to be run first" if root.tag == "robot" else f"a <{root.tag}>"
-        raise ArmError(f"{name} is {kind}; expected a robot description, <robot>")
+    if root.tag != "robot":
+        kind = _OTHER_FORMATS.get(
+            root.tag, f"a <{root.tag}>; expected a robot description, <robot>"
+        )
+        raise ArmError(f"{name} is {kind}")
+    if any("xacro" in str(element.tag) or "${" in str(element.attrib) for element in root.iter()):
+        raise ArmError(
+            f"{name} holds xacro macros; expand them first, by `xacro arm.urdf.xacro > arm.urdf`,"
+            " and give arm.urdf"
+        )
     return root
 
 
@@ -272,10 +341,11 @@ def _read_bytes(source: str | os.PathLike[str]) -> bytes:
     )
 
 
-def _read_tree(robot: ET.Element) -> _Tree:
+def _read_tree(robot: ET.Element, angle_tolerance: float) -> _Tree:
+    """Read the links and joints of a robot, and check that they form a tree."""
     name = robot.get("name") or "robot"
     links = [(_require_attribute(link, "name", "a link"), link) for link in robot.findall("link")]
-    joints = [_read_joint(element) for element in robot.findall("joint")]
+    joints = [_read_joint(element, angle_tolerance) for element in robot.findall("joint")]
     _require_unique((link_name for link_name, _ in links), f"{name}: links called")
     _require_unique((joint.name for joint in joints), f"{name}: joints called")
     _require_unique((joint.child for joint in joints), f"{name}: joints that carry link")
@@ -293,16 +363,19 @@ def _read_tree(robot: ET.Element) -> _Tree:
         reached += [joint.child for joint in below[link]]
     if loop := sorted({*loads} - {*reached}):
         raise ArmError(
-            f"{name}: links {_list_names(loop)} go round in a circle; expected a tree of links"
+            f"{name}: links {_list_names(loop)} go round in a circle; expected a tree of links."
+            " Remove the joint that closes the loop"
         )
     return _Tree(name, loads, ordered)
 
 
-def _read_joint(element: ET.Element) -> _FileJoint:
+def _read_joint(element: ET.Element, angle_tolerance: float) -> _FileJoint:
+    """Read a joint, its angles rounded to right angles that are within the tolerance."""
     name = _require_attribute(element, "name", "a joint")
     origin, T = element.find("origin"), np.eye(4)
-    turns = _read_numbers(origin, "rpy", f"the rpy of {name}", (0, 0, 0))
-    (c, s), (b, t), (a, r) = (cos_sin(float(angle)) for angle in turns[::-1])
+    written = _read_numbers(origin, "rpy", f"the rpy of {name}", (0, 0, 0))
+    angles = _round_angles(written, angle_tolerance)
+    (c, s), (b, t), (a, r) = (cos_sin(float(angle)) for angle in angles[::-1])
     T[:3, :3] = [
         [c * b, c * t * r - s * a, c * t * a + s * r],
         [s * b, s * t * r + c * a, s * t * a - c * r],
@@ -313,7 +386,30 @@ def _read_joint(element: ET.Element) -> _FileJoint:
         _require_attribute(element.find(end), "link", f"the {end} of joint {name}")
         for end in ("parent", "child")
     )
-    return _FileJoint(name, element.get("type", ""), parent, child, T, element)
+    axis = _read_numbers(element.find("axis"), "xyz", f"the axis of {name}", (1, 0, 0))
+    direction = _round_direction(axis, angle_tolerance)
+    tilt = np.linalg.norm(direction - axis) / (np.linalg.norm(axis) or 1)
+    change = max(np.abs(angles - written).max(), tilt)
+    return _FileJoint(
+        name, element.get("type", ""), parent, child, T, element, direction, float(change)
+    )
+
+
+def _round_angles(angles: Array, tolerance: float) -> Array:
+    """Return the angles (rad), with those near a multiple of a right angle exactly that."""
+    right = np.round(angles / (np.pi / 2)) * (np.pi / 2)
+    return np.where(np.abs(angles - right) <= tolerance, right, angles)
+
+
+def _round_direction(direction: Array, tolerance: float) -> Array:
+    """Return a direction, as one of the frame's axes where it is within `tolerance` (rad) of it."""
+    main = np.abs(direction).argmax()
+    rest = np.delete(direction, main)
+    if not np.linalg.norm(rest) <= tolerance * abs(direction[main]):
+        return direction
+    rounded = np.zeros(3)
+    rounded[main] = direction[main]
+    return rounded
 
 
 def _read_load(link: ET.Element, name: str) -> Array:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from helpers.arm import ArmError
+from helpers.command_line import read_arm
 from helpers.kinematics import forward_kinematics
 from helpers.statics import gravity_torque
 from helpers.urdf import from_urdf
@@ -122,11 +123,12 @@ def one(*how, **more):
 @pytest.mark.parametrize(
     ("source", "words"),
     [
-        (GRIPPER, r"links at the end beyond base are left, right; expected one"),
-        (one(inside=MIMIC), "joint m mimics another; a table has rows for"),
-        (one("planar"), "joint m is planar; a table has rows for"),
+        (GRIPPER, r"beyond base are left, right; expected one. Say which .* with base and tip"),
+        (one(inside=MIMIC), "joint m follows joint shoulder .mimic.; .* tip = 'base', or remove"),
+        (one("planar"), "joint m is planar; a table has rows for .* it, with base = 'upper'"),
+        (one("floating"), "joint m is floating; a table has rows for .* beyond it, with base ="),
         (robot(link("a"), link("b")), "links without a parent are a, b; expected one"),
-        (LOOP, "two: links a, b go round in a circle; expected a tree"),
+        (LOOP, "two: links a, b go round in a circle; .* Remove the joint that closes the loop"),
         (LOOP.replace("</robot>", '<link name="w"/></robot>'), "links a, b go round in a circle"),
         (robot(*LINKS, *JOINTS, joint("extra", "base", "tool")), "that carry link tool are 2; exp"),
         (robot(link("a"), link("a")), "links called a are 2; expected one"),
@@ -145,8 +147,10 @@ def one(*how, **more):
         ("<a>" * 10**5 + "</a>" * 10**5, "is a <a>; expected"),
         (TWO[:-20], r"the text is no XML \(.*\); expected a robot description"),
         ("<<<", "the text is no XML"),
-        ("<sdf/>", "the text is a <sdf>; expected a robot description"),
-        (XACRO, "is a xacro, to be run first; expected a robot description"),
+        ("<sdf/>", "the text is an SDF model of Gazebo; give the robot's URDF"),
+        ("<mujoco/>", "the text is an MJCF model of MuJoCo; give the robot's URDF"),
+        (XACRO, "the text holds xacro macros; expand them first, by `xacro arm.urdf.xacro >"),
+        (one(rpy="${pi/2} 0 0"), "the text holds xacro macros"),
         ("nowhere.urdf", "source is 'nowhere.urdf'; expected a file that exists"),
         ("a" * 5000, "cannot be read|expected a file that exists"),
     ],
@@ -183,9 +187,9 @@ def test_rounded_angle_warns_with_needed_tolerance():
     turned = joint("k", "b", "c", xyz="0 0.1 0", rpy="3.1416 0 0")
     text = robot(*map(link, "abc"), joint("j", "a", "b"), turned)
     with pytest.warns(UserWarning, match=r"z_0 and z_1 .* \(d_1 = \S+ m\); a tol.* above 7e-06"):
-        far = from_urdf(text)
+        far = from_urdf(text, angle_tolerance=0)
     assert abs(far.values["d_1"]) > 1e4
-    flat = from_urdf(text, tolerance=1e-5)
+    flat = from_urdf(text, tolerance=1e-5, angle_tolerance=0)
     assert [flat.number(row.a) for row in flat.rows] == [0.1, 0]
 
 
@@ -196,3 +200,50 @@ def test_moving_branch_on_base_adds_no_torque():
     assert gravity_torque(arm, [0.3, 1.0]) == pytest.approx(
         gravity_torque(from_urdf(TWO), [0.3, 1.0])
     )
+
+
+def test_rounded_right_angles_are_exact_and_named_in_source():
+    """A roll of 3.1416 and an axis that is 4e-5 rad off count as exact; 2e-4 rad does not."""
+    turned = joint("k", "b", "c", xyz="0 0.1 0", rpy="3.1416 0 0")
+    tilted = joint("l", "c", "d", xyz="0.1 0 0").replace('axis xyz="0 0', 'axis xyz="0 4e-5')
+    arm = from_urdf(robot(*map(link, "abcd"), joint("j", "a", "b"), turned, tilted))
+    assert [arm.number(row.alpha) for row in arm.rows] == [math.pi, 0, 0]
+    assert arm.source.endswith(
+        "joints j, k, l; angles of 2 joints are taken as the right angles that they are within"
+        " 4e-05 rad of"
+    )
+    turned = turned.replace("3.1416", "3.1418")
+    with pytest.warns(UserWarning, match="of parallel"):
+        skew = from_urdf(robot(*map(link, "abc"), joint("j", "a", "b"), turned))
+    assert "right angle" not in skew.source
+    assert [row.alpha for row in skew.rows] != ["pi", 0]
+
+
+def test_base_may_be_fixed_beside_the_chain():
+    """UR's controller frame "base" is fixed to base_link, turned by half a turn."""
+    beside = joint("side", "base", "controller", "fixed", xyz="0 0 0.2", rpy="0 0 3.1415926535")
+    text = robot(*LINKS, link("controller"), *JOINTS, beside)
+    q, T = [0.4, -0.9], np.diag([-1.0, -1.0, 1.0, 1.0])
+    T[2, 3] = -0.2
+    for tip in ("tool", None):
+        arm = from_urdf(text, "controller", tip)
+        wanted = T @ forward_kinematics(from_urdf(TWO), q)
+        assert forward_kinematics(arm, q) == pytest.approx(wanted, abs=1e-12)
+    with pytest.raises(ArmError, match="base does not lie beyond upper"):
+        from_urdf(text, "upper", "base")
+
+
+def test_blank_first_line_and_missing_meshes_are_no_fault(tmp_path):
+    mesh = '<visual><geometry><mesh filename="package://nowhere/a.stl"/></geometry></visual>'
+    text = "\n  " + TWO.replace('<link name="base"/>', f'<link name="base">{mesh}</link>')
+    path = tmp_path / "two.URDF"
+    path.write_text(text, encoding="utf-8")
+    assert from_urdf(text) == from_urdf(path) == from_urdf(TWO) == read_arm(str(path))
+
+
+def test_command_line_passes_tolerance(tmp_path):
+    path = tmp_path / "arm.urdf"
+    skew = joint("k", "b", "c", xyz="0 0.1 0", rpy="3.1418 0 0")
+    path.write_text(robot(*map(link, "abc"), joint("j", "a", "b"), skew), encoding="utf-8")
+    flat = read_arm(str(path), tolerance=1e-3)
+    assert [flat.number(row.a) for row in flat.rows] == [0.1, 0]

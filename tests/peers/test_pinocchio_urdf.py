@@ -89,7 +89,7 @@ def frame_of(model, link):
 
 def largest_differences(text, base, tip, others):
     """Return the largest differences of pose, Jacobian and torque, and the largest torque."""
-    arm = from_urdf(text, base, tip)
+    arm = from_urdf(text, base, tip, angle_tolerance=0)
     model, data = pinocchio_model(text, others)
     rng, worst = np.random.default_rng(15), np.zeros(4)
     for q in rng.uniform(-3, 3, (40, arm.dof)):
