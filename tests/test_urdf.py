@@ -5,9 +5,9 @@ import math
 
 import numpy as np
 import pytest
+from helpers.command_line import read_arm
 
 from helpers.arm import ArmError
-from helpers.command_line import read_arm
 from helpers.kinematics import forward_kinematics
 from helpers.statics import gravity_torque
 from helpers.urdf import from_urdf
