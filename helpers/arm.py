@@ -7,6 +7,8 @@ about or along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries ar
 """
 
 import math
+import re
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -43,6 +45,10 @@ from helpers.rows import (
 __all__ = ["Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"]
 
 Array = NDArray[np.float64]
+
+# Joint angles (rad) above this give a warning: four turns, far beyond any maker's range and
+# below 30, the smallest angle in degrees that is common.
+_MANY_TURNS = 8 * math.pi
 
 
 class JointValues(NDArrayOperatorsMixin, tuple):
@@ -226,6 +232,7 @@ class Arm:
         """Read a table as text, rows, parallel lists, ``Link(...)`` lines or 4 x 4 matrices.
 
         Options that are not given are guessed, and the arm's `source` says how the table was read.
+        Numbers without column headers and joint variables give a warning.
 
         Args:
             source: LaTeX, Markdown, MATLAB, CSV or Python text, or lists; the joint's variable may
@@ -260,6 +267,8 @@ class Arm:
             convention=convention,
             values=values,
         )
+        if columns is None:
+            _warn_of_a_guessed_order(source, notes)
         return cls(name, rows, source="; ".join(notes))
 
     # Changed copies
@@ -418,7 +427,20 @@ class Arm:
         """
         shape = f"numbers (..., {self.dof})" if many else f"one pose, numbers ({self.dof},)"
         expected = f"{shape}, one value for each of {', '.join(self.variables)}"
-        return finite_array(q, f"{self.name}: {name}", expected, (self.dof,), many)
+        values = finite_array(q, f"{self.name}: {name}", expected, (self.dof,), many)
+        if values.size and np.abs(values).max() > _MANY_TURNS:
+            self._warn_of_degrees_in(values, name)
+        return values
+
+    def _warn_of_degrees_in(self, q: Array, name: str) -> None:
+        """Warn where a joint that turns has an angle above two turns, as degrees have."""
+        angles = np.abs(q[..., self.turning])
+        if angles.size and angles.max() > _MANY_TURNS:
+            warnings.warn(
+                f"{self.name}: {name} has an angle of {angles.max():g} rad, more than four turns;"
+                " for degrees write np.radians(...)",
+                stacklevel=4,
+            )
 
     @cached_property
     def numeric(self) -> tuple[NumericRow, ...]:
@@ -453,6 +475,27 @@ class Arm:
         )
         caption = f"{self.name}: {values} (m)" if values else self.name
         return header + "\n".join(lines) + f"\n\n{caption}"
+
+
+def require_joints(arm: object) -> None:
+    """Raise ArmError unless the argument is an arm with one joint or more."""
+    require_type(arm, Arm, "arm")
+    if isinstance(arm, Arm) and not arm.dof:
+        raise ArmError(f"{arm.name} has no joints; expected an arm with one joint or more")
+
+
+def _warn_of_a_guessed_order(source: object, notes: Sequence[str]) -> None:
+    """Warn where a table of numbers alone has no headers, so that its columns are a guess."""
+    from helpers.checks.tables import format_table
+
+    guesses = [note for note in notes if note.startswith("columns ")]
+    if guesses and not re.search(r"[qθϑ]|th", format_table(source).lower()):
+        warnings.warn(
+            f"the table has no column headers and no joint variables, so a guess reads its"
+            f" {guesses[0]}, in the standard convention; say columns='theta d a alpha' or your"
+            " order, and convention='standard' or 'craig'",
+            stacklevel=3,
+        )
 
 
 def _entries_by_name(row: Row) -> dict[str, Entry]:

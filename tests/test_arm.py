@@ -176,3 +176,19 @@ def test_home_adds_like_array_and_compares_like_tuple():
     np.testing.assert_array_equal(2 * PANDA.home - nudged, 2 * np.array(PANDA.home) - nudged)
     assert PANDA.home == (0, 0, 0, np.pi / 2, 0, np.pi, 0)
     assert hash(PANDA) == hash(PANDA.with_values())
+
+
+def test_degrees_in_q_warn():
+    with pytest.warns(UserWarning, match=r"q has an angle of 90 rad, .* np.radians"):
+        forward_kinematics(ELBOW, [[0, 0, 0], [0, 90, 30]])
+
+
+def test_long_slide_does_not_warn_of_degrees():
+    forward_kinematics(STANFORD, [0, 0, 500, 0, 0, 0])
+
+
+def test_numbers_without_headers_warn_of_guessed_order():
+    with pytest.warns(UserWarning, match=r"no column headers .* reads its columns theta d a alpha"):
+        Arm.from_table([[0.4, 5, 0, 0], [0.4, 0, 0, 0]])
+    Arm.from_table([["q1", 5, 0, 0]])
+    Arm.from_table([[0.4, 5, 0, 0]], columns="theta d a alpha")

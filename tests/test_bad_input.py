@@ -126,6 +126,7 @@ RIGHT = {
     "symbolic.body_numbers": dict(gravity=9.81),
     "symbolic.short": dict(expression=sp.cos(sp.Symbol("q_1"))),
     "symbolic.with_numbers": dict(expression=sp.Symbol("a_3")),
+    "motion.line": dict(start=[0, 0, 0], end=[0, 0.1, 0], period=5, steps=10),
     "motion.circle": dict(centre=[0, 0, 0], plane="yz", period=5, steps=10),
     "motion.circle_below": dict(arm=SIX, start=[0.1, 0.2, 1.4, 0.3, 1.6, 0.2], plane="zy",
         period=5.0, steps=4),

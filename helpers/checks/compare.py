@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm
+from helpers.arm import Arm, require_joints
 from helpers.checks.arms import judge_data
 from helpers.checks.engine import ask_judge, format_sentence
 from helpers.checks.functions import call_student_function
@@ -248,7 +248,7 @@ def compare_torques(
     One pose can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers
     or the arm has no masses.
     """
-    must_be(arm, Arm, "arm")
+    require_joints(arm)
     options = _check_options(angles, tolerance, which=which)
     at, data = to_plain_data(q), judge_data(arm)
     F = check_wrench(wrench)

@@ -8,13 +8,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm
+from helpers.arm import Arm, require_joints
 from helpers.inputs import (
     ArmError,
     broadcast_shape,
     finite_number,
     float_array,
-    require_type,
+    shorten,
     whole_number,
 )
 from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
@@ -87,9 +87,12 @@ def solve(
     starts. `start` has shape (..., dof); home unless given. Raises ArmError for bad shapes or
     numbers. Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
-    require_type(arm, Arm, "arm")
-    if not arm.dof:
-        raise ArmError(f"{arm.name} has no joints; expected an arm with one joint or more")
+    require_joints(arm)
+    if not isinstance(limits, bool | np.bool_):
+        raise ArmError(
+            f"limits is {shorten(limits)}; expected True or False. Other limits belong to the arm,"
+            " as in arm.with_row(1, limits=(-1, 1))"
+        )
     goal, shape = _goal(arm, targets)
     start = arm.joint_vector(arm.home if start is None else start, "start")
     shape = broadcast_shape("targets and start", shape, start.shape[:-1])

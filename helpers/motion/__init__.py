@@ -2,7 +2,7 @@
 
 from helpers.deprecated import deprecated_names
 from helpers.motion.joining import join_traces
-from helpers.motion.paths import Path, circle, circle_below, rest_to_rest
+from helpers.motion.paths import Path, circle, circle_below, line, rest_to_rest
 from helpers.motion.rates import (
     Rates,
     SingularError,
@@ -28,6 +28,7 @@ __all__ = [
     "damped",
     "join_traces",
     "levenberg",
+    "line",
     "plain_inverse",
     "pseudo_inverse",
     "rest_to_rest",

@@ -102,6 +102,47 @@ def circle(
     return Path(np.linspace(0.0, period, steps + 1), position, velocity, np.cross(first, second))
 
 
+def line(start: ArrayLike, end: ArrayLike, period: float, steps: int) -> Path:
+    """Define a straight line that is travelled at constant speed.
+
+    The path's `normal` is a direction at right angles to the line, so that the report's distance
+    off the wall is a distance from the line. `rest_to_rest` makes it begin and end at rest.
+
+    Args:
+        start: First point in the base frame, shape (3,), in m.
+        end: Last point in the base frame, shape (3,), in m.
+        period: Time from the first to the last point, in s.
+        steps: Number of steps.
+
+    Raises:
+        ArmError: The points are the same, or not three finite coordinates each.
+
+    Example:
+        >>> line([0.4, 0, 0.5], [0.4, 0.2, 0.5], period=2, steps=2).positions
+        array([[0.4, 0. , 0.5],
+               [0.4, 0.1, 0.5],
+               [0.4, 0.2, 0.5]])
+    """
+    first = finite_array(start, "start", "three finite coordinates in m", (3,)).copy()
+    last = finite_array(end, "end", "three finite coordinates in m", (3,)).copy()
+    period = finite_number(period, "period", "a finite time > 0 in s", above=0)
+    steps = whole_number(steps, "steps", least=1)
+    step = last - first
+    if not np.linalg.norm(step):
+        raise ArmError(f"start and end are both {first}; expected two different points")
+    # The axis most nearly at right angles to the line gives the normal.
+    normal = np.cross(step, np.eye(3)[np.abs(step).argmin()])
+
+    def position(t: ArrayLike) -> Array:
+        return first + np.asarray(t)[..., None] / period * step
+
+    def velocity(t: ArrayLike) -> Array:
+        return np.broadcast_to(step / period, (*np.shape(t), 3))
+
+    times = np.linspace(0.0, period, steps + 1)
+    return Path(times, position, velocity, normal / np.linalg.norm(normal))
+
+
 def circle_below(
     arm: Arm, start: ArrayLike, radius: float, plane: str, period: float, steps: int
 ) -> Path:

@@ -3,8 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm
-from helpers.inputs import ArmError, finite_number, require_type
+from helpers.arm import Arm, require_joints
+from helpers.inputs import ArmError, finite_number
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.paths import Path
 from helpers.motion.steps import tip_error
@@ -48,7 +48,7 @@ def self_motion(
     Source: Siciliano, section 3.5; Allgower
     and Georg, Numerical Continuation Methods, chapter 2 (predictor and corrector).
     """
-    require_type(arm, Arm, "arm")
+    require_joints(arm)
     start = arm.joint_vector(start, "start", many=False)
     direction = arm.joint_vector(direction, "direction", many=False)
     length = finite_number(length, "length", "a finite length > 0 in joint space", above=0)
@@ -93,7 +93,7 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
 
     Source: Allgower and Georg, Numerical Continuation Methods, section 8.1 (branching).
     """
-    require_type(arm, Arm, "arm")
+    require_joints(arm)
     J = jacobian(arm, arm.joint_vector(q, "q", many=False))
     left, sizes, right = np.linalg.svd(J)
     rank = int((sizes > _CUTOFF * sizes[0]).sum())

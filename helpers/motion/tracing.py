@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers import kinematics
-from helpers.arm import Arm
+from helpers.arm import Arm, require_joints
 from helpers.inputs import (
     ArmError,
     finite_number,
@@ -112,7 +112,7 @@ def trace(
 
     Source: Whitney (1969); feedback: Siciliano, section 3.7.
     """
-    require_type(arm, Arm, "arm")
+    require_joints(arm)
     require_type(path, Path, "path")
     require_choice(method, "method", METHODS)
     finite_number(gain, "gain", "a finite number of 0 or more", least=0)

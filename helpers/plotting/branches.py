@@ -50,6 +50,7 @@ def shoulder_triangles(
 def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     """Draw a UR arm of the homework's table in its own plane, x_1 to the right, z up, from the
     shoulder to the wrist, with the triangle of joints 2 and 3 and the step d_5."""
+    _require_rows(arm, 6, "an arm of the UR family")
     T = pose_frames(arm, q)
     points = np.stack([T[:, :3, 3] @ T[1, :3, 0], T[:, 2, 3]], axis=1)[[1, 2, 3, 5]]
     shoulder, elbow, end, wrist = points
@@ -71,7 +72,7 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
 def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles,
     and the foot of its tip on the first link's line with its legs; q_1 is taken as 0."""
-    must_be(arm, Arm, "arm")
+    _require_rows(arm, 3, "an elbow arm")
     q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
     shoulder, elbow, tip = points = link_frames(arm, q)[1:4, [0, 2], 3]
     arm_2d(ax, arm, q)
@@ -87,6 +88,13 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     angle(ax, elbow, 0.09, (lift + bend, lift), r"$-\theta_3$")
     angle(ax, elbow, 0.06, (lift + 180, lift + 360 + bend), r"$\varphi$", colour=ORANGE)
     ax.set(ylim=(shoulder[1] - 0.12, max(elbow[1], foot[1]) + 0.07))
+
+
+def _require_rows(arm: Arm, rows: int, kind: str) -> None:
+    """Raise ArmError unless an arm has so many rows, all of which turn."""
+    must_be(arm, Arm, "arm")
+    if len(arm.rows) != rows or arm.dof != rows or not arm.turning.all():
+        raise ArmError(f"{arm.name} is no {kind.partition(' ')[2]}; expected {rows} turning joints")
 
 
 def _triangle(ax: Axes, points: Array, away: float, legs: tuple[str, str]) -> None:
