@@ -38,5 +38,5 @@ def test_drawings_refuse_other_kinds_of_arm():
 
 
 def test_solve_refuses_an_array_of_limits():
-    with pytest.raises(ArmError, match=r"(?s)limits is array.*; expected True or False. .*with_row"):
+    with pytest.raises(ArmError, match=r"(?s)limits is array.* expected True or False. .*with_r"):
         solve(UR10E, np.eye(4), limits=np.ones((2, 6)))
