@@ -5,8 +5,8 @@ import math
 
 import numpy as np
 import pytest
-from helpers.command_line import read_arm
 
+from answers.command_line import read_arm
 from helpers.arm import ArmError
 from helpers.kinematics import forward_kinematics
 from helpers.statics import gravity_torque
