@@ -433,9 +433,13 @@ class Arm:
         return values
 
     def _warn_of_degrees_in(self, q: Array, name: str) -> None:
-        """Warn where a joint that turns has an angle above two turns, as degrees have."""
+        """Warn where large angles of turning joints look like degrees: multiples of half a degree.
+
+        An iteration that diverges passes large angles too, but not round ones.
+        """
         angles = np.abs(q[..., self.turning])
-        if angles.size and angles.max() > _MANY_TURNS:
+        large = angles[angles > _MANY_TURNS]
+        if large.size and (2 * large == np.round(2 * large)).all():
             warnings.warn(
                 f"{self.name}: {name} has an angle of {angles.max():g} rad, more than four turns;"
                 " for degrees write np.radians(...)",

@@ -78,7 +78,6 @@ def test_right_angles_keep_precision(arm):
     np.testing.assert_allclose(forward_kinematics(arm, q), slow_frames(arm, q)[-1], atol=1e-14)
 
 
-@pytest.mark.filterwarnings("ignore:.*more than four turns")
 @every_arm
 def test_whole_turns_keep_the_pose(arm):
     turns = np.where([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints], 200 * np.pi, 0)
