@@ -54,10 +54,14 @@ function judgeSampledTrace(question) {
  * @param {Verdict} verdict
  */
 function withoutPageFields(verdict) {
-  const fields = { ...verdict, rows: verdict.table?.rows, read: listEntries(verdict) };
-  for (const name of ["typed", "wrong", "table"]) delete fields[name];
+  const others = (verdict.tokens ?? []).filter(({ owner }) => owner !== "entry");
+  const read = [...listEntries(verdict), ...others.map(toNumberRead)];
+  const fields = { ...verdict, rows: verdict.table?.rows, read };
+  for (const name of ["typed", "wrong", "table", "tokens"]) delete fields[name];
   return fields;
 }
+
+const toNumberRead = ({ text, owner, line, reason = "" }) => ({ text, owner, line, reason });
 
 /**
  * List the numbers that were taken as the answer's entries, row by row.

@@ -18,12 +18,13 @@ export function formatMessage(key, fields = {}) {
 /** A question that cannot be judged, because of how it was asked. */
 export class ArmError extends Error {
   /**
-   * @param {string} message what was given and what was expected
-   * @param {import("./advice.js").Advice[]} [advice] settings that may help
+   * @param {string} message @param {import("./advice.js").Advice[]} advice
+   * @param {import("./reading/owners.js").Token[]} [tokens] the numbers of a text, some unread
    */
-  constructor(message, advice = []) {
+  constructor(message, advice = [], tokens = undefined) {
     super(message);
     this.advice = advice;
+    this.tokens = tokens;
   }
 }
 

@@ -36,6 +36,8 @@ export const GRADE_MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", 
  * @property {string[]} taken how the answer was read: units, order, convention
  * @property {string[]} notes
  * @property {import("./advice.js").Advice[]} [advice] settings to change
+ * @property {import("./reading/owners.js").Token[]} [tokens] the numbers of the pasted text, each
+ *   with its place and what it was taken for
  * @property {import("./reading/numbers.js").Typed} [typed] the numbers that were read
  * @property {string[]} [left] lines of the text that were not used
  * @property {boolean[]} [wrong] which of the numbers are wrong
@@ -81,8 +83,11 @@ export const completeVerdicts =
     const options = rest[judge.length - 1] ?? {};
     const advice = [...(verdict.advice ?? []), ...adviseOnCauses(verdict.causes, options)];
     const unused = first.left ?? first.typed?.left ?? mine?.left ?? [];
-    return noteUnusedLines({ ...verdict, advice }, unused);
+    return noteUnusedLines({ ...verdict, advice, tokens: findTokens(first, mine) }, unused);
   };
+
+/** @param {Verdict} verdict @param {any} mine */
+const findTokens = ({ tokens, typed }, mine) => tokens ?? typed?.tokens ?? mine?.tokens;
 
 // The verdict on an answer that is right for another arm of the same family; null if it is not.
 // Tables have causes of their own for that.

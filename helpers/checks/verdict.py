@@ -37,19 +37,26 @@ class Finding:
 
 @dataclass(frozen=True)
 class NumberRead:
-    """A number of a pasted text that was taken as an entry of the answer.
+    """A number of a pasted text, and what the judge took it for.
 
     Attributes:
         text: the number as typed, without its unit.
-        value: its value, with the unit or power of ten that stands beside it.
+        owner: "entry" of the answer, "label" (a joint's number, a row's name, an index, a time),
+            "header" of a column, "given" by the question itself, or "context" of any other kind.
+        value: of an entry, with the unit or power of ten that stands beside it.
         row, column: the entry's position, counted from 0; a column of a table is one of
             a, alpha, d, theta in this order.
+        line: the line of a number that is no entry, counted from 0.
+        reason: why such a number was set aside.
     """
 
     text: str
-    value: float
-    row: int
-    column: int
+    owner: str = "entry"
+    value: float | None = None
+    row: int | None = None
+    column: int | None = None
+    line: int | None = None
+    reason: str = ""
 
 
 @dataclass(frozen=True, repr=False)
@@ -66,7 +73,7 @@ class Verdict:
         advice: arguments to set if the answer was meant for another question.
         notes: remarks that are not mistakes.
         figures: measured numbers, by name, such as worst or position_error.
-        read: the numbers that were taken as entries of the answer, row by row.
+        read: the numbers of the answer with their owners, the entries first, row by row.
         mark: the grade whose mark is shown, if it differs: "so far" for a right table with other
             zeros.
     """

@@ -1,145 +1,177 @@
-// Every rectangular block of entries in a text, with what stands beside it.
+// Every rectangular block of entries in a text, with the words beside it.
 
 import { RAD } from "../geometry/angles.js";
-import { hasDecimals, number } from "./formula.js";
+import { plainCharacters } from "./characters.js";
+import { withoutDecorations } from "./decorations.js";
+import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
-import { runsOf, withHeads } from "./runs.js";
-import { plainSigns } from "./signs.js";
+import { markHeadings, readRows } from "./lines.js";
 
+/** @typedef {import("./lines.js").Cell} Cell */
+/** @typedef {import("./lines.js").Row} Row */
 /**
- * @typedef {{ rows: string[][], labels: string[][], heads: string[], name: string, from: number,
- *   to: number, runs: import("./runs.js").Run[], beside?: () => string[] }} Block
- *   entries as typed; the words before each row, and of the line above; what the block is
- *   assigned to; its lines, and numbers on them that are not its own
+ * Rows of entries; the words before each row, and of the line above; the name that the block is
+ * assigned to; its first and last line; the rows of the text that it is made of; all rows and
+ * words of the text as it was parted, and the rows that the question itself gave.
+ * @typedef {object} Block
+ * @property {Cell[][]} rows
+ * @property {Cell[][]} labels
+ * @property {Cell[]} headers
+ * @property {string} name
+ * @property {number} from
+ * @property {number} to
+ * @property {Row[]} sources
+ * @property {Lines} [lines]
  */
+/** @typedef {{ all: Row[], given: Set<Row>, words: Cell[] }} Lines */
 
-// A decimal comma before one that parts; a line's end before what a printer broke; gaps last.
-const WAYS = [false, true].flatMap((gaps) =>
+// A decimal comma before one that parts; a line's end before a printer's break; gaps last.
+const PARTINGS = [false, true].flatMap((gaps) =>
   [true, false].flatMap((decimal) => [false, true].map((wrapped) => ({ gaps, decimal, wrapped }))),
 );
 
 /**
- * The blocks in each way that the text can be parted, each way when it is asked for, but for what
- * the question itself gave.
- * @param {string} typed
+ * Take decorations off a text and make its characters plain.
+ * @param {import("./spans.js").SpannedText} pasted
+ */
+export const plainText = (pasted) => plainCharacters(withoutDecorations(pasted));
+
+/**
+ * Return a function for each way to part the text, which makes its blocks but for those that the
+ * question itself gave.
+ * @param {import("./spans.js").SpannedText} plain
  * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
  * @returns {(() => Block[])[]}
  */
-export function blocksIn(typed, { isEntry, names = /(?!)/, given = [] }) {
-  const text = withHeads(plainSigns(typed));
+export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
+  const text = markHeadings(plain);
   const known = new Map();
   const entry = (cell) => {
     if (!known.has(cell)) known.set(cell, isEntry(cell));
     return known.get(cell);
   };
-  const ways = WAYS.filter(({ decimal }) => !decimal || /\d,\d/.test(text));
-  return ways.map((way) => once(() => blocksOf(runsOf(text, entry, way), names, given)));
+  const partings = PARTINGS.filter(({ decimal }) => !decimal || /\d,\d/.test(text.text));
+  return partings.map((parting) =>
+    once(() => blocksOf(readRows(text, entry, parting), names, given)),
+  );
 }
 
-// What is made when it is first asked for.
+// A function that makes its result when it is first called.
 function once(make) {
   let made = null;
   return () => (made ??= make());
 }
 
-function blocksOf(all, names, given) {
-  const runs = all.filter(({ cells }) => !given.some((one) => isGiven(cells, one)));
-  const blocks = [...stretches(runs, names), ...repeated(runs), ...byName(runs), ...byPlace(runs)];
-  return blocks.map((block) => ({ ...block, beside: () => besides(block, runs) }));
+/** @returns {Block[]} */
+function blocksOf({ rows: all, words }, names, given) {
+  const rows = all.filter(({ cells }) => !given.some((values) => isGiven(cells, values)));
+  const kept = new Set(rows);
+  const lines = { all, words, given: new Set(all.filter((row) => !kept.has(row))) };
+  const blocks = [
+    ...followingRows(rows, names),
+    ...rowsOfOneName(rows),
+    ...joinNamed(rows),
+    ...joinIndexed(rows),
+  ];
+  return blocks.map((block) => ({ ...block, lines }));
 }
 
-// The numbers on a block's lines that are not its own, decimals in words too; nothing where there
-// is one for each row, as a time is.
-function besides({ from, to, runs: own }, runs) {
-  const mine = new Set(own);
-  const others = runs.filter((run) => run.line >= from && run.line <= to && !mine.has(run));
-  const words = own.flatMap((run) => run.words.filter((word) => hasDecimals(word)));
-  return [others.map(({ cells }) => cells), words.map((word) => [word])]
-    .filter(({ length }) => own.length < 2 || length % own.length)
-    .flat(2);
-}
-
-// Whether cells are what the question gave, to their digits, in radians or degrees.
+// Whether cells are numbers that the question gave, to their digits, in radians or degrees.
 const isGiven = (cells, given) =>
   cells.length === given.length &&
   given.length > 1 &&
   given.some(Boolean) &&
-  cells.every((cell, k) => {
-    const text = cell.replace(/ ?deg$/, "");
-    const half = 0.51 * 10 ** -(text.split(".")[1]?.length ?? 0);
-    const x = number(text);
+  cells.every(({ text }, k) => {
+    const bare = text.replace(/ ?deg$/, "");
+    const half = 0.51 * 10 ** -(bare.split(".")[1]?.length ?? 0);
+    const x = number(bare);
     return [given[k], given[k] / RAD].some((y) => x !== null && Math.abs(x - y) <= half);
   });
 
-const own = (name, names) => (name ? names.test(name.replace(/^"|\W$/g, "")) : null);
+const isNamed = (name, names) => (name ? names.test(name.replace(/^"|\W$/g, "")) : null);
 
-/** Runs of one length that follow each other; a line of numbers of other lengths parts them. */
-function stretches(runs, names) {
+/** Rows of one length that follow each other; a line of numbers of other lengths parts them. */
+function followingRows(rows, names) {
   const found = [];
-  for (const width of new Set(runs.map(({ cells }) => cells.length))) {
-    let held = [];
+  for (const width of new Set(rows.map(({ cells }) => cells.length))) {
+    let stretch = [];
     let last = -1;
-    runs.forEach((run, k) => {
-      if (run.cells.length !== width) return;
-      const before = runs[last];
-      const between = runs.slice(last + 1, k);
+    rows.forEach((row, k) => {
+      if (row.cells.length !== width) return;
+      const before = rows[last];
+      const between = rows.slice(last + 1, k);
       const follows =
         before &&
-        before.part === run.part &&
-        before.listed === run.listed &&
-        between.every(({ line }) => line === before.line || line === run.line) &&
-        (!run.name || !held[0].name || own(run.name, names) === own(held[0].name, names));
-      if (follows) held.push(run);
-      else found.push((held = [run]));
+        before.part === row.part &&
+        before.listed === row.listed &&
+        between.every(({ line }) => line === before.line || line === row.line) &&
+        (!row.name ||
+          !stretch[0].name ||
+          isNamed(row.name, names) === isNamed(stretch[0].name, names)) &&
+        !strays(row, before);
+      if (follows) stretch.push(row);
+      else found.push((stretch = [row]));
       last = k;
     });
   }
-  return [...found.map(blockOf), ...sideBySide(found)];
+  return [...found.map(blockOf), ...joinParts(found)];
 }
 
-/** @returns {Block} */
-function blockOf(runs) {
-  const scaled = ({ cells, scale }) => (scale ? cells.map((cell) => `${cell}${scale}`) : cells);
+// Whether one of two rows is numbered and the other is named, or has a sentence before it.
+function strays(row, other) {
+  const [isFirst, isSecond] = [row, other].map(isNumbered);
+  return isFirst !== isSecond && [row, other].some(isToldApart);
+}
+
+const isNumbered = ({ name }) => /^\d{1,3}$/.test(name);
+const isToldApart = ({ name, words }) =>
+  name ? !/^\d{1,3}$/.test(name) : words.filter(({ text }) => /\p{L}{2}/u.test(text)).length > 1;
+
+const scaled = ({ cells, scale }) =>
+  scale ? cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` })) : cells;
+
+/** @param {Row[]} rows @returns {Block} */
+function blockOf(rows) {
   return {
-    rows: runs.map(scaled),
-    labels: runs.map(({ words }) => words),
-    heads: runs[0].above,
-    name: runs[0].name || runs[0].words.at(-1) || "",
-    from: runs[0].line,
-    to: runs.at(-1).last,
-    runs,
+    rows: rows.map(scaled),
+    labels: rows.map(({ words }) => words),
+    headers: rows[0].above,
+    name: rows[0].name || (rows[0].words.at(-1)?.text ?? ""),
+    from: rows[0].line,
+    to: rows.at(-1).last,
+    sources: rows,
   };
 }
 
 // MATLAB's parts of a wide matrix, "Columns 1 through 4" and on.
-function sideBySide(found) {
+function joinParts(found) {
   const parts = found
-    .filter(([run]) => run.part > 0)
+    .filter(([row]) => row.part > 0)
     .sort(([one], [other]) => one.part - other.part)
     .map(blockOf);
   if (parts.length < 2 || parts.some(({ rows }) => rows.length !== parts[0].rows.length)) return [];
   const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
-  const runs = parts.flatMap((part) => part.runs);
-  return [{ ...parts[0], rows, heads: [], to: parts.at(-1).to, runs }];
+  const sources = parts.flatMap((part) => part.sources);
+  return [{ ...parts[0], rows, headers: [], to: parts.at(-1).to, sources }];
 }
 
-// Rows with one name, "positions:", between which other numbers stand.
-function repeated(runs) {
-  const named = new Map();
-  for (const run of runs) {
-    const name = `${run.cells.length} ${run.words.join(" ")}`;
-    if (!run.words.length || run.cells.length < 2) continue;
-    if (!named.has(name)) named.set(name, []);
-    named.get(name).push(run);
+// Rows with the same words before them, "positions:", between which other numbers stand.
+function rowsOfOneName(rows) {
+  const byName = new Map();
+  for (const row of rows) {
+    const name = `${row.cells.length} ${row.words.map(({ text }) => text).join(" ")}`;
+    if (!row.words.length || row.cells.length < 2) continue;
+    if (!byName.has(name)) byName.set(name, []);
+    byName.get(name).push(row);
   }
-  return [...named.values()].filter((own) => own.length > 2).map(blockOf);
+  return [...byName.values()].filter(({ length }) => length > 2).map(blockOf);
 }
 
 // Single values with names of joints, q1 = 0.3: a row for each set of them.
-function byName(runs) {
-  const single = runs.flatMap((run) => {
-    const label = run.cells.length === 1 ? labelIn(run.words) : null;
-    return label && label.kind !== "count" ? [{ run, label }] : [];
+function joinNamed(rows) {
+  const single = rows.flatMap((row) => {
+    const label = row.cells.length === 1 ? labelIn(row.words) : null;
+    return label && label.kind !== "count" ? [{ row, label }] : [];
   });
   const sets = [];
   for (const one of single) {
@@ -149,31 +181,52 @@ function byName(runs) {
   }
   const count = sets[0]?.length;
   if (!count || count < 2 || sets.some((set) => set.length !== count)) return [];
-  const rows = sets.map((set) => blockOf(set.map(({ run }) => run)).rows.flat());
-  const heads = sets[0].map(({ run }) => run.words.join(" "));
-  const [first, last] = [single[0].run, single.at(-1).run];
-  const labels = rows.map(() => []);
-  const own = single.map(({ run }) => run);
-  return [{ rows, labels, heads, name: first.name, from: first.line, to: last.last, runs: own }];
+  const headers = sets[0].map(({ row: { words } }) => joinedCell(words));
+  const [first, last] = [single[0].row, single.at(-1).row];
+  return [
+    {
+      rows: sets.map((set) => blockOf(set.map(({ row }) => row)).rows.flat()),
+      labels: sets.map(() => []),
+      headers,
+      name: first.name,
+      from: first.line,
+      to: last.last,
+      sources: single.map(({ row }) => row),
+    },
+  ];
 }
 
-const PLACE = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
+const joinedCell = (words) => ({
+  text: words.map(({ text }) => text).join(" "),
+  from: words[0].from,
+  to: words.at(-1).to,
+});
+
+const INDICES = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
 
 // Single values with two indices, J[2,3] := 0.5.
-function byPlace(runs) {
-  const placed = runs.flatMap((run) => {
-    const place = run.cells.length === 1 && PLACE.exec(run.words.at(-1) ?? "");
-    return place ? [{ run, i: Number(place[1]), j: Number(place[2]) }] : [];
+function joinIndexed(rows) {
+  const indexed = rows.flatMap((row) => {
+    const indices = row.cells.length === 1 && INDICES.exec(row.words.at(-1)?.text ?? "");
+    return indices ? [{ row, i: Number(indices[1]), j: Number(indices[2]) }] : [];
   });
-  if (placed.length < 2) return [];
-  const least = (key) => Math.min(...placed.map((one) => one[key]));
-  const size = (key) => Math.max(...placed.map((one) => one[key])) - least(key) + 1;
-  if (size("i") * size("j") !== placed.length) return [];
-  const rows = Array.from({ length: size("i") }, () => Array(size("j")));
-  for (const { run, i, j } of placed) rows[i - least("i")][j - least("j")] = run.cells[0];
-  const [first, last] = [placed[0].run, placed.at(-1).run];
-  const labels = rows.map(() => []);
-  const own = placed.map(({ run }) => run);
-  const { name, line: top } = first;
-  return [{ rows, labels, heads: [], name, from: top, to: last.last, runs: own }];
+  if (indexed.length < 2) return [];
+  const least = (key) => Math.min(...indexed.map((one) => one[key]));
+  const size = (key) => Math.max(...indexed.map((one) => one[key])) - least(key) + 1;
+  if (size("i") * size("j") !== indexed.length) return [];
+  const matrix = Array.from({ length: size("i") }, () => Array(size("j")));
+  for (const { row, i, j } of indexed) [matrix[i - least("i")][j - least("j")]] = row.cells;
+  if (matrix.some((row) => row.includes(undefined))) return [];
+  const [first, last] = [indexed[0].row, indexed.at(-1).row];
+  return [
+    {
+      rows: matrix,
+      labels: matrix.map(() => []),
+      headers: [],
+      name: first.name,
+      from: first.line,
+      to: last.last,
+      sources: indexed.map(({ row }) => row),
+    },
+  ];
 }

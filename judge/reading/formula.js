@@ -3,7 +3,7 @@
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, tryOrNull, quoteText } from "../sentences.js";
-import { each, sameSigns, unset } from "./signs.js";
+import { foldCharacters, mapEach, withoutSpacing } from "./characters.js";
 
 const LONGEST = 20_000; // characters of one formula
 const TEN = 10; // whose powers are meant, 10^0 too
@@ -40,13 +40,13 @@ function raised(left, right) {
 const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda theta".split(" ");
 /** @type {Map<string, string>} */
 const SAME = new Map([
-  ...each("×⋅·∙∗", "*"),
-  ...each("÷∕⁄", "/"),
-  ...each("′", "'"),
-  ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => each(sign, `_${i}`)),
-  ...[..."αβγδθϑφϕψωλΘ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
-  ...each("π𝜋", " pi "),
-  ...each("°º˚◦∘", " deg"),
+  ...mapEach("×⋅·∙∗", "*"),
+  ...mapEach("÷∕⁄", "/"),
+  ...mapEach("′", "'"),
+  ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => mapEach(sign, `_${i}`)),
+  ...[..."αβγδθϑφϕψωλΘ"].flatMap((sign, i) => mapEach(sign, ` ${GREEK[i]}`)),
+  ...mapEach("π𝜋", " pi "),
+  ...mapEach("°º˚◦∘", " deg"),
   ["√", " sqrt "],
 ]);
 /** @type {[RegExp, string][]} */
@@ -82,7 +82,7 @@ export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 // The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
   if (isNumber(text)) return text;
-  text = unset(sameSigns(text));
+  text = withoutSpacing(foldCharacters(text));
   text = text.replace(/([₀-₉])(?=[A-Za-zα-ω])/g, "$1*"); // a product without a sign
   text = text.replace(
     RAISED,

@@ -46,22 +46,30 @@ const simple = (text) =>
 
 const MOST_WORDS = 8; // of a label: "for the first joint"
 
-// The label that words end with, "ωx" of "Émilie: ωx", and "c1", no count, of "Priya: c1"; null
-// where none does.
+/**
+ * Return the label that words end with, "ωx" of "Émilie: ωx", and "c1", no count, of "Priya: c1";
+ * null where none does.
+ * @param {{ text: string }[]} words
+ */
 export function labelIn(words) {
-  const from = Math.max(0, words.length - MOST_WORDS);
-  const found = words.slice(from).flatMap((_, k) => labelOf(words.slice(from + k).join(" ")) ?? []);
+  const texts = words.slice(-MOST_WORDS).map(({ text }) => text);
+  const found = texts.flatMap((_, k) => labelOf(texts.slice(k).join(" ")) ?? []);
   return found.find(({ kind }) => kind !== "count") ?? found[0] ?? null;
 }
 
 const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
 const RADIANS = /\brad(?:ians?)?\b/i;
 const MILLIMETRES = /(?<![\d.]\s?|\bN\s?[·*]?\s?)\bmm\b/;
-const NEWTON_MILLIMETRES = /\bN\s?[·*]?\s?mm\b/;
+/** @type {[RegExp, number][]} */
+const MOMENTS = [
+  [/\b(?:N\s?[·*]?\s?mm|mN\s?[·*]?\s?m)\b/, 1e-3],
+  [/\bkN\s?[·*]?\s?m\b/, 1e3],
+];
 
 /**
  * @param {string} text
- * @returns {{ angles: string | null, lengths: string | null, moments: string | null }} null where
+ * @returns {{ angles: string | null, lengths: string | null, moments: number | null }} the
+ *   torques' unit in N m; null where
  *   nothing is said, or both
  */
 export function unitsSaid(text) {
@@ -69,6 +77,6 @@ export function unitsSaid(text) {
   return {
     angles: degrees === radians ? null : degrees ? "deg" : "rad",
     lengths: MILLIMETRES.test(text) ? "mm" : null,
-    moments: NEWTON_MILLIMETRES.test(text) ? "Nmm" : null,
+    moments: MOMENTS.find(([unit]) => unit.test(text))?.[1] ?? null,
   };
 }

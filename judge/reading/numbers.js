@@ -3,7 +3,7 @@
 import { movingRows, jointNumbers, revoluteFlags, jointNames } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
-import { find } from "./find.js";
+import { findAnswer } from "./answers.js";
 import { unitsSaid } from "./labels.js";
 import {
   formulaSlack,
@@ -33,8 +33,9 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  * formulas too.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
  *   entries: Entry[], said: string[], left: string[],
- *   says?: ReturnType<typeof unitsSaid> }} Typed
- *   `said` is how a text was read, `left` its other lines, `says` the units that they name
+ *   says?: ReturnType<typeof unitsSaid>, tokens?: import("./owners.js").Token[] }} Typed
+ *   `said` is how a text was read, `left` its other lines, `says` the units that they name,
+ *   `tokens` every number of the text with its owner
  */
 
 /**
@@ -64,7 +65,7 @@ const ANY = [{ rows: null, columns: null }];
  * `asked` is the shapes that are wanted of a text, the answer's names, and what the question holds
  * itself.
  * @param {any} mine @param {string} what
- * @param {{ wants?: import("./find.js").Want[], names?: RegExp, given?: number[][],
+ * @param {{ wants?: import("./answers.js").Want[], names?: RegExp, given?: number[][],
  *   which?: number | null }} [asked]
  * @returns {Typed}
  */
@@ -137,8 +138,8 @@ function entryIn(known) {
 
 /** @param {string} text @param {any} question @returns {Typed} */
 function ofText(text, { known, ...question }) {
-  const found = find(text, { wants: ANY, isEntry: entryIn(known), ...question });
-  const texts = found.rows.flat().map(plain);
+  const found = findAnswer(text, { wants: ANY, isEntry: entryIn(known), ...question });
+  const texts = found.rows.flat().map((cell) => plain(cell.text));
   const trees = texts.map((cell) =>
     isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${question.what}`),
   );
@@ -155,7 +156,7 @@ function ofText(text, { known, ...question }) {
   const shape = [found.rows.length, found.rows[0].length];
   const { said, left } = found;
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
-  return { ...read, entries, said, left, says: unitsSaid(text) };
+  return { ...read, entries, said, left, says: unitsSaid(text), tokens: found.tokens };
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;

@@ -2,13 +2,23 @@
 // dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
 
 import { RAD } from "../geometry/angles.js";
+import { withoutComments } from "./decorations.js";
 import { hasDecimals, plain, simple } from "./formula.js";
+import { refuseUnread, tokensOf } from "./owners.js";
+import { SpannedText } from "./spans.js";
 import { tablesIn } from "./table_blocks.js";
 import { fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
 import { few, named } from "./table_notations.js";
 import { ENTRIES, entryText, isVariable, rowOf, UNITS } from "./table_rows.js";
-import { ArmError, joinList, formatMessage, quoteText, formatNumber } from "../sentences.js";
+import {
+  ArmError,
+  joinList,
+  formatMessage,
+  quoteText,
+  formatNumber,
+  tryOrNull,
+} from "../sentences.js";
 
 const MILLIMETRES = 10; // a length this large is no number of metres
 const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of radians
@@ -36,8 +46,8 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * `exchanged` where the heads of alpha and theta stand over one another's entries, as the joints'
  * variables show.
  * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string |
- *   null, said: string[], exchanged?: boolean, guessed?: boolean, left?: string[] }} TypedTable
- *   `left` is what else stands in the text
+ *   null, said: string[], exchanged?: boolean, guessed?: boolean, left?: string[],
+ *   tokens?: import("./owners.js").Token[] }} TypedTable `left` is what else stands in the text
  */
 
 /**
@@ -52,13 +62,24 @@ export function read(text, { columns, ...options } = {}, values = []) {
   refuseSize(text);
   const own = defined(text);
   const known = new Map([...values, ...own].map(([name, x]) => [simple(name), x]));
-  const found = named(text);
+  const live = withoutComments(new SpannedText(text));
+  const found = (live && named(live.text)) ?? named(text);
   if (found) return tablesOf(found, { columns, options, known });
+  const pasted = new SpannedText(text);
+  const tables =
+    live &&
+    tryOrNull(() => tablesOfBlocks(text, tablesIn(text, known, live), { columns, options, known }));
+  return tables ?? tablesOfBlocks(text, tablesIn(text, known, pasted), { columns, options, known });
+}
+
+// The tables of the first block that is one.
+function tablesOfBlocks(text, blocks, asked) {
   let refused = null;
-  for (const block of tablesIn(text, known)) {
+  for (const block of blocks) {
     try {
-      refuseBlock(block, text);
-      return tablesOf({ ...block, said: [] }, { columns, options, known });
+      const tokens = refuseBlock(block, text);
+      const tables = tablesOf({ ...block, said: [] }, asked);
+      return tables.map((table) => ({ ...table, tokens }));
     } catch (error) {
       if (!(error instanceof ArmError) || error instanceof NoLink) throw error;
       refused ??= error;
@@ -68,12 +89,17 @@ export function read(text, { columns, ...options } = {}, values = []) {
   throw new ArmError(formatMessage("no rows", { given: quoteText(text) }));
 }
 
-// Rows torn in two, and frames where links are asked for.
-/** @param {{ cells: string[][], torn?: string | null }} block @param {string} text */
-function refuseBlock({ torn, cells }, text) {
+// An error for numbers that are not read, rows torn in two, and frames where links are asked for.
+/** @param {import("./table_blocks.js").TableBlock} block @param {string} text */
+function refuseBlock({ torn, cells, block }, text) {
   if (torn) throw new ArmError(formatMessage("row torn", { line: quoteText(torn.trim()) }));
+  const tokens = tokensOf(text, block, FEWEST_ROWS);
+  refuseUnread(text, tokens, formatMessage("your table"));
   if (matrices(cells) && FRAMES.test(text)) throw new NoLink("table.frames");
+  return tokens;
 }
+
+const FEWEST_ROWS = 2; // of a table beside which a row of its width is one of its own
 
 function refuseSize(text) {
   const what = formatMessage("your table");

@@ -1,10 +1,11 @@
 // The block of a text that is a table: rows of entries below their heads, or the matrices of its
 // links one below the other.
 
-import { blocksIn } from "./blocks.js";
-import { around } from "./find.js";
+import { blocksIn, plainText } from "./blocks.js";
+import { setAside } from "./answers.js";
 import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
-import { linesOf, plainSigns, ROW } from "./signs.js";
+import { linesOf, ROW_END } from "./characters.js";
+import { SpannedText } from "./spans.js";
 import { headOf } from "./table_columns.js";
 import { ENTRIES, entryText, VARIABLE } from "./table_rows.js";
 
@@ -13,7 +14,8 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
 /**
  * Rows of cells as typed, the heads above them, what else stands in the text.
  * @typedef {{ cells: string[][], heads: string[], context: string, left: string[],
- *   torn?: string }} TableBlock `torn` is a line beside it that could not be read
+ *   torn?: string, block: import("./blocks.js").Block }} TableBlock `torn` is a line beside it that
+ *   could not be read
  */
 
 /**
@@ -21,13 +23,14 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
  * last.
  * @param {string} text
  * @param {Map<string, number>} known symbols that have numbers
+ * @param {SpannedText} [pasted] the text without its comments
  * @returns {TableBlock[]}
  */
-export function tablesIn(text, known) {
-  const all = headings(unstarred(plainSigns(text)));
-  const ways = blocksIn(all.text, { isEntry: entryIn(known) });
+export function tablesIn(text, known, pasted = new SpannedText(text)) {
+  const all = markColumnHeaders(withoutStars(plainText(pasted)));
+  const ways = blocksIn(all.plain, { isEntry: entryIn(known) });
   const blocks = ways.flatMap((way) => way().reverse());
-  const lines = all.text.split("\n");
+  const lines = all.plain.text.split("\n");
   const typed = linesOf(text);
   const heads = typed.filter((_, k) => lines[k]?.includes(HEADS)).map((line) => line.trim());
   const found = blocks.map(withoutRules).flatMap((block) => upright(block, lines, all.found));
@@ -35,17 +38,25 @@ export function tablesIn(text, known) {
   return found
     .filter(({ cells: [row = []] }) => row.length >= 4 && row.length <= MOST_COLUMNS)
     .sort((one, other) => order(other) - order(one))
-    .map(({ block, ...one }) => {
-      const { context, left } = around(text, block);
+    .map((one) => {
+      const left = setAside(text, one.block);
       const told = left.filter((line) => !heads.includes(line) || hasDecimals(line));
-      return { ...one, context, left: told, torn: tornFrom(block, lines) };
+      const context = contextOf(typed, one.block);
+      return { ...one, context, left: told, torn: tornFrom(one.block, lines) };
     });
 }
+
+// The text around a block: the lines beside it, the words before its rows and above them.
+const contextOf = (lines, { from, to, labels, headers }) =>
+  [
+    ...lines.filter((_, i) => i < from || i > to),
+    ...[...labels.flat(), ...headers].map(({ text }) => text),
+  ].join("\n");
 
 // Stars that mark a joint's variable, or stand for it, are no signs of a product.
 const STARRED = /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?\d*\}?)\^?\{?\*\}?(?=\s)/g;
 const ALONE = /(?<=\s)\*(?=[ \t]*$)/gm;
-const unstarred = (text) => text.replace(STARRED, "$1").replace(ALONE, "?");
+const withoutStars = (plain) => plain.replace(STARRED, "$1").replace(ALONE, "?");
 
 // A line beside a block of numbers for the most part: a row that could not be read as one. Columns
 // may be counted behind a word.
@@ -60,7 +71,7 @@ const tornFrom = ({ from, to }, lines) =>
 
 // A block without rows that are drawn, | - | - |.
 function withoutRules(block) {
-  const drawn = block.rows.map((row) => row.every((cell) => cell === "-"));
+  const drawn = block.rows.map((row) => row.every(({ text }) => text === "-"));
   const kept = (list) => list.filter((_, i) => !drawn[i]);
   return { ...block, rows: kept(block.rows), labels: kept(block.labels) };
 }
@@ -70,17 +81,18 @@ function withoutRules(block) {
 function upright(block, lines, found) {
   const { rows, labels, from } = block;
   if (!rows.length) return [];
-  const names = labels.map((words) => marked(words, found)?.[0]);
+  const names = labels.map((words) => marked(textsOf(words), found)?.[0]);
   const named = names.flatMap((name, i) => (name ? [i] : []));
   if (new Set(named.map((i) => headOf(names[i]))).size < 3) {
     const above = lines.slice(Math.max(0, from - NEAR), from + 1).reverse();
     const heads = marked(above.join(" ").split(" "), found) ?? [];
-    return [{ block, cells: rows, heads }];
+    return [{ block, cells: rows.map(textsOf), heads }];
   }
-  const cells = rows[0].map((_, k) => named.map((i) => rows[i][k]));
+  const cells = rows[0].map((_, k) => named.map((i) => rows[i][k].text));
   return [{ block, cells, heads: named.map((i) => names[i]) }];
 }
 
+const textsOf = (cells) => cells.map(({ text }) => text);
 const NEAR = 3; // lines above a table in which its heads stand: a rule, an opening bracket
 
 // Heads
@@ -91,36 +103,63 @@ const marked = (words, found) => {
   return word ? found[Number(word.slice(HEADS.length))] : null;
 };
 
-// The text with a word in place of each line of heads, and of a head before a line of entries; and
-// those heads.
-function headings(text) {
+/**
+ * Put a word in place of each line of column headers, and of a header before a line of entries; an
+ * empty cell below headers becomes 0.
+ * @param {SpannedText} plain
+ * @returns {{ plain: SpannedText, found: string[][] }} `found` are the headers
+ */
+function markColumnHeaders(plain) {
   const found = [];
-  const parts = text.split(new RegExp(`(\n|${ROW})`));
-  const put = (k, heads, rest) => {
-    const [open] = /^[\s[({|]*/.exec(parts[k]);
-    parts[k] = `${open.replaceAll("|", " ")} ${HEADS}${found.push(heads) - 1} ${rest}`;
+  const { text } = plain;
+  const lines = [...text.matchAll(LINE)].map(({ 0: line, index }) => ({ line, at: index }));
+  const edits = [];
+  const mark = ({ line, at }, headers, length) => {
+    const [open] = /^[\s[({|]*/.exec(line);
+    const word = `${open.replaceAll("|", " ")} ${HEADS}${found.push(headers) - 1} `;
+    edits.push({ from: at, to: at + length, text: word });
   };
-  const all = parts.flatMap((_, k) => (k % 2 ? [] : [k]));
-  const whole = all.filter((k) => headsIn(parts[k]));
-  for (const k of whole) {
-    for (const row of all) if (row > k) parts[row] = filled(parts[row], parts[k]);
-    put(k, headsIn(parts[k]), "");
+  const whole = lines.filter(({ line }) => headsIn(line));
+  for (const one of whole) mark(one, headsIn(one.line), one.line.length);
+  if (whole.length)
+    for (const one of lines)
+      if (!whole.includes(one))
+        edits.push(
+          ...zerosIn(
+            one,
+            whole.filter(({ at }) => at < one.at),
+          ),
+        );
+  for (const one of whole.length ? [] : lines) {
+    const rest = bare(one.line);
+    const [first, head] = ROW_HEAD.exec(rest) ?? [];
+    if (head && ENTRIES.includes(headOf(head)))
+      mark(one, [head], one.line.length - rest.length + first.length);
   }
-  for (const k of whole.length ? [] : all) {
-    const [first, head] = ROW_HEAD.exec(bare(parts[k])) ?? [];
-    if (head && ENTRIES.includes(headOf(head))) put(k, [head], bare(parts[k]).slice(first.length));
-  }
-  return { text: parts.join(""), found };
+  edits.sort((one, other) => one.from - other.from);
+  return { plain: edits.length ? plain.edit(edits) : plain, found };
 }
 
+const LINE = new RegExp(`[^\n${ROW_END}]+`, "g");
 const bare = (line) => line.replace(/^[\s[({|]+/, "");
 
-// A line of as many cells as the heads above it, with a 0 in each that is empty.
-function filled(line, heads) {
-  const sign = ["\t", ";", ",", "|", "&"].find((one) => heads.includes(one)) ?? "\n";
-  const [cells, above] = [line, heads].map((one) => one.split(sign));
-  if (cells.length !== above.length || cells.length < 4 || !line.trim()) return line;
-  return cells.map((cell, k) => (cell.trim() || !above[k].trim() ? cell : "0")).join(sign);
+// A 0 for each empty cell of a line that has as many cells as column headers above it.
+function zerosIn({ line, at }, headers) {
+  if (!line.trim()) return [];
+  for (const { line: heads } of headers) {
+    const separator = ["\t", ";", ",", "|", "&"].find((one) => heads.includes(one));
+    if (!separator) continue;
+    const [cells, above] = [line, heads].map((one) => one.split(separator));
+    if (cells.length !== above.length || cells.length < 4) continue;
+    let from = at;
+    return cells.flatMap((cell, k) => {
+      const start = from;
+      from += cell.length + 1;
+      const isEmpty = !cell.trim() && above[k].trim();
+      return isEmpty ? [{ from: start, to: start + cell.length, text: "0" }] : [];
+    });
+  }
+  return [];
 }
 
 // A head before entries: "a [mm] | 0 | 88".

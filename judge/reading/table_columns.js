@@ -67,7 +67,7 @@ export function withoutIndex({ cells, heads }) {
 // Whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
 const isCounted = (first) =>
   !first.some(isVariable) &&
-  [0, 1].some((from) => first.every((text, k) => labelIn([text])?.at === k + from));
+  [0, 1].some((from) => first.every((text, k) => labelIn([{ text }])?.at === k + from));
 
 // The orders of the columns that are possible, whether it was said, and the rows in them.
 export const ordered = (cells, heads, columns) =>

@@ -70,10 +70,14 @@ function shapes(count, arm) {
 }
 
 function inNewtonMetres(typed) {
-  if (typed.says?.moments !== "Nmm") return typed;
+  const unit = typed.says?.moments;
+  if (!unit) return typed;
   // an entry with a unit of its own is in that
-  const scaled = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x / 1000 : x));
-  const said = [...typed.said, formatMessage("taken: newton millimetres")];
+  const scaled = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x * unit : x));
+  const said = [
+    ...typed.said,
+    formatMessage(unit < 1 ? "taken: millinewton metres" : "taken: kilonewton metres"),
+  ];
   return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
 }
 

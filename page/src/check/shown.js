@@ -2,9 +2,10 @@
 
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";
-import { blocksIn } from "../../../judge/reading/blocks.js";
+import { blocksIn, plainText } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { lookup } from "../../../judge/reading/numbers.js";
+import { SpannedText } from "../../../judge/reading/spans.js";
 import { listDetails, GRADE_MARKS } from "../../../judge/verdict.js";
 import { ArmError } from "../../../judge/sentences.js";
 
@@ -132,9 +133,12 @@ function readPartly(question, { error, tokens, arm, q }) {
 // Return the rows of the largest block of possible entries.
 function findLargestBlock(text) {
   const isEntry = (cell) => /\d/.test(cell) || /^[-+]?(?:[a-z]|theta|pi)$/i.test(cell);
-  const blocks = blocksIn(text, { isEntry }).flatMap((way) => way());
+  const plain = plainText(new SpannedText(text));
+  const blocks = blocksIn(plain, { isEntry }).flatMap((way) => way());
   const size = (rows) => rows.flat().length;
-  return blocks.reduce((most, { rows }) => (size(rows) > size(most) ? rows : most), []);
+  return blocks
+    .reduce((most, { rows }) => (size(rows) > size(most) ? rows : most), [])
+    .map((row) => row.map((cell) => cell.text));
 }
 
 // Return whether a cell is a formula with a meaning for this arm.

@@ -1,0 +1,393 @@
+// The answer in a text: all blocks that have the shape that is asked for, wherever they stand, with
+// rows and columns in the order that their labels say.
+
+import { blocksIn, plainText } from "./blocks.js";
+import { linesOf, plainCharacters } from "./characters.js";
+import { labelNumberedLines, withoutComments } from "./decorations.js";
+import { hasDecimals, number } from "./formula.js";
+import { labelIn } from "./labels.js";
+import { refuseUnread, tokensOf } from "./owners.js";
+import { SpannedText } from "./spans.js";
+import { ArmError, joinList, formatMessage, quoteText, tryOrNull } from "../sentences.js";
+
+const LONGEST = 2_000_000; // characters of a text: a trajectory of 20 000 steps
+
+/**
+ * How many rows and columns are asked for, any number where null; what its rows are named after,
+ * "row" or "joint"; whether a column is turned into a row; whether of several the largest is meant.
+ * `names` are those of the answer, `given` the numbers that the question itself holds, `wanted` the
+ * shape in words.
+ * @typedef {{ rows: number | null, columns: number | null, by?: string, turned?: boolean,
+ *   largest?: boolean }} Want
+ * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
+ *   given?: number[][], which?: number | null, wanted?: string }} Question
+ */
+/** @typedef {import("./lines.js").Cell} Cell */
+/** @typedef {import("./blocks.js").Block} Block */
+/**
+ * The block that is the answer. `said` is how its rows were ordered, `left` the lines and numbers
+ * that were set aside, `tokens` every number of the text with its owner.
+ * @typedef {Block & { left: string[], said: string[],
+ *   tokens: import("./owners.js").Token[] }} Answer
+ */
+
+/**
+ * Find the answer in a text. A comment counts only where nothing else fits.
+ * @param {string} text @param {Question} question @returns {Answer}
+ */
+export function findAnswer(text, question) {
+  if (text.length > LONGEST)
+    throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
+  if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
+  const pasted = new SpannedText(text);
+  const live = withoutComments(pasted);
+  if (live && /\d/.test(live.text)) {
+    const answer = tryOrNull(() => findIn(live, text, question));
+    if (answer) return answer;
+  }
+  return findIn(pasted, text, question);
+}
+
+/** @param {SpannedText} pasted @param {string} text @param {Question} question @returns {Answer} */
+function findIn(pasted, text, question) {
+  const { what, wants, isEntry, names = NONE, given = [] } = question;
+  if (wants[0].columns === null) refuseOdd(text, question);
+  const plain = labelNumberedLines(plainText(pasted));
+  const own = blocksIn(plain, { isEntry, names, given });
+  const whole = given.length ? blocksIn(plain, { isEntry, names }) : [];
+  const found = firstBlock(own, whole, question);
+  if (!found) throw refusal(text, question, own);
+  const { block, want } = found;
+  const tokens = tokensOf(text, block);
+  refuseUnread(text, tokens, what);
+  const left = setAside(text, block, pasted);
+  return { ...inListedOrder(block, want, text), left, tokens };
+}
+
+// The block that fits, with the first shape that is wanted and the first way to part the text; one
+// that only counts comes last.
+function firstBlock(own, whole, question) {
+  const { wants, which = null } = question;
+  const shapes = [false, true].flatMap((mayCount) => wants.map((want) => ({ mayCount, want })));
+  for (const { mayCount, want } of shapes)
+    for (const blocks of want.rows > 1 ? [...whole, ...own] : own) {
+      const fits = fitting(blocks(), want, question);
+      const block = chosen(mayCount ? fits : fits.filter((one) => !countsAlone(one)), question);
+      if (block && which === null) refuseRivals(block, blocks(), question);
+      if (block) return { block, want };
+    }
+  return null;
+}
+
+const NONE = /(?!)/; // no name
+
+// Whether a block only counts: three or more whole numbers in order, as of joints.
+const countsAlone = ({ rows }) => rows.flat().length > 2 && countsJoints(rows.flat());
+
+// The blocks that fit, those with the answer's name where there are some; of any shape the largest.
+function fitting(blocks, want, { wants, names = NONE }) {
+  const each = want.rows === 1 ? blocks.flatMap(rowsAlone) : blocks;
+  const fits = each.flatMap((block) => fitted(block, want, wants, names));
+  if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
+  const named = fits.filter(({ name }) => names.test(bareName(name)));
+  return named.length ? named : fits;
+}
+
+const count = ({ rows }) => rows.flat().length;
+const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slice(0, 1);
+const bareName = (name) => name.replace(/^[^\p{L}]+/u, "");
+const textsOf = (cells) => cells.map(({ text }) => text);
+
+// The block that is meant: the last of equal ones; of several that differ the one that was chosen.
+function chosen(fits, { which = null }) {
+  const texts = ({ rows }) => JSON.stringify(rows.map(textsOf));
+  const all = [...new Map(fits.map((block) => [texts(block), block])).values()];
+  const answers = all.filter(({ rows }) => rows.length > 1 || !countsJoints(rows[0]));
+  const different = answers.length ? answers : all;
+  if (different.length < 2 || which !== null) return different[(which ?? 1) - 1];
+  throw askWhich(different);
+}
+
+function askWhich(blocks) {
+  const options = blocks.slice(0, MOST).map(({ rows, from }) => {
+    const numbers = quoteText(textsOf(rows.flat().slice(0, SHOWN)).join(" "));
+    return `line ${from + 1} (${numbers})`;
+  });
+  const advice = options.map((_, k) => ({ field: "which", value: k + 1 }));
+  return new ArmError(formatMessage("which", { blocks: joinList(options) }), advice);
+}
+
+const MOST = 5; // answers to choose from
+const SHOWN = 8; // numbers of each
+
+// Another block of as many numbers with decimals that would fit in some shape, nameless or of the
+// answer's name, and not the same.
+function refuseRivals(block, blocks, { wants, names = NONE }) {
+  if (block.name && names.test(bareName(block.name))) return;
+  const values = ({ rows }) =>
+    rows
+      .flat()
+      .map(({ text }) => Number(text))
+      .sort()
+      .join();
+  const mayBeAnswer = ({ sources: [{ name }] }) =>
+    !name || /^\d{1,3}$/.test(name) || names.test(bareName(name));
+  const rivals = wants
+    .filter(({ largest: any, rows, columns }) => !any && (rows !== null || columns !== null))
+    .flatMap((want) => fitting(blocks, want, { wants, names }))
+    .filter((other) => other.from > block.to || other.to < block.from)
+    .filter((other) => count(other) === count(block) && mayBeAnswer(other))
+    .filter((other) => values(other) !== values(block))
+    .filter(({ rows }) => rows.flat().some(({ text }) => hasDecimals(text)));
+  if (rivals.length) throw askWhich([block, ...rivals]);
+}
+
+// Whether a row only numbers the joints, as in "for joints 1, 2, 4, 5, 6 and 7".
+const countsJoints = (cells) =>
+  cells.every(({ text }, k) => /^\d$/.test(text) && (!k || text > cells[k - 1].text));
+
+// The block as it is wanted, or nothing. Of a row that is wanted as it stands no number counts it.
+function fitted(block, want, wants, names) {
+  const whole =
+    block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
+  const upright = [
+    ...withoutCountedHeader(block),
+    block,
+    ...columnOf(block, names),
+    ...(whole ? [] : withoutLabels(block)),
+  ];
+  const lying = want.by ? upright.filter((one) => liesBy(one, want)).map(transposed) : [];
+  const fits = ({ rows }) =>
+    (want.rows === null || rows.length === want.rows) &&
+    (want.columns === null || rows[0].length === want.columns);
+  const found = lying.find(fits) ?? upright.find(fits);
+  if (!found) return [];
+  const one = ordered(found, want);
+  return [want.turned ? { ...one, rows: [one.rows.flat()] } : one];
+}
+
+// A block of decimals below a row 1 2 3, without that row.
+const withoutCountedHeader = (block) =>
+  isCount(textsOf(block.rows[0])) &&
+  block.rows
+    .slice(1)
+    .flat()
+    .some(({ text }) => hasDecimals(text))
+    ? withoutRow(block)
+    : [];
+
+// Where one row is wanted, each is tried.
+function rowsAlone(block) {
+  if (block.rows.length < 2) return [block];
+  const isOwn = block.sources.length === block.rows.length;
+  const alone = (row, i) => {
+    const source = block.sources[i];
+    const place = isOwn ? { sources: [source], from: source.line, to: source.last } : {};
+    return { ...block, rows: [row], labels: [block.labels[i]], ...place };
+  };
+  return [block, ...block.rows.map(alone)];
+}
+
+// The labels of rows and of columns, where each has one of its kind and no two are the same.
+function labelsOf(words) {
+  const found = words.map(labelIn);
+  const kind = found[0]?.kind;
+  const even = kind && found.every((one) => one?.kind === kind);
+  return even && new Set(found.map(({ at }) => at)).size === found.length
+    ? { kind, at: found.map(({ at }) => at) }
+    : null;
+}
+
+const headerLabels = ({ headers, rows }) => {
+  const extra = headers.length - rows[0].length;
+  return extra >= 0 && extra < 3 ? labelsOf(headers.slice(extra).map((one) => [one])) : null;
+};
+
+// Whether labels say that rows are what is wanted as columns.
+function liesBy(block, { by }) {
+  if (by === "row" && TURNED.test(block.name)) return true;
+  const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];
+  if (by === "row") return headers?.kind === "row" || rows?.kind === "joint";
+  return rows?.kind === "joint" && block.rows[0].length > 1 && headers?.kind !== "joint";
+}
+
+const TURNED = /(?:\.T|\^T|ᵀ|')$/; // behind the name of a transposed matrix
+
+function transposed(block) {
+  const { rows, labels, headers } = block;
+  const own = headers.slice(headers.length - rows[0].length);
+  return {
+    ...block,
+    rows: rows[0].map((_, k) => rows.map((row) => row[k])),
+    labels: rows[0].map((_, k) => (own[k] ? [own[k]] : [])),
+    headers: labels.map((words) => words.at(-1) ?? NO_CELL),
+  };
+}
+
+const NO_CELL = { text: "", from: 0, to: 0 };
+
+// In the order of names that the text lists apart from the values, as ROS does.
+/** @param {any} block @param {Want} want @param {string} text */
+function inListedOrder(block, { by, turned, columns }, text) {
+  const [own] = block.rows;
+  if (by !== "joint" || (!turned && columns === null) || block.said.length) return block;
+  const at = listedJoints(text, own.length);
+  if (!at || at.every((one, k) => !k || one > at[k - 1])) return block;
+  const order = at.map((_, k) => k).sort((p, q) => at[p] - at[q]);
+  const rows = block.rows.map((row) => order.map((k) => row[k]));
+  return { ...block, rows, said: [formatMessage("taken: by names")] };
+}
+
+// The numbers of so many joints whose names stand beside each other, null where none do.
+function listedJoints(text, size) {
+  const words = plainCharacters(new SpannedText(text)).text.split(/[\s,;:[\]{}"-]+/);
+  const labels = words.map((word) => (/\p{L}/u.test(word) ? labelIn([{ text: word }]) : null));
+  const joints = [];
+  for (const label of [...labels, null]) {
+    if (label?.kind === "joint") joints.push(label.at);
+    else if (joints.length === size && new Set(joints).size === size) return joints;
+    else joints.length = 0;
+  }
+  return null;
+}
+
+// In the order of the labels.
+function ordered(block, { by }) {
+  const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];
+  const order = (label) => label.at.map((_, k) => k).sort((p, q) => label.at[p] - label.at[q]);
+  const whole = rows && (by === "row" ? rows.kind === "row" : rows.kind === "joint");
+  const down = whole ? order(rows) : block.rows.map((_, i) => i);
+  const across = headers?.kind === "joint" ? order(headers) : block.rows[0].map((_, k) => k);
+  const moved = [...down, -1, ...across].join() !== [...down.keys(), -1, ...across.keys()].join();
+  return {
+    ...block,
+    rows: down.map((i) => across.map((k) => block.rows[i][k])),
+    said: moved ? [formatMessage("taken: by names")] : [],
+  };
+}
+
+// The column below the answer's name, of several side by side. Words behind the rows have headers
+// of their own.
+function columnOf(block, names) {
+  const { headers, rows, sources } = block;
+  const tail = sources.length === rows.length ? Math.min(...sources.map((row) => row.tail)) : 0;
+  const extra = headers.length - rows[0].length - tail;
+  const isAnswer = ({ text }) => names.test(bareName(text));
+  const at = extra < 0 || rows[0].length < 2 ? -1 : headers.findLastIndex(isAnswer);
+  if (at < Math.max(extra, 0) || at - extra >= rows[0].length || headerLabels(block)) return [];
+  const labels = rows.map((row, i) => [...block.labels[i], row[0]]);
+  return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, headers: [] }];
+}
+
+// The block without a first column that counts its rows or tells the time, or names them, and
+// without a first row that counts or names its columns.
+function withoutLabels(block) {
+  const below = withoutRow(block);
+  const once = [block, ...below].flatMap(withoutColumn);
+  return [...once, ...below, ...once.flatMap(withoutColumn)];
+}
+
+function withoutColumn(block) {
+  const { rows, labels } = block;
+  const down = rows.map(([cell]) => cell);
+  if (rows[0].length < 2 || !(isSeries(textsOf(down)) || areNames(down))) return [];
+  const words = labels.map((own, i) => [...own, rows[i][0]]);
+  return [{ ...block, rows: rows.map((row) => row.slice(1)), labels: words }];
+}
+
+function withoutRow(block) {
+  const { rows, labels } = block;
+  const [first, ...rest] = rows;
+  if (!rest.length || first.length < 2 || !(isCount(textsOf(first)) || areNames(first))) return [];
+  return [{ ...block, rows: rest, labels: labels.slice(1), headers: first }];
+}
+
+const areNames = (cells) => {
+  const found = labelsOf(cells.map((cell) => [cell]));
+  return found !== null && cells.every(({ text }) => number(text) === null);
+};
+
+const isCount = (texts) =>
+  [0, 1].some((from) => texts.every((text, k) => Number(text) === k + from));
+
+// Whether cells count, or grow by as much each, as times do.
+function isSeries(texts) {
+  const values = texts.map(Number);
+  if (isCount(texts)) return true;
+  const step = (values.at(-1) - values[0]) / (values.length - 1);
+  const unit = Math.max(...texts.map((text) => 10 ** -(text.split(".")[1]?.length ?? 0)));
+  return (
+    values.length > 3 &&
+    step > 0 &&
+    values.every((x, k) => Math.abs(x - values[0] - k * step) <= unit * 1.01)
+  );
+}
+
+/**
+ * List the lines that say something besides the block; on its own lines, comments and numbers that
+ * are not its own.
+ * @param {string} text @param {Block} block @param {SpannedText} [live] without comments
+ */
+export function setAside(text, block, live = null) {
+  const { from, to } = block;
+  const lines = linesOf(text);
+  const rest = lines.filter((_, i) => i < from || i > to);
+  const told = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
+  const kept = live && live.text.length === text.length ? linesOf(live.text) : lines;
+  const comments = lines.slice(from, to + 1).flatMap((line, i) => {
+    const end = kept[from + i].trimEnd().length;
+    return kept[from + i] === line ? [] : [line.slice(end).trim()];
+  });
+  return [...told.map((line) => line.trim()), ...comments, ...numbersBeside(block)];
+}
+
+const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
+
+/**
+ * Numbers on a block's lines that are not its own, decimals in words too; nothing where there is
+ * one for each row, as a time is.
+ * @param {Block} block
+ */
+export function numbersBeside({ from, to, sources, lines }) {
+  const own = new Set(sources);
+  const others = lines.all.filter(
+    (row) => row.line >= from && row.line <= to && !own.has(row) && !lines.given.has(row),
+  );
+  const words = sources.flatMap((row) => row.words.filter(({ text }) => hasDecimals(text)));
+  return [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])]
+    .filter(({ length }) => sources.length < 2 || length % sources.length)
+    .flat(2);
+}
+
+/** @type {[string, RegExp][]} */
+const ODD = [
+  ["no solution", /\bno (?:real )?solution|\bunreachable\b/i],
+  ["not finite", /(?<!\p{L})(?:nan|inf(?:inity)?)(?!\p{L})/iu],
+  ["doubtful sign", /~\s*[\d.]/],
+  ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
+  ["two signs", /±|\\pm/],
+  ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],
+  ["no text", /[\0-\x08\ufffd]/],
+];
+
+// An error for a text that is no answer in numbers.
+function refuseOdd(text, { what, wanted = "numbers" }) {
+  const [key] = ODD.find(([, pattern]) => pattern.test(text)) ?? [];
+  if (key) throw new ArmError(formatMessage(key, { what, wanted }));
+}
+
+// Why nothing fits: the numbers that are there, and those that are wanted.
+function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings) {
+  refuseOdd(text, { what, wanted });
+  const blocks = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
+  if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));
+  const sorted = [...blocks].sort((p, q) => count(q) - count(p));
+  refuseUnread(text, tokensOf(text, sorted[0]), what); // what broke the block, where that is known
+  const sizes = new Set(sorted.map(({ rows }) => `${rows.length}x${rows[0].length}`));
+  const found = joinList([...sizes].slice(0, 3));
+  const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
+  return new ArmError(formatMessage("no fit", { what, found, line, wanted }));
+}
+
+const sizeOf = ({ rows, columns }) =>
+  columns === null ? "numbers" : rows === null ? `rows of ${columns}` : `${rows}x${columns}`;

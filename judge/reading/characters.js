@@ -1,0 +1,81 @@
+// The characters of a pasted text in plain form: one minus, one blank, one quote; what draws or
+// typesets a matrix becomes brackets, & and the end of a row. Line ends stay.
+
+export const ROW_END = "\u241e"; // a row's end, as LaTeX's \\ and Word's @ write it
+export const CONTINUED = "\v"; // a blank: MATLAB's line continues in the next one
+
+/** @returns {[string, string][]} */
+export const mapEach = (characters, instead) => [...characters].map((one) => [one, instead]);
+/** @type {Map<string, string>} */
+const SAME = new Map([
+  ...mapEach("−–—‐‑‒﹣－", "-"),
+  ...mapEach("\u00a0\u2002\u2003\u2007\u2009\u200a\u202f\u3000", " "),
+  ...mapEach("\u200b\ufeff\u2061\u2062", ""),
+  ...mapEach("“”„‟`‘’‚", '"'),
+  ...mapEach("│┃║", "|"),
+  ["，", ","],
+  ["（", "("],
+  ["）", ")"],
+  ...[..."０１２３４５６７８９"].flatMap((one, i) => mapEach(one, `${i}`)), // among Chinese characters
+]);
+export const FOLDED = new RegExp(`[${[...SAME.keys()].join("")}]`, "g");
+export const foldCharacter = (one) => SAME.get(one);
+// LaTeX's, which only set a formula out; a ~ before a number may be a minus.
+export const SPACING =
+  /\\(?:left|right|[bB]ig[lr]?|displaystyle|q?quad)(?![A-Za-z])\.?|\\[[\],;:! ()]|\$|~(?! *[\d.])/g;
+
+// What formulas and whole texts have in common.
+export const foldCharacters = (text) => text.replace(FOLDED, foldCharacter);
+export const withoutSpacing = (text) => text.replace(SPACING, " ");
+
+const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
+// A noun and its number in one word.
+const joinedNoun = (noun) => `${noun.trim()}_`;
+
+/** @type {[RegExp, any][]} */
+export const MATRIX_CHARACTERS = [
+  [/\r\n?|[\v\f]/g, "\n"],
+  [/\+?[⎛-⎭─-╬]+\+?/g, " "],
+  [/\b(?:Sin|Cos|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
+  [/\b(?:wrist|joint|column|link|sol(?:ution)?|lösung)[ \t]+(?=\d)/gi, joinedNoun],
+  [/(?<![\p{L}\p{N}])(τ|θ|tau|theta|q)[ \t]+(?=\d[ \t]*=)/gu, "$1_"],
+  [/(?<=[A-Za-z]\w*\[\d{1,2})\]\[(?=\d{1,2}\])/g, ","], // J[0][1]
+  [/\\pm\b/g, "±"],
+  [/\.\.\.[ \t]*\n/g, CONTINUED],
+  [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
+  [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns
+  [
+    new RegExp(String.raw`\\begin\{${MATRIX}\}(?:\[[^\]\n]{0,9}\])?(?:\{[lcr|\s]{0,60}\})?`, "g"),
+    "[",
+  ],
+  [new RegExp(String.raw`\\end\{${MATRIX}\}`, "g"), "]"],
+  [/\\(?:begin|end)\{[a-z]{1,20}\*?\}/g, ROW_END],
+  [/\\(?:hline|(?:top|mid|bottom)rule|c(?:line|midrule)\{[^{}\n]{0,20}\})/g, " "],
+  [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
+  [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
+  [/<\/t[dh]>\s*<t[dh][^<>\n]{0,60}>/gi, " | "], // a page's table
+  [/<\/?(?:table|tr|t[dh])\b[^<>\n]{0,60}>/gi, " "],
+  [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
+  [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
+  [/(?<=\d)\{,\}(?=\d)/g, ","],
+];
+const WORD_MATRIX = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
+const DASHES_ARE_BULLETS = /^[ \t]*- +(?=[-[{])/m; // else a dash may be a minus
+const BULLET = /^[ \t]*- +/gm;
+
+/**
+ * Make a text plain.
+ * @param {import("./spans.js").SpannedText} pasted
+ */
+export function plainCharacters(pasted) {
+  const folded = pasted.replace(FOLDED, foldCharacter);
+  const plain = MATRIX_CHARACTERS.reduce(
+    (text, [pattern, instead]) => text.replace(pattern, instead),
+    folded,
+  ).replace(SPACING, " ");
+  const rows = plain.replace(WORD_MATRIX, (_, inner) => `(${inner.replaceAll("@", ROW_END)})`);
+  return DASHES_ARE_BULLETS.test(rows.text) ? rows.replace(BULLET, "") : rows;
+}
+
+// A text's lines.
+export const linesOf = (text) => text.split(/\r\n?|[\n\v\f]/);

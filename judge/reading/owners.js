@@ -1,0 +1,193 @@
+// Owners: what each number of a pasted text was taken for. A number that nothing claims, within the
+// answer's lines or beside them, is unread, and then nothing is graded.
+
+import { hasDecimals } from "./formula.js";
+import { labelIn } from "./labels.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/**
+ * A number of the pasted text: its digits, its place, and what it was taken for: "entry" (of `row`
+ * and `column`, from 0), "label" (a joint's number, a row's name, an index, a time), "header" of a
+ * column, "given" by the question itself, "context" with its `reason`, or "unread".
+ * @typedef {{ text: string, from: number, to: number, line: number, owner: string, row?: number,
+ *   column?: number, reason?: string }} Token
+ */
+/** @typedef {import("./blocks.js").Block} Block */
+/** @typedef {import("./lines.js").Row} Row */
+
+const DIGITS = /[0-9０-９]+(?:\.[0-9０-９]*)?(?:[eE][-+−]?\d+)?|\.\d+(?:[eE][-+−]?\d+)?/g;
+const LINE_END = /\r\n?|[\n\v\f]/g;
+const LONG = 9; // rows of a block, from which a row of its width apart from it is a part of it
+
+/** The numbers of a text, to be claimed once each. */
+class Tokens {
+  /** @param {string} text */
+  constructor(text) {
+    const ends = [...text.matchAll(LINE_END)].map((end) => end.index + end[0].length);
+    let line = 0;
+    /** @type {Token[]} */
+    this.list = [...text.matchAll(DIGITS)].map(({ 0: digits, index }) => {
+      while (line < ends.length && ends[line] <= index) line++;
+      return { text: digits, from: index, to: index + digits.length, line, owner: "" };
+    });
+  }
+
+  // The tokens that begin within a span.
+  within({ from, to }) {
+    let [low, high] = [0, this.list.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.list[middle].from < from) low = middle + 1;
+      else high = middle;
+    }
+    let end = low;
+    while (end < this.list.length && this.list[end].from < to) end++;
+    return this.list.slice(low, end);
+  }
+
+  /**
+   * Give the numbers of a span their owner, unless they have one.
+   * @param {import("./spans.js").Span} span @param {string} owner @param {object} [more]
+   */
+  claim(span, owner, more = {}) {
+    for (const token of this.within(span))
+      if (!token.owner) Object.assign(token, { owner, ...more });
+  }
+}
+
+/**
+ * List the numbers of a text with their owners, once a block was taken as the answer.
+ * @param {string} text @param {Block} block @param {number} [long] rows from which rows of the
+ *   block's width apart from it are parts of it
+ * @returns {Token[]}
+ */
+export function tokensOf(text, block, long = LONG) {
+  const tokens = new Tokens(text);
+  block.rows.forEach((cells, row) =>
+    cells.forEach((cell, column) => tokens.claim(cell, "entry", { row, column })),
+  );
+  for (const cell of [...block.labels.flat(), ...block.headers]) claimWord(tokens, cell, "label");
+  for (const { cells } of block.sources)
+    for (const cell of cells) tokens.claim(cell, "label", { reason: "another column" });
+  for (const { cells } of block.lines.given) for (const cell of cells) tokens.claim(cell, "given");
+  claimRest(tokens, block, linesBeside(text, block), long);
+  for (const token of tokens.list)
+    if (!token.owner) Object.assign(token, { owner: "context", reason: "markup or comment" });
+  return tokens.list;
+}
+
+// A label or a column's header; nothing where it may be an entry with a mistake in its spelling.
+const claimWord = (tokens, cell, owner) => {
+  if (!isMisspelt(cell.text)) tokens.claim(cell, owner);
+};
+
+const DATE =
+  /\d{4}-\d\d-\d\d|\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d|\d+\.\d+\.\d+|^v\d/i;
+const NUMBER_OF_LETTERS = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d/; // 7l2, O.5
+
+// Whether a word holds a number with decimals that was no entry, or digits with a letter for one.
+const isMisspelt = (word) =>
+  (hasDecimals(word) && !DATE.test(word) && !/^[\p{L}·\\_]/u.test(word)) ||
+  NUMBER_OF_LETTERS.test(word);
+
+/**
+ * The lines next to a block, over empty ones.
+ * @param {string} text @param {Block} block @returns {Set<number>}
+ */
+function linesBeside(text, { from, to }) {
+  const lines = text.split(LINE_END);
+  const isBlank = (k) => lines[k] !== undefined && !/[\p{L}\d]/u.test(lines[k]);
+  let [above, below] = [from - 1, to + 1];
+  while (isBlank(above)) above--;
+  while (isBlank(below)) below++;
+  return new Set([above, below].filter((k) => lines[k] !== undefined && mayBeRow(lines[k])));
+}
+
+// Whether a line holds numbers with decimals and neither a name nor a sentence.
+function mayBeRow(line) {
+  if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
+  return (line.match(/\p{L}{3,}/gu) ?? []).length < 2 && hasDecimals(line);
+}
+
+// The words and rows that are no part of the block.
+function claimRest(tokens, block, beside, long) {
+  const { from, to, sources, lines } = block;
+  const own = new Set(sources);
+  const width = Math.max(...sources.map(({ cells }) => cells.length));
+  const isNear = (line) => line >= from && line <= to;
+  for (const word of lines.words) {
+    const [token] = tokens.within(word);
+    if (!token || token.owner) continue;
+    const unread = isMisspelt(word.text) && (isNear(token.line) || beside.has(token.line));
+    tokens.claim(word, unread ? "unread" : "context", { reason: "a name or a sentence" });
+  }
+  const others = lines.all.filter((row) => !own.has(row) && !lines.given.has(row));
+  const order = new Map(lines.all.map((row, k) => [row, k]));
+  const lasts = lastByLine(sources, order);
+  const inside = others.filter(({ line }) => isNear(line));
+  const perRow = inside.length % sources.length === 0;
+  for (const row of others) {
+    const leads = order.get(row) < (lasts.get(row.line) ?? -1);
+    const owner = isNear(row.line)
+      ? ownerInside(row, { leads, perRow, alone: !lasts.has(row.line) })
+      : ownerOutside(row, { width, beside, isLong: sources.length >= long });
+    for (const cell of row.cells) tokens.claim(cell, owner, { reason: "another list" });
+  }
+}
+
+function lastByLine(sources, order) {
+  const lasts = new Map();
+  for (const row of sources)
+    for (let line = row.line; line <= row.last; line++) lasts.set(line, order.get(row));
+  return lasts;
+}
+
+const hasWord = ({ words }) => words.some(({ text }) => /\p{L}{2}/u.test(text));
+const withDecimals = ({ cells }) => cells.some(({ text }) => hasDecimals(text));
+
+// Numbers on the block's lines: of another name, a time or an index for each row, or unread.
+function ownerInside(row, { leads, perRow, alone }) {
+  if (row.name || (leads && hasWord(row))) return "context";
+  if (leads && perRow && row.cells.length === 1) return "label";
+  return !withDecimals(row) && (alone || row.cells.length === 1) ? "context" : "unread";
+}
+
+// Numbers apart from the block: a row that was torn off it, or another list.
+function ownerOutside(row, { width, beside, isLong }) {
+  const least = Math.max(1, Math.min(2, width - 1));
+  const torn = beside.has(row.line) && withDecimals(row) && !row.name && row.cells.length >= least;
+  const alike = isLong && width > 2 && row.cells.length === width && !row.name && withDecimals(row);
+  return torn || alike ? "unread" : "context";
+}
+
+/**
+ * Raise an error that quotes the first number that was not read.
+ * @param {string} text @param {Token[]} tokens @param {string} what
+ */
+export function refuseUnread(text, tokens, what) {
+  const token = tokens.find(({ owner }) => owner === "unread");
+  if (!token) return;
+  const word = wordAround(text, token);
+  const fields = { what, word: quoteText(word), line: token.line + 1, where: whereOf(text, token) };
+  throw new ArmError(formatMessage("unread", fields), [], tokens);
+}
+
+// The word in which a number stands, up to blanks and what parts cells.
+function wordAround(text, { from, to }) {
+  const before = /[^\s|&;[\],]*$/.exec(text.slice(Math.max(0, from - 20), from))[0];
+  const behind = /^[^\s|&;[\],]*/.exec(text.slice(to, to + 20))[0];
+  return before + text.slice(from, to) + behind;
+}
+
+// The joint or the row of the line's label, in brackets.
+function whereOf(text, { from }) {
+  const start = Math.max(text.lastIndexOf("\n", from), from - 60) + 1;
+  const words = text
+    .slice(start, from)
+    .split(/[\s|&,;:=]+/)
+    .filter(Boolean);
+  const label = words.length ? labelIn(words.map((word) => ({ text: word }))) : null;
+  if (!label || label.kind === "row") return "";
+  const [key, number] = [label.kind === "joint" ? "joint" : "row", label.at];
+  return ` (${formatMessage(key, { [key]: number })})`;
+}

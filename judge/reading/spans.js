@@ -1,0 +1,109 @@
+// A text that is made plain step by step while each of its characters keeps the place in the pasted
+// text that it stands for.
+
+/** A stretch of the pasted text. @typedef {{ from: number, to: number }} Span */
+
+export class SpannedText {
+  /** @param {string} text @param {number[]} [starts] @param {number[]} [ends] of each character */
+  constructor(text, starts = null, ends = null) {
+    this.text = text;
+    this.starts = starts;
+    this.ends = ends;
+  }
+
+  /**
+   * Return the stretch of the pasted text that characters stand for.
+   * @param {number} from @param {number} to @returns {Span}
+   */
+  span(from, to) {
+    if (!this.starts) return { from, to };
+    if (from >= to) return { from: this.starts[from] ?? 0, to: this.starts[from] ?? 0 };
+    return { from: this.starts[from], to: this.ends[to - 1] };
+  }
+
+  /**
+   * Replace all matches. Characters of a match or of one of its groups that are kept keep their
+   * place; new blanks stand for nothing, other new characters for the whole match.
+   * @param {RegExp} pattern with the flag g
+   * @param {string | ((match: string, ...groups: string[]) => string)} replacement
+   */
+  replace(pattern, replacement) {
+    const parts = [];
+    const [starts, ends] = [[], []];
+    let last = 0;
+    for (const match of this.text.matchAll(pattern)) {
+      this.#copy(last, match.index, parts, starts, ends);
+      last = match.index + match[0].length;
+      const text = replacementFor(match, replacement);
+      parts.push(text);
+      this.#align(match, text, starts, ends);
+    }
+    if (!parts.length) return this;
+    this.#copy(last, this.text.length, parts, starts, ends);
+    return new SpannedText(parts.join(""), starts, ends);
+  }
+
+  /**
+   * Replace stretches of the plain text, in order; what is put there stands for the whole stretch.
+   * @param {{ from: number, to: number, text: string }[]} edits
+   */
+  edit(edits) {
+    const parts = [];
+    const [starts, ends] = [[], []];
+    let last = 0;
+    for (const { from, to, text } of edits) {
+      this.#copy(last, from, parts, starts, ends);
+      last = to;
+      parts.push(text);
+      const whole = this.span(from, to);
+      for (let at = 0; at < text.length; at++) {
+        starts.push(whole.from);
+        ends.push(whole.to);
+      }
+    }
+    this.#copy(last, this.text.length, parts, starts, ends);
+    return new SpannedText(parts.join(""), starts, ends);
+  }
+
+  #copy(from, to, parts, starts, ends) {
+    parts.push(this.text.slice(from, to));
+    for (let at = from; at < to; at++) {
+      starts.push(this.starts ? this.starts[at] : at);
+      ends.push(this.ends ? this.ends[at] : at + 1);
+    }
+  }
+
+  #align(match, text, starts, ends) {
+    const kept = keptPart(match, text);
+    const whole = this.span(match.index, match.index + match[0].length);
+    for (let at = 0; at < text.length; at++) {
+      const offset = at - kept.at;
+      if (offset >= 0 && offset < kept.length) {
+        const own = this.span(
+          match.index + kept.from + offset,
+          match.index + kept.from + offset + 1,
+        );
+        starts.push(own.from);
+        ends.push(own.to);
+      } else {
+        starts.push(whole.from);
+        ends.push(/\s/.test(text[at]) ? whole.from : whole.to);
+      }
+    }
+  }
+}
+
+function replacementFor(match, replacement) {
+  if (typeof replacement === "function") return replacement(...match);
+  return replacement.replace(/\$(\d)/g, (_, group) => match[Number(group)] ?? "");
+}
+
+// The part of a match that its replacement keeps: all of the replacement, or one group.
+function keptPart(match, text) {
+  const whole = text ? match[0].indexOf(text) : -1;
+  if (whole >= 0) return { at: 0, from: whole, length: text.length };
+  for (const group of match.slice(1))
+    if (group && text.includes(group))
+      return { at: text.indexOf(group), from: match[0].indexOf(group), length: group.length };
+  return { at: 0, from: 0, length: 0 };
+}
