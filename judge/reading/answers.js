@@ -1,11 +1,11 @@
 // The answer in a text: all blocks that have the shape that is asked for, wherever they stand, with
 // rows and columns in the order that their labels say.
 
-import { blocksIn, plainText } from "./blocks.js";
-import { linesOf, plainCharacters } from "./characters.js";
+import { blocksIn, namesOtherQuantity, plainText } from "./blocks.js";
+import { linesOf } from "./characters.js";
 import { labelNumberedLines, withoutComments } from "./decorations.js";
 import { hasDecimals, number } from "./formula.js";
-import { labelIn } from "./labels.js";
+import { headerLabels, inListedOrder, labelsOf, liesBy, ordered, transposed } from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { ArmError, joinList, formatMessage, quoteText, tryOrNull } from "../sentences.js";
@@ -64,15 +64,15 @@ function findIn(pasted, text, question) {
   return { ...inListedOrder(block, want, text), left, tokens };
 }
 
-// The block that fits, with the first shape that is wanted and the first way to part the text; one
-// that only counts comes last.
+// The block that fits, with the first shape wanted and the first way to part the text; what
+// is hardly the answer comes last.
 function firstBlock(own, whole, question) {
   const { wants, which = null } = question;
-  const shapes = [false, true].flatMap((mayCount) => wants.map((want) => ({ mayCount, want })));
-  for (const { mayCount, want } of shapes)
+  const shapes = [false, true].flatMap((unlikely) => wants.map((want) => ({ unlikely, want })));
+  for (const { unlikely, want } of shapes)
     for (const blocks of want.rows > 1 ? [...whole, ...own] : own) {
       const fits = fitting(blocks(), want, question);
-      const block = chosen(mayCount ? fits : fits.filter((one) => !countsAlone(one)), question);
+      const block = chosen(unlikely ? fits : fits.filter((one) => !isUnlikely(one)), question);
       if (block && which === null) refuseRivals(block, blocks(), question);
       if (block) return { block, want };
     }
@@ -81,8 +81,21 @@ function firstBlock(own, whole, question) {
 
 const NONE = /(?!)/; // no name
 
-// Whether a block only counts: three or more whole numbers in order, as of joints.
+// Whether a block is hardly the answer: it only counts, or is called another quantity or an old
+// answer.
+const isUnlikely = (block) =>
+  countsAlone(block) || isOtherQuantity(block) || block.sources.every(isOld);
+
+// Three or more whole numbers in order, as of joints.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && countsJoints(rows.flat());
+
+function isOtherQuantity({ sources }) {
+  const others = sources.filter(namesOtherQuantity).length;
+  return others > 0 && 2 * others >= sources.length;
+}
+
+const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
+const isOld = ({ words, name }) => OLD.test([...textsOf(words), name].join(" "));
 
 // The blocks that fit, those with the answer's name where there are some; of any shape the largest.
 function fitting(blocks, want, { wants, names = NONE }) {
@@ -138,7 +151,8 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
     .filter((other) => other.from > block.to || other.to < block.from)
     .filter((other) => count(other) === count(block) && mayBeAnswer(other))
     .filter((other) => values(other) !== values(block))
-    .filter(({ rows }) => rows.flat().some(({ text }) => hasDecimals(text)));
+    .filter(({ rows }) => rows.flat().some(({ text }) => hasDecimals(text)))
+    .filter((other) => !isUnlikely(other));
   if (rivals.length) throw askWhich([block, ...rivals]);
 }
 
@@ -188,84 +202,6 @@ function rowsAlone(block) {
   return [block, ...block.rows.map(alone)];
 }
 
-// The labels of rows and of columns, where each has one of its kind and no two are the same.
-function labelsOf(words) {
-  const found = words.map(labelIn);
-  const kind = found[0]?.kind;
-  const even = kind && found.every((one) => one?.kind === kind);
-  return even && new Set(found.map(({ at }) => at)).size === found.length
-    ? { kind, at: found.map(({ at }) => at) }
-    : null;
-}
-
-const headerLabels = ({ headers, rows }) => {
-  const extra = headers.length - rows[0].length;
-  return extra >= 0 && extra < 3 ? labelsOf(headers.slice(extra).map((one) => [one])) : null;
-};
-
-// Whether labels say that rows are what is wanted as columns.
-function liesBy(block, { by }) {
-  if (by === "row" && TURNED.test(block.name)) return true;
-  const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];
-  if (by === "row") return headers?.kind === "row" || rows?.kind === "joint";
-  return rows?.kind === "joint" && block.rows[0].length > 1 && headers?.kind !== "joint";
-}
-
-const TURNED = /(?:\.T|\^T|ᵀ|')$/; // behind the name of a transposed matrix
-
-function transposed(block) {
-  const { rows, labels, headers } = block;
-  const own = headers.slice(headers.length - rows[0].length);
-  return {
-    ...block,
-    rows: rows[0].map((_, k) => rows.map((row) => row[k])),
-    labels: rows[0].map((_, k) => (own[k] ? [own[k]] : [])),
-    headers: labels.map((words) => words.at(-1) ?? NO_CELL),
-  };
-}
-
-const NO_CELL = { text: "", from: 0, to: 0 };
-
-// In the order of names that the text lists apart from the values, as ROS does.
-/** @param {any} block @param {Want} want @param {string} text */
-function inListedOrder(block, { by, turned, columns }, text) {
-  const [own] = block.rows;
-  if (by !== "joint" || (!turned && columns === null) || block.said.length) return block;
-  const at = listedJoints(text, own.length);
-  if (!at || at.every((one, k) => !k || one > at[k - 1])) return block;
-  const order = at.map((_, k) => k).sort((p, q) => at[p] - at[q]);
-  const rows = block.rows.map((row) => order.map((k) => row[k]));
-  return { ...block, rows, said: [formatMessage("taken: by names")] };
-}
-
-// The numbers of so many joints whose names stand beside each other, null where none do.
-function listedJoints(text, size) {
-  const words = plainCharacters(new SpannedText(text)).text.split(/[\s,;:[\]{}"-]+/);
-  const labels = words.map((word) => (/\p{L}/u.test(word) ? labelIn([{ text: word }]) : null));
-  const joints = [];
-  for (const label of [...labels, null]) {
-    if (label?.kind === "joint") joints.push(label.at);
-    else if (joints.length === size && new Set(joints).size === size) return joints;
-    else joints.length = 0;
-  }
-  return null;
-}
-
-// In the order of the labels.
-function ordered(block, { by }) {
-  const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];
-  const order = (label) => label.at.map((_, k) => k).sort((p, q) => label.at[p] - label.at[q]);
-  const whole = rows && (by === "row" ? rows.kind === "row" : rows.kind === "joint");
-  const down = whole ? order(rows) : block.rows.map((_, i) => i);
-  const across = headers?.kind === "joint" ? order(headers) : block.rows[0].map((_, k) => k);
-  const moved = [...down, -1, ...across].join() !== [...down.keys(), -1, ...across.keys()].join();
-  return {
-    ...block,
-    rows: down.map((i) => across.map((k) => block.rows[i][k])),
-    said: moved ? [formatMessage("taken: by names")] : [],
-  };
-}
-
 // The column below the answer's name, of several side by side. Words behind the rows have headers
 // of their own.
 function columnOf(block, names) {
@@ -308,7 +244,7 @@ const areNames = (cells) => {
 };
 
 const isCount = (texts) =>
-  [0, 1].some((from) => texts.every((text, k) => Number(text) === k + from));
+  [0, 1].some((from) => texts.every((text, k) => Number(text.replace(/[()]/g, "")) === k + from));
 
 // Whether cells count, or grow by as much each, as times do.
 function isSeries(texts) {
@@ -363,7 +299,7 @@ export function numbersBeside({ from, to, sources, lines }) {
 const ODD = [
   ["no solution", /\bno (?:real )?solution|\bunreachable\b/i],
   ["not finite", /(?<!\p{L})(?:nan|inf(?:inity)?)(?!\p{L})/iu],
-  ["doubtful sign", /~\s*[\d.]/],
+  ["doubtful sign", /(?<!~)~\s*[\d.]/],
   ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
   ["two signs", /±|\\pm/],
   ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],

@@ -72,6 +72,7 @@ function blocksOf({ rows: all, words }, names, given) {
     ...rowsOfOneName(rows),
     ...joinNamed(rows),
     ...joinIndexed(rows),
+    ...joinCellLines(rows),
   ];
   return blocks.map((block) => ({ ...block, lines }));
 }
@@ -108,13 +109,27 @@ function followingRows(rows, names) {
         (!row.name ||
           !stretch[0].name ||
           isNamed(row.name, names) === isNamed(stretch[0].name, names)) &&
-        !strays(row, before);
+        !strays(row, before) &&
+        (row.cells.length < 2 || namesOtherQuantity(row) === namesOtherQuantity(before));
       if (follows) stretch.push(row);
       else found.push((stretch = [row]));
       last = k;
     });
   }
   return [...found.map(blockOf), ...joinParts(found)];
+}
+
+const OTHER_NAMES = /^(?:m|mass(?:es)?|F|f|F_?ext|force|w|wrench|g|p|[dalLhrm]_?\{?\d\}?|l_?pen)$/;
+const OTHER_WORDS = /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F)\b/i;
+
+/**
+ * Return whether the words before a row call it a quantity that nobody asks for: masses, lengths,
+ * a force, a target.
+ * @param {Row} row
+ */
+export function namesOtherQuantity({ name, words }) {
+  const last = words.slice(-4).map(({ text }) => text);
+  return OTHER_NAMES.test(name) || OTHER_WORDS.test([...last, name].join(" "));
 }
 
 // Whether one of two rows is numbered and the other is named, or has a sentence before it.
@@ -169,9 +184,13 @@ function rowsOfOneName(rows) {
 
 // Single values with names of joints, q1 = 0.3: a row for each set of them.
 function joinNamed(rows) {
-  const single = rows.flatMap((row) => {
+  const labelled = rows.flatMap((row) => {
     const label = row.cells.length === 1 ? labelIn(row.words) : null;
     return label && label.kind !== "count" ? [{ row, label }] : [];
+  });
+  const single = labelled.filter(({ row }, k) => {
+    const beside = [labelled[k - 1], labelled[k + 1]].filter((one) => one);
+    return !namesOtherQuantity(row) || beside.some((one) => isSlideBeside(row, one.row));
   });
   const sets = [];
   for (const one of single) {
@@ -196,11 +215,46 @@ function joinNamed(rows) {
   ];
 }
 
+// Whether a row d3 = 0.4 stands beside one of another joint, q2 = 0.3: then it is a slide.
+const isSlideBeside = (row, other) =>
+  /^d/i.test(row.name) && Math.abs(row.line - other.line) < 2 && !namesOtherQuantity(other);
+
 const joinedCell = (words) => ({
   text: words.map(({ text }) => text).join(" "),
   from: words[0].from,
   to: words.at(-1).to,
 });
+
+// A matrix that was pasted a cell to a line, each row behind its label.
+function joinCellLines(rows) {
+  const sets = cellLines(rows);
+  const width = sets[0]?.length ?? 0;
+  if (width < 2 || sets.length < 2 || sets.some(({ length }) => length !== width)) return [];
+  const sources = sets.flat();
+  return [
+    {
+      rows: sets.map((set) => set.flatMap(scaled)),
+      labels: sets.map(([{ words }]) => words.slice(-1)),
+      headers: [],
+      name: "",
+      from: sources[0].line,
+      to: sources.at(-1).last,
+      sources,
+    },
+  ];
+}
+
+// Single cells on lines that follow each other, from one label to the next.
+function cellLines(rows) {
+  const sets = [];
+  for (const row of rows) {
+    const follows = sets.length > 0 && row.line === sets.at(-1).at(-1).line + 1;
+    if (row.cells.length > 1 || row.name) sets.length = 0;
+    else if (follows) sets.at(-1).push(row);
+    else if (row.words.length) sets.push([row]);
+  }
+  return sets;
+}
 
 const INDICES = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
 

@@ -29,6 +29,7 @@ export const foldCharacters = (text) => text.replace(FOLDED, foldCharacter);
 export const withoutSpacing = (text) => text.replace(SPACING, " ");
 
 const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
+const NOUNS = "wrist|joint|column|link|angle|torque|axis|motor|branch|sol(?:ution)?|lösung";
 // A noun and its number in one word.
 const joinedNoun = (noun) => `${noun.trim()}_`;
 
@@ -37,7 +38,7 @@ export const MATRIX_CHARACTERS = [
   [/\r\n?|[\v\f]/g, "\n"],
   [/\+?[⎛-⎭─-╬]+\+?/g, " "],
   [/\b(?:Sin|Cos|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
-  [/\b(?:wrist|joint|column|link|sol(?:ution)?|lösung)[ \t]+(?=\d)/gi, joinedNoun],
+  [new RegExp(String.raw`\b(?:${NOUNS})[ \t]+(?=\d)`, "gi"), joinedNoun],
   [/(?<![\p{L}\p{N}])(τ|θ|tau|theta|q)[ \t]+(?=\d[ \t]*=)/gu, "$1_"],
   [/(?<=[A-Za-z]\w*\[\d{1,2})\]\[(?=\d{1,2}\])/g, ","], // J[0][1]
   [/\\pm\b/g, "±"],

@@ -2,17 +2,17 @@
 // of a footnote, a comment. They are taken off; the number keeps its place in the pasted text.
 
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
-const QUANTITY = String.raw`${NUMBER}(?: ?(?:[kmM]?N ?[·*]?m{0,2}|rad|deg|°|mm?|cm))?`;
+const QUANTITY = String.raw`${NUMBER}(?: ?(?:[kmM]?N ?[-·*]?m{0,2}|rad|deg|°|mm?|cm))?`;
 const BEFORE = String.raw`(?<=^|[\s|&,;:=[({>])`;
 const AFTER = String.raw`(?=$|[\s|&,;:.\])}<])`;
 const wrapped = (mark) => new RegExp(`${BEFORE}${mark} ?(${QUANTITY}) ?${mark}${AFTER}`, "gm");
 
 const UNIT =
-  String.raw`[kmM]?N\s?[·*.⋅]?\s?m{0,2}|rad(?:ians?)?|deg(?:rees?)?|` +
+  String.raw`[kmM]?N\s?[-·*.⋅]?\s?m{0,2}|rad(?:ians?)?|deg(?:rees?)?|` +
   String.raw`°|mm?|cm|m\/s|rad\/s`;
 const SIUNITX = { newton: "N", metre: "m", meter: "m", radian: "rad", degree: "deg", milli: "m" };
 const SUPERSCRIPTS = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹";
-const TIMES_TEN = String.raw`(?<=\d)\s*(?:\\times|\\cdot|[×·⋅∙*])\s*10\s*`;
+const TIMES_TEN = String.raw`(?<=\d)\s*(?:\\times|\\cdot|[×·⋅∙*]|\bx\b|(?<= )x(?= ))\s*10\s*`;
 
 function shortUnit(unit) {
   const letters = unit.replace(/\\([a-z]+)/g, (all, word) => SIUNITX[word] ?? all);
@@ -28,15 +28,24 @@ function withoutUncertainty(all, x, uncertainty) {
 
 const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|underline|num";
 
+// What stands in braces, themselves two deep.
+const BRACED = String.raw`\{((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){0,60}\}){0,80})\}`;
+// (corrected), (was 2.075), but (rad)
+const REMARK = String.raw`\((?!\s*(?:${UNIT})\s*\))[A-Za-z][^()\n]{0,30}\)`;
+
 /** @type {any[][]} */
 const DECORATIONS = [
   [/<sup>\s*[\w*†‡]\s*<\/sup>/gi, ""],
   [/<\/?(?:b|i|u|em|strong|code|span|mark|font|sup|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
-  [/\\textcolor\{\w+\}\{([^{}\n]*)\}/g, "$1"],
+  [/^(?:[ \t]*>(?!>)[ \t]?)+/gm, ""], // a quotation
+  [/(?<=\\[dt]?frac)\{\{([^{}\n]*)\}\}\s*\{\{([^{}\n]*)\}\}/g, "{$1}{$2}"],
+  [/\\(?:phantom|hspace|vspace|cancel|sout)\{[^{}\n]*\}/g, " "],
+  [new RegExp(String.raw`\\textcolor\{\w+\}${BRACED}`, "g"), "$1"],
   [/\{\\color\{\w+\}\s*([^{}\n]*)\}/g, "$1"],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, (_, x, unit) => `${x} ${shortUnit(unit)}`],
   [/\\,\s*\\(?:mathrm|text|si|unit)\{([^{}\n]*)\}/g, (_, unit) => ` ${shortUnit(unit)}`],
-  [new RegExp(String.raw`\\(?:${FACES})\{([^{}\n]*)\}`, "g"), "$1"],
+  [new RegExp(String.raw`\\(?:${FACES})${BRACED}`, "g"), "$1"],
+  [new RegExp(String.raw`\\text\{\s*(${UNIT})\s*\}`, "g"), " $1"],
   [
     new RegExp(String.raw`${TIMES_TEN}(?:\^|\*\*)\s*[({]?\s*([-+]?\d{1,2})\s*[)}]?(?![\d.])`, "g"),
     "e$1",
@@ -50,12 +59,16 @@ const DECORATIONS = [
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [/(?<![\d.])(\d{0,9}\.\d{1,20})\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)/g, withoutUncertainty],
   [/(?<=\d)(?:[†‡§✓✔]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\}|[ ]+[✓✔])/g, ""],
-  ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`"].map((mark) => [wrapped(mark), "$1"]),
+  ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`", "'"].map((mark) => [wrapped(mark), "$1"]),
   [/(?<=\d\.\d{1,18})\*(?=\s*(?:$|[|&;,\]]))/gm, ""], // a star behind
+  [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
+  [new RegExp(String.raw`(?<=[\d°])[ \t]*${REMARK}`, "g"), ""],
+  [new RegExp(String.raw`(?<![\w.])${NUMBER}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"), ""], // corrected
+  [new RegExp(`<(${NUMBER.replace("[-+]", "[-+−]")})>`, "g"), "$1"],
   // A unit behind a name belongs to the name: it is no list.
   [
     new RegExp(String.raw`(?<=[\p{L}\d)}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
-    (_, unit) => `(${unit.replace(/[\s·*.⋅]/g, "")})`,
+    (_, unit) => `(${unit.replace(/[-\s·*.⋅]/g, "")})`,
   ],
   [/=[ \t]*\d{1,2}[×x]\d{1,2}(?:[ \t]+\w+)?[ \t]*$/gm, "="], // MATLAB's size
 ];
@@ -67,7 +80,26 @@ const DECORATIONS = [
 export function withoutDecorations(text) {
   const once = (decorated) =>
     DECORATIONS.reduce((rest, [pattern, instead]) => rest.replace(pattern, instead), decorated);
-  return once(once(text)); // twice: one within another
+  const numbered = withoutLineNumbers(withoutSameUncertainty(text));
+  return once(once(numbered)); // twice: one within another
+}
+
+const UNCERTAINTY = /\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)/g;
+
+// Three numbers or more with the same uncertainty, x ± 0.001.
+function withoutSameUncertainty(text) {
+  const all = [...text.text.matchAll(UNCERTAINTY)].map(([, size]) => size);
+  return all.length > 2 && new Set(all).size === 1 ? text.replace(UNCERTAINTY, "") : text;
+}
+
+const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|[ \t]{2,})[ \t]*/;
+
+// The numbers of lines, where all lines have one and there is other text than rows of numbers.
+function withoutLineNumbers(text) {
+  const lines = text.text.split("\n").filter((line) => line.trim());
+  const numbers = lines.map((line) => Number(LINE_NUMBER.exec(line)?.[1]));
+  if (lines.length < 3 || numbers.some((number, k) => number !== k + 1)) return text;
+  return text.replace(new RegExp(LINE_NUMBER.source, "gm"), "");
 }
 
 const NUMBERED = new RegExp(
@@ -93,6 +125,7 @@ export function labelNumberedLines(text) {
 const COMMENTS = [
   /<!--(?:(?!-->)[\s\S]){0,2000}-->/g,
   /~~[^~\n]{1,300}~~/g,
+  /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /(?:^[ \t]*|(?<=[\d\])},;][ \t]+))(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
 ];

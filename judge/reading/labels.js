@@ -5,7 +5,8 @@ import { plain } from "./formula.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
-const JOINT = /^(?:q|th(?:eta)?|tau|τ|[tgjalc]|(?:panda)?joint|link|column)$/;
+const JOINT =
+  /^(?:q|d|th(?:eta)?|tau|τ|[tgjalc]|(?:panda)?joint|link|column|angle|torque|axis|motor)$/;
 const ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh"];
 // As the driver of a UR10e and its pendant call them.
 const UR = new Map(
@@ -58,6 +59,7 @@ export function labelIn(words) {
 }
 
 const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
+const IN_DEGREES = /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]/; // np.radians([...])
 const RADIANS = /\brad(?:ians?)?\b/i;
 const MILLIMETRES = /(?<![\d.]\s?|\bN\s?[·*]?\s?)\bmm\b/;
 /** @type {[RegExp, number][]} */
@@ -73,7 +75,9 @@ const MOMENTS = [
  *   nothing is said, or both
  */
 export function unitsSaid(text) {
-  const [degrees, radians] = [DEGREES.test(text), RADIANS.test(text)];
+  const [degrees, radians] = IN_DEGREES.test(text)
+    ? [true, false]
+    : [DEGREES.test(text), RADIANS.test(text)];
   return {
     angles: degrees === radians ? null : degrees ? "deg" : "rad",
     lengths: MILLIMETRES.test(text) ? "mm" : null,

@@ -49,10 +49,15 @@ function bracketKinds(text) {
   return kinds;
 }
 
+const OPENS_LIST = /^\s*(?:np\.array\(|\[)/; // np.radians([...])
+
 function isList(text, { at, character, parted, leaf }, end) {
   const before = text[at - 1] ?? " ";
   const word = WORD_BEFORE.exec(text.slice(Math.max(0, at - 12), at))?.[1] ?? "";
-  if (word && isFunction(word.toLowerCase())) return /^\s*\[/.test(text.slice(at + 1, at + 9));
+  if (word && isFunction(word.toLowerCase()))
+    return (
+      OPENS_LIST.test(text.slice(at + 1, at + 20)) || (/rad/.test(word) && text[at + 1] === "(")
+    );
   if (character === "{") return !/[\w^}]/.test(before);
   if (character === "[") return !/[\w})]/.test(before) || end - at > MOST_INDEX;
   return isRoundList(text, { at, parted, leaf }, end, before);
@@ -135,7 +140,7 @@ function endRow(state, character) {
 const FACTOR = "·factor·"; // MATLAB's headings become words of their own
 const PART = "·columns·";
 const SCALE_HEADING = /^[ \t]*(1(?:\.0+)?e[+-]?\d+)[ \t]*\*[ \t]*$/gim;
-const COLUMNS_HEADING = /^[ \t]*Columns?[ \t]+\d+(?:[ \t]+(?:through|and)[ \t]+\d+)?:?[ \t]*$/gim;
+const COLUMNS_HEADING = /^[ \t]*Columns?[ \t_]+\d+(?:[ \t]+(?:through|and)[ \t]+\d+)?:?[ \t]*$/gim;
 
 /**
  * Turn MATLAB's headings "1.0e+03 *" and "Columns 1 through 4" into words.
@@ -223,8 +228,8 @@ const UNITS = new Map(
     ...{ mm: "*1e-3", cm: "*1e-2", Nmm: "*1e-3", mNm: "*1e-3", kNm: "*1e3", kN: "*1e3" },
   }),
 );
-const unitOf = (word) => UNITS.get(word.replace(/[·*⋅. ]/g, ""));
-const MEASURED = /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?)\s*([A-Za-z°][A-Za-z°·*⋅. ]{0,9})$/;
+const unitOf = (word) => UNITS.get(word.replace(/[-·*⋅. ]/g, ""));
+const MEASURED = /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?)\s*([A-Za-z°][-A-Za-z°·*⋅. ]{0,9})$/;
 
 // A text without what is written around it, its unit as a factor.
 function cleaned(text, { decimal }) {

@@ -81,18 +81,22 @@ const claimWord = (tokens, cell, owner) => {
   if (!isMisspelt(cell.text)) tokens.claim(cell, owner);
 };
 
-const DATE =
-  /\d{4}-\d\d-\d\d|\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d|\d+\.\d+\.\d+|^v\d/i;
+const DATES = [
+  /\d{4}-\d\d-\d\d|\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d/,
+  /\d+\.\d+\.\d+|^v\d/i, // a version
+  /^(?:\d+m)?[\d.]+ ?m?s$/, // how long a program took
+];
+const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 const NUMBER_OF_LETTERS = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d/; // 7l2, O.5
 
 // Whether a word holds a number with decimals that was no entry, or digits with a letter for one.
 const isMisspelt = (word) =>
-  (hasDecimals(word) && !DATE.test(word) && !/^[\p{L}·\\_]/u.test(word)) ||
+  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) ||
   NUMBER_OF_LETTERS.test(word);
 
 /**
  * The lines next to a block, over empty ones.
- * @param {string} text @param {Block} block @returns {Set<number>}
+ * @param {string} text @param {Block} block @returns {Map<number, boolean>} whether each has cells
  */
 function linesBeside(text, { from, to }) {
   const lines = text.split(LINE_END);
@@ -100,11 +104,15 @@ function linesBeside(text, { from, to }) {
   let [above, below] = [from - 1, to + 1];
   while (isBlank(above)) above--;
   while (isBlank(below)) below++;
-  return new Set([above, below].filter((k) => lines[k] !== undefined && mayBeRow(lines[k])));
+  const beside = [above, below].filter((k) => lines[k] !== undefined && mayBeRow(lines[k]));
+  return new Map(beside.map((k) => [k, isParted(lines[k])]));
 }
 
-// Whether a line holds numbers with decimals and neither a name nor a sentence.
+const isParted = (line) => (line.match(/[&|\t;]/g) ?? []).length > 2 && /\d/.test(line);
+
+// Whether a line has cells, or numbers with decimals and neither a name nor a sentence.
 function mayBeRow(line) {
+  if (isParted(line)) return true;
   if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
   return (line.match(/\p{L}{3,}/gu) ?? []).length < 2 && hasDecimals(line);
 }
@@ -152,10 +160,18 @@ function ownerInside(row, { leads, perRow, alone }) {
   return !withDecimals(row) && (alone || row.cells.length === 1) ? "context" : "unread";
 }
 
+// Whether a row holds two numbers or more that do not count 1, 2, 3.
+function holdsValues({ cells }) {
+  const numbers = cells.map(({ text }) => Number(text)).filter(Number.isFinite);
+  return numbers.length > 1 && !numbers.every((number, k) => !k || number === numbers[k - 1] + 1);
+}
+
 // Numbers apart from the block: a row that was torn off it, or another list.
 function ownerOutside(row, { width, beside, isLong }) {
   const least = Math.max(1, Math.min(2, width - 1));
-  const torn = beside.has(row.line) && withDecimals(row) && !row.name && row.cells.length >= least;
+  const { length } = row.cells;
+  const isRow = beside.get(row.line) ? holdsValues(row) : withDecimals(row) && length >= least;
+  const torn = beside.has(row.line) && isRow && !row.name;
   const alike = isLong && width > 2 && row.cells.length === width && !row.name && withDecimals(row);
   return torn || alike ? "unread" : "context";
 }
