@@ -53,6 +53,13 @@ KNOWN = {
 }
 
 
+# Every arm of the catalogue, typed anew. `KNOWN` is what hand-ins are drawn from.
+_PANDA_HOMEWORK = [
+    (kind, math.copysign(0.088, a) if abs(a) == 0.0825 else a, *rest) for kind, a, *rest in _PANDA
+]
+CATALOGUE = KNOWN | {"PANDA_HOMEWORK": Machine(_PANDA_HOMEWORK, "PANDA_HOMEWORK")}
+
+
 def random_machine(rng, rows=None):
     """Return a random table of mixed joints and angles.
 
