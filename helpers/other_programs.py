@@ -1,0 +1,300 @@
+"""Write an arm as code of other programs, so that the same numbers can be computed there.
+
+`code` gives the Robotics Toolbox (Python and MATLAB), Modern Robotics, Pinocchio and SymPy; `urdf`
+gives a robot description. Each text ends with the calls that give the pose and the Jacobians, and
+says which function of `helpers` gives the same numbers.
+"""
+
+from collections.abc import Callable
+from xml.sax.saxutils import quoteattr
+
+import numpy as np
+
+from helpers.arm import Arm, Row, require_joints
+from helpers.inputs import require_choice
+from helpers.kinematics import forward_kinematics, link_frames
+
+__all__ = ["PROGRAMS", "code", "urdf"]
+
+
+def code(arm: Arm, program: str) -> str:
+    """Write an arm as code of another program.
+
+    Args:
+        arm: The arm.
+        program: One of `PROGRAMS`: "robotics toolbox", "matlab", "modern robotics", "pinocchio" or
+            "sympy".
+
+    Returns:
+        The code. It defines q as zeros, the pose T, and Jacobians with the calls for them.
+
+    Example:
+        >>> from helpers.robots import ELBOW
+        >>> print(code(ELBOW, "matlab").splitlines()[0])
+        L(1) = Revolute('d', 0.5, 'a', 0, 'alpha', pi/2, 'offset', 0);
+    """
+    require_joints(arm)
+    return _WRITERS[require_choice(program, "program", PROGRAMS)](arm)
+
+
+def urdf(arm: Arm) -> str:
+    """Write an arm as a robot description (URDF).
+
+    Each row is a joint q_i and a link link_i; the last fixed joint leads to the link "tool". Masses
+    are point masses at their centres, since an arm has no inertia tensors.
+
+    Example:
+        >>> from helpers.robots import ELBOW
+        >>> from helpers.urdf import from_urdf
+        >>> from_urdf(urdf(ELBOW))
+        <Arm Elbow arm: 3 rows, RRR>
+    """
+    require_joints(arm)
+    origin, parts = (0.0, 0.0, 0.0, 0.0), ['<link name="base"/>']
+    for i, row in enumerate(arm.rows, 1):
+        parent = f"link_{i - 1}" if i > 1 else "base"
+        a, alpha, d, theta = map(arm.number, row.entries)
+        origin_text, origin = _origin(origin), (a, alpha, d, theta)
+        parts.append(
+            f'<joint name="q_{i}" type="{_joint_type(row)}"><parent link="{parent}"/>'
+            f'<child link="link_{i}"/>{origin_text}<axis xyz="0 0 1"/>{_limit(row)}</joint>'
+        )
+        parts.append(f'<link name="link_{i}">{_inertial(arm, i)}</link>')
+    parts.append(
+        f'<joint name="flange" type="fixed"><parent link="link_{len(arm.rows)}"/>'
+        f'<child link="tool"/>{_origin(origin)}</joint><link name="tool"/>'
+    )
+    body = "\n  ".join(parts)
+    return f'<?xml version="1.0"?>\n<robot name={quoteattr(arm.name)}>\n  {body}\n</robot>\n'
+
+
+def _origin(numbers: tuple[float, float, float, float]) -> str:
+    """Write Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) as an element <origin>."""
+    a, alpha, d, theta = numbers
+    x, y, z = (_clean(v) for v in (a * np.cos(theta), a * np.sin(theta), d))
+    return f'<origin xyz="{x!r} {y!r} {z!r}" rpy="{alpha!r} 0 {theta!r}"/>'
+
+
+def _clean(value: float) -> float:
+    """Return a length (m) without round-off around 0."""
+    return float(value) if abs(value) > 1e-15 else 0.0
+
+
+def _joint_type(row: Row) -> str:
+    if row.joint.kind == "revolute" and np.isinf([row.joint.lower, row.joint.upper]).any():
+        return "continuous"
+    return row.joint.kind
+
+
+def _limit(row: Row) -> str:
+    """Write the limits that are finite; URDF wants effort and velocity, and 0 is unknown there."""
+    joint = row.joint
+    if joint.kind == "fixed":
+        return ""
+    numbers = {"effort": joint.effort, "velocity": joint.speed}
+    texts = [f'{key}="{x if np.isfinite(x) else 0}"' for key, x in numbers.items()]
+    if np.isfinite([joint.lower, joint.upper]).all():
+        texts += [f'lower="{joint.lower}"', f'upper="{joint.upper}"']
+    return f"<limit {' '.join(texts)}/>"
+
+
+def _inertial(arm: Arm, i: int) -> str:
+    """Write the mass of row i; its link's frame comes before the row's own lengths and angles."""
+    if not arm.bodies or not arm.number(arm.bodies[i - 1].mass):
+        return ""
+    body, row = arm.bodies[i - 1], arm.numeric[i - 1]
+    x, y, z = map(arm.number, body.com)
+    y, z = row.cos_alpha * y - row.sin_alpha * z, row.sin_alpha * y + row.cos_alpha * z
+    x, z = x + row.a, z + row.d
+    x, y = row.cos_theta * x - row.sin_theta * y, row.sin_theta * x + row.cos_theta * y
+    return (
+        f'<inertial><origin xyz="{x!r} {y!r} {z!r}"/><mass value="{arm.number(body.mass)!r}"/>'
+        '<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>'
+    )
+
+
+# Code
+
+
+def _entry(arm: Arm, entry: float | str) -> str:
+    """Write an angle such as pi/2 as that, and any other entry as a number."""
+    if isinstance(entry, str) and not entry.replace("pi", "").strip("-+0123456789*/ ."):
+        return entry
+    return repr(arm.number(entry)).removesuffix(".0")
+
+
+def _dh_numbers(arm: Arm, row: Row) -> list[str]:
+    return [_entry(arm, entry) for entry in row.entries]
+
+
+def _robotics_toolbox(arm: Arm) -> str:
+    lines = []
+    for i, row in enumerate(arm.rows, 1):
+        a, alpha, d, theta = _dh_numbers(arm, row)
+        note = f"  # row {i} does not move: leave its q at 0" if row.joint.kind == "fixed" else ""
+        if row.joint.kind == "prismatic":
+            lines.append(f"    PrismaticDH(theta={theta}, a={a}, alpha={alpha}, offset={d}),")
+        else:
+            lines.append(f"    RevoluteDH(d={d}, a={a}, alpha={alpha}, offset={theta}),{note}")
+    moving = [i - 1 for i in arm.joints]
+    return "\n".join([
+        "import numpy as np",
+        "from math import pi",
+        "from roboticstoolbox import DHRobot, PrismaticDH, RevoluteDH",
+        "",
+        "robot = DHRobot([",
+        *lines,
+        f"], name={arm.name!r})",
+        f"moving = {moving}  # columns of the joints that move",
+        f"q = np.zeros({len(arm.rows)})",
+        "T = robot.fkine(q).A  # kinematics.forward_kinematics(arm, q)",
+        "J = robot.jacob0(q)[:, moving]  # kinematics.jacobian(arm, q): tip, base axes, v above w",
+        f"J_tool = robot.jacobe(q)[:, moving]  # jacobian_in_frame(arm, q, {len(arm.rows)})",
+        'J_rpy = robot.jacob0_analytical(q, representation="rpy/zyx")[:, moving]  # angle rates',
+        "",
+    ])  # fmt: skip
+
+
+def _matlab(arm: Arm) -> str:
+    lines = []
+    for i, row in enumerate(arm.rows, 1):
+        a, alpha, d, theta = _dh_numbers(arm, row)
+        if row.joint.kind == "prismatic":
+            fields = f"'theta', {theta}, 'a', {a}, 'alpha', {alpha}, 'offset', {d}"
+            lines.append(f"L({i}) = Prismatic({fields});")
+        else:
+            fields = f"'d', {d}, 'a', {a}, 'alpha', {alpha}, 'offset', {theta}"
+            note = f"  % row {i} does not move: leave its q at 0" if i not in arm.joints else ""
+            lines.append(f"L({i}) = Revolute({fields});{note}")
+    name = arm.name.replace("'", "''")
+    return "\n".join([
+        *lines,
+        f"robot = SerialLink(L, 'name', '{name}');",
+        f"moving = {[*arm.joints]};  % columns of the joints that move",
+        f"q = zeros(1, {len(arm.rows)});",
+        "T = robot.fkine(q)  % kinematics.forward_kinematics(arm, q)",
+        "J = robot.jacob0(q); J = J(:, moving)  % kinematics.jacobian(arm, q)",
+        "J_tool = robot.jacobe(q); J_tool = J_tool(:, moving)"
+        f"  % jacobian_in_frame(arm, q, {len(arm.rows)})",
+        "J_rpy = robot.jacob0(q, 'rpy'); J_rpy = J_rpy(:, moving)  % rates of roll, pitch and yaw",
+        "",
+    ])  # fmt: skip
+
+
+def _array_text(array: np.ndarray) -> str:
+    """Write a matrix, its numbers rounded to 12 decimals so that round-off does not show."""
+    rows = (", ".join(repr(float(x)) for x in row) for row in array.round(12) + 0.0)
+    return "[" + ",\n    ".join(f"[{row}]" for row in rows) + "]"
+
+
+def _screws(arm: Arm) -> np.ndarray:
+    """Compute the screw axes (w, v) of the joints at q = 0 in the base frame, shape (6, dof)."""
+    frames, columns = link_frames(arm, np.zeros(arm.dof)), []
+    for i, is_revolute in zip(arm.joints, arm.turning, strict=True):
+        z, point = frames[i - 1, :3, 2], frames[i - 1, :3, 3]
+        columns.append([*z, *np.cross(point, z)] if is_revolute else [0, 0, 0, *z])
+    return np.array(columns).T
+
+
+def _modern_robotics(arm: Arm) -> str:
+    return "\n".join([
+        "import numpy as np",
+        "import modern_robotics as mr",
+        "",
+        f"M = np.array({_array_text(forward_kinematics(arm, np.zeros(arm.dof)))})",
+        f"Slist = np.array({_array_text(_screws(arm))})",
+        f"q = np.zeros({arm.dof})",
+        "T = mr.FKinSpace(M, Slist, q)  # kinematics.forward_kinematics(arm, q)",
+        "J_space = mr.JacobianSpace(Slist, q)  # w above v, v of the point at the base's origin",
+        "Blist = mr.Adjoint(mr.TransInv(M)) @ Slist",
+        "J_body = mr.JacobianBody(Blist, q)  # w above v, of the tip in its own axes",
+        "R = T[:3, :3]",
+        "J = np.vstack([R @ J_body[3:], R @ J_body[:3]])  # kinematics.jacobian(arm, q)",
+        f"J_tool = J_body[[3, 4, 5, 0, 1, 2]]  # jacobian_in_frame(arm, q, {len(arm.rows)})",
+        "",
+    ])  # fmt: skip
+
+
+def _pinocchio(arm: Arm) -> str:
+    return "\n".join([
+        "import numpy as np",
+        "import pinocchio as pin",
+        "",
+        f"URDF = '''{urdf(arm)}'''",
+        "model = pin.buildModelFromXML(URDF)",
+        "data = model.createData()",
+        f"q = np.zeros({arm.dof})",
+        "# A joint without limits has two numbers in Pinocchio: its cosine and its sine.",
+        "full = pin.neutral(model)",
+        "for joint, value in zip(list(model.joints)[1:], q):",
+        "    number = [value] if joint.nq == 1 else [np.cos(value), np.sin(value)]",
+        "    full[joint.idx_q : joint.idx_q + joint.nq] = number",
+        "pin.framesForwardKinematics(model, data, full)",
+        'tool = model.getFrameId("tool", pin.BODY)',
+        "T = data.oMf[tool].homogeneous  # kinematics.forward_kinematics(arm, q)",
+        "J = pin.computeFrameJacobian(",
+        "    model, data, full, tool, pin.LOCAL_WORLD_ALIGNED",
+        ")  # kinematics.jacobian(arm, q)",
+        "J_tool = pin.computeFrameJacobian(",
+        "    model, data, full, tool, pin.LOCAL",
+        f")  # kinematics.jacobian_in_frame(arm, q, {len(arm.rows)})",
+        "J_space = pin.computeFrameJacobian(",
+        "    model, data, full, tool, pin.WORLD",
+        ")  # v above w, v of the point at the base's origin",
+        "g = pin.computeGeneralizedGravity(model, data, full)  # statics.gravity_torque(arm, q)",
+        "",
+    ])  # fmt: skip
+
+
+def _sympy(arm: Arm) -> str:
+    rows = []
+    for i, row in enumerate(arm.rows, 1):
+        a, alpha, d, theta = (str(entry) for entry in row.entries)
+        if row.joint.kind == "revolute":
+            theta = f"q_{i} + {theta}" if theta != "0" else f"q_{i}"
+        if row.joint.kind == "prismatic":
+            d = f"q_{i} + {d}" if d != "0" else f"q_{i}"
+        rows.append(f"    ({a}, {alpha}, {d}, {theta}),")
+    symbols = [f"q = {', '.join(arm.variables)}, = sp.symbols({list(arm.variables)!r})"]
+    if arm.values:
+        symbols.append(f"{', '.join(arm.values)}, = sp.symbols({list(arm.values)!r})")
+    return "\n".join([
+        "import sympy as sp",
+        "from sympy import pi",
+        "",
+        *symbols,
+        "rows = [  # a, alpha, d, theta",
+        *rows,
+        "]",
+        "",
+        "",
+        "def link(a, alpha, d, theta):",
+        "    c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)",
+        "    return sp.Matrix(",
+        "        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s],"
+        " [0, sa, ca, d], [0, 0, 0, 1]]",
+        "    )",
+        "",
+        "",
+        "T = sp.eye(4)  # symbolic.forward_kinematics(arm)",
+        "for row in rows:",
+        "    T = T * link(*row)",
+        "R = T[:3, :3]",
+        "columns = []  # symbolic.jacobian(arm)",
+        "for variable in q:",
+        "    S = R.diff(variable) * R.T",
+        "    columns.append(sp.Matrix([*T[:3, 3].diff(variable), S[2, 1], S[0, 2], S[1, 0]]))",
+        "J = sp.Matrix.hstack(*columns)",
+        f"numbers = {dict(arm.values)!r}  # J.subs(numbers) has the arm's lengths",
+        "",
+    ])  # fmt: skip
+
+
+_WRITERS: dict[str, Callable[[Arm], str]] = {
+    "robotics toolbox": _robotics_toolbox,
+    "matlab": _matlab,
+    "modern robotics": _modern_robotics,
+    "pinocchio": _pinocchio,
+    "sympy": _sympy,
+}
+PROGRAMS = tuple(_WRITERS)
