@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-class Axis(NamedTuple):
+class JointAxis(NamedTuple):
     """The axis of one joint at a reference pose.
 
     Attributes:
@@ -60,14 +60,14 @@ def rotate(direction: Array, q: Array, x: Array) -> Array:
     return c * x + s * cross(direction, x) + (1 - c) * dot(direction, x) * direction
 
 
-def move_point(axis: Axis, q: Array, x: Array) -> Array:
+def move_point(axis: JointAxis, q: Array, x: Array) -> Array:
     """Return points x after the joint has moved by q."""
     if axis.turns:
         return axis.point + rotate(axis.direction, q, x - axis.point)
     return x + q * axis.direction
 
 
-def move_direction(axis: Axis, q: Array, x: Array) -> Array:
+def move_direction(axis: JointAxis, q: Array, x: Array) -> Array:
     """Return directions x after the joint has moved by q."""
     return rotate(axis.direction, q, x) if axis.turns else x + 0 * q
 

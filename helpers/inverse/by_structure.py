@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from helpers.inverse.axes import (
     Array,
-    Axis,
+    JointAxis,
     across_axis,
     cross,
     dot,
@@ -112,7 +112,7 @@ def _at(A: Array, q: Array, turns: bool) -> Array:
 
 
 def _place_point(
-    axes: tuple[Axis, ...], w: Array, p: Array, size: float, start: Array
+    axes: tuple[JointAxis, ...], w: Array, p: Array, size: float, start: Array
 ) -> Candidates:
     """Return the motions of three joints that take the point w to p, E_1 E_2 E_3 w = p.
 
@@ -157,7 +157,7 @@ def _place_point(
     return Candidates([q_1, q_2, q_3], list(names), [root.equal for root in roots], free)
 
 
-def _root_name(name: str, axis: Axis) -> str:
+def _root_name(name: str, axis: JointAxis) -> str:
     """Name the choice between two roots of a joint; a sliding joint is a rod."""
     return name if axis.turns else "rod"
 
@@ -217,7 +217,7 @@ def _place_tip(structure: Structure, p: Array, start: Array) -> Candidates:
     return _place_point(structure.axes, tip, p, structure.size, start)
 
 
-def _wrist(structure: Structure, axes: tuple[Axis, ...], G: Array, start: Array) -> Candidates:
+def _wrist(structure: Structure, axes: tuple[JointAxis, ...], G: Array, start: Array) -> Candidates:
     """Return the motions of an arm whose last three axes meet: first three place their point."""
     w = structure.centre
     assert w is not None
@@ -309,7 +309,7 @@ class _Loop(NamedTuple):
     start: Array
 
 
-def _last_of_loop_first(loop: _Loop, axes: list[Axis], point: Array) -> Candidates:
+def _last_of_loop_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Candidates:
     """Return the motions of joints a, b, c, of which a and b meet in a point: c comes first.
 
     The parallel joints leave the height of the point alone, which only joint c changes.
@@ -335,7 +335,7 @@ def _last_of_loop_first(loop: _Loop, axes: list[Axis], point: Array) -> Candidat
     )
 
 
-def _first_of_loop_first(loop: _Loop, axes: list[Axis], point: Array) -> Candidates:
+def _first_of_loop_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Candidates:
     """Return the motions of joints a, b, c, of which b and c meet in a point: a comes first."""
     a, b, c = axes
     h, h_back = loop.parallel, transform_direction(invert_transform(loop.G), loop.parallel)
@@ -353,13 +353,15 @@ def _first_of_loop_first(loop: _Loop, axes: list[Axis], point: Array) -> Candida
     )
 
 
-def _moved_axis(T: Array, axis: Axis) -> Axis:
+def _moved_axis(T: Array, axis: JointAxis) -> JointAxis:
     """Return an axis moved by transforms (4, 4, batch)."""
-    return Axis(transform_direction(T, axis.direction), transform_point(T, axis.point), axis.turns)
+    return JointAxis(
+        transform_direction(T, axis.direction), transform_point(T, axis.point), axis.turns
+    )
 
 
 def _triangle(
-    three: tuple[Axis, ...], planar: Callable[[Array], Array], size: float, start: Array
+    three: tuple[JointAxis, ...], planar: Callable[[Array], Array], size: float, start: Array
 ) -> Candidates:
     """Return the motions of three parallel joints that move points as `planar` does."""
     first, second, third = three
@@ -402,7 +404,7 @@ def _planar(structure: Structure, G: Array, start: Array) -> Candidates:
 def _two_links(structure: Structure, p: Array, start: Array) -> Candidates:
     """Return the motions of a planar two-link arm for positions of its tip."""
     tip = structure.tip[:3, 3][:, None, None]
-    end = Axis(structure.axes[0].direction, tip, True)
+    end = JointAxis(structure.axes[0].direction, tip, True)
     start = np.concatenate([start, start[:1]])
     found = _triangle((*structure.axes, end), lambda x: p + 0 * x, structure.size, start)
     return Candidates(found.motions[:2], found.choices, found.equal, found.free)

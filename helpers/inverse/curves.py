@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from helpers.inverse.axes import Array, Axis, across_axis, cross, dot, unit_across
+from helpers.inverse.axes import Array, JointAxis, across_axis, cross, dot, unit_across
 
 
 class Curve(NamedTuple):
@@ -22,7 +22,7 @@ class Curve(NamedTuple):
     turns: bool
 
 
-def joint_curve(axis: Axis, x: Array) -> Curve:
+def joint_curve(axis: JointAxis, x: Array) -> Curve:
     """Return the circle or line on which a joint moves the points x."""
     if not axis.turns:
         return Curve(x, axis.direction + 0 * x, 0 * x, False)
@@ -30,7 +30,7 @@ def joint_curve(axis: Axis, x: Array) -> Curve:
     return Curve(x - radius, radius, cross(axis.direction, radius), True)
 
 
-def invariants(second: Axis, curve: Curve, size: float) -> tuple[Array, Array]:
+def invariants(second: JointAxis, curve: Curve, size: float) -> tuple[Array, Array]:
     """Return the two numbers that joint 2 leaves alone along a curve: A (x, y) + b, in m.
 
     For a revolute joint 2 they are the height along its axis and the squared distance from a point
@@ -61,7 +61,7 @@ class Flatness(NamedTuple):
     width: float
 
 
-def find_flatness(axis: Axis, second: Axis, size: float) -> Flatness:
+def find_flatness(axis: JointAxis, second: JointAxis, size: float) -> Flatness:
     """Return how flat a joint's curve is; a property of the two axes, whatever the point."""
     x = axis.point + size * np.array([0.3, -0.7, 0.5])[:, None, None]
     A, _ = invariants(second, joint_curve(axis, x), size)

@@ -14,7 +14,7 @@ import numpy as np
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError
-from helpers.inverse.axes import Array, Axis, cross, norm
+from helpers.inverse.axes import Array, JointAxis, cross, norm
 from helpers.inverse.curves import find_flatness
 from helpers.kinematics import link_frames
 
@@ -36,7 +36,7 @@ class Structure:
 
     Attributes:
         kind: WRIST, FIRST_THREE_MEET, PARALLEL, PLANAR_3R, SCARA, PLANAR_2R or POSITION.
-        axes: one `Axis` for each joint, at the pose `reference`.
+        axes: one `JointAxis` for each joint, at the pose `reference`.
         size: the length of the arm from axis to axis, in m.
         reference: the generic pose, (dof,).
         tip: the tip's pose there, (4, 4).
@@ -46,7 +46,7 @@ class Structure:
     """
 
     kind: str
-    axes: tuple[Axis, ...]
+    axes: tuple[JointAxis, ...]
     size: float
     reference: Array
     tip: Array
@@ -106,7 +106,7 @@ def find_structure(arm: Arm) -> Structure:
     )
 
 
-def axes_at_generic_pose(arm: Arm) -> tuple[tuple[Axis, ...], float, Array, Array]:
+def axes_at_generic_pose(arm: Arm) -> tuple[tuple[JointAxis, ...], float, Array, Array]:
     """Return the axes as lines, the arm's size in m, the pose (dof,) and the tip's pose (4, 4).
 
     The pose is a generic one: at q = 0 axes that differ are often one line. Each axis has the foot
@@ -120,12 +120,12 @@ def axes_at_generic_pose(arm: Arm) -> tuple[tuple[Axis, ...], float, Array, Arra
         direction, origin = frames[joint - 1, :3, 2], frames[joint - 1, :3, 3]
         foot = origin + direction * (direction @ (last - origin))
         size, last = size + float(np.linalg.norm(foot - last)), foot
-        axes.append(Axis(direction[:, None, None], foot[:, None, None], bool(turns)))
+        axes.append(JointAxis(direction[:, None, None], foot[:, None, None], bool(turns)))
     size += float(np.linalg.norm(frames[-1, :3, 3] - last))
     return tuple(axes), size, reference, frames[-1]
 
 
-def meeting_point(axes: tuple[Axis, ...], size: float) -> tuple[Array, float] | None:
+def meeting_point(axes: tuple[JointAxis, ...], size: float) -> tuple[Array, float] | None:
     """Return the point (3, 1, 1) where revolute axes meet and by how much they miss it.
 
     None where an axis slides, two neighbours are parallel, or the axes miss each other by more
@@ -143,7 +143,7 @@ def meeting_point(axes: tuple[Axis, ...], size: float) -> tuple[Array, float] | 
     return (point, gap) if gap < NEARLY else None
 
 
-def crossing_gap(axes: tuple[Axis, ...], size: float) -> float:
+def crossing_gap(axes: tuple[JointAxis, ...], size: float) -> float:
     """Return how far the curves of joints 1 and 3 are from crossing in closed form.
 
     They do where one of them is a segment, where both are parabolas (slides beside a turning joint)
@@ -159,7 +159,7 @@ def crossing_gap(axes: tuple[Axis, ...], size: float) -> float:
     return min(widths)
 
 
-def parallel_gap(axes: tuple[Axis, ...]) -> float:
+def parallel_gap(axes: tuple[JointAxis, ...]) -> float:
     """Return the largest angle between neighbouring axes, of parallel or antiparallel ones 0."""
     return max(
         float(norm(cross(one.direction, other.direction))[0, 0]) for one, other in pairwise(axes)
