@@ -25,6 +25,8 @@ export class ArmError extends Error {
     super(message);
     this.advice = advice;
     this.tokens = tokens;
+    /** @type {import("./reading/spans.js").Span[] | undefined} lines of answers that differ */
+    this.answers = undefined;
   }
 }
 

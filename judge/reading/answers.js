@@ -127,7 +127,9 @@ function askWhich(blocks) {
     return `line ${from + 1} (${numbers})`;
   });
   const advice = options.map((_, k) => ({ field: "which", value: k + 1 }));
-  return new ArmError(formatMessage("which", { blocks: joinList(options) }), advice);
+  const error = new ArmError(formatMessage("which", { blocks: joinList(options) }), advice);
+  error.answers = blocks.slice(0, MOST).map(({ from, to }) => ({ from, to }));
+  return error;
 }
 
 const MOST = 5; // answers to choose from

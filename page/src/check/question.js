@@ -243,7 +243,7 @@ export function judgeQuestion(question, arms) {
     return { verdict, arm, q, advice: verdict.advice, tokens: findTokens(verdict) };
   } catch (error) {
     if (!(error instanceof ArmError)) throw error;
-    const { advice, tokens, answers } = /** @type {any} */ (error);
+    const { advice, tokens, answers } = error;
     return { error: capitalize(error.message), arm, q, advice, tokens, answers };
   }
 }
