@@ -18,7 +18,7 @@ ELBOW = """-0.2841 -0.3039 -0.0778
 0.0000 -0.8776 -0.8776
 1.0000 0.0000 0.0000"""  # at (0.5, 0.7, -0.4), by hand
 
-OUTSIDE = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *)")]
+OUTSIDE = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *, .marked pre *)")]
   .filter((part) => part.getBoundingClientRect().right > innerWidth).map((part) => part.outerHTML.slice(0, 80))"""
 
 # Where no line has room for more than a word: on how many lines these stand.
@@ -162,7 +162,7 @@ def test_table_reading_is_shown(page):
     assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
     page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))
     verdict(page, "takes the tip elsewhere: at the homework")
-    page.locator(".arm-judge summary").click()
+    page.locator(".arm-judge summary", has_text="Taken").click()
     page.get_by_label("Convention", exact=True).select_option("craig")
     verdict(page, "the modified (Craig) convention, turned into the standard one")
 
@@ -191,7 +191,7 @@ def test_formulas_are_read_while_typed(page):
     ask(page, FORMULAS)
     verdict(page, "no value for L")
     read = page.locator(".arm-judge .read")
-    page.locator(".arm-judge summary").click()
+    page.locator(".arm-judge summary", has_text="Taken").click()
     assert read.locator("caption").inner_text().endswith("; 5 entries could not be")
     assert read.locator("td.off").first.text_content() == "not read: -s_1*(L*c_2+a_3*c_23)"
     page.get_by_label("Your own symbols").fill("L = 0.4")
@@ -216,7 +216,7 @@ PASTED = """(field, text) => {
 @phone
 def test_pasted_answer_is_judged_at_once(page):
     ask(page, "")
-    page.locator(".arm-judge summary").click()
+    page.locator(".arm-judge summary", has_text="Taken").click()
     page.get_by_label("Your own symbols").fill("L = 0.4")
     verdict(page, "Type or paste your answer.")
     field = page.get_by_label("Your answer", exact=True)
@@ -436,7 +436,7 @@ def test_advice_button_sets_its_field(page):
         offered.first.click()
         page.wait_for_function(f"document.querySelectorAll('.offer button').length === {left}")
     verdict(page, "is right")
-    told = page.locator(".arm-judge summary").inner_text()
+    told = page.locator(".arm-judge summary", has_text="Taken").inner_text()
     assert "angles in deg; rows ω, then v" in told
 
 
@@ -492,6 +492,7 @@ def test_two_tabs_keep_answers_to_two_questions(page):
     page.get_by_label("Pose q").fill("0.5, 0.7, -0.3")
     other.close()
     enter(page)
+    page.locator(".arm-judge:not(:has(> .unscripted)) .verdict").wait_for()
     assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
     page.get_by_label("Question", exact=True).select_option("pose")
     assert page.get_by_label("Your answer", exact=True).input_value() == "0.1 0.2 0.3"
@@ -568,3 +569,63 @@ def test_numbers_are_filled_in_one_by_one_on_phone(page):
     assert page.get_by_label("q 1", exact=True).input_value() == "0"
     assert page.evaluate(OUTSIDE) == []
     assert serious(page) == []
+
+
+@both
+def test_pasted_text_shows_what_each_number_is_taken_for(page):
+    ask(page, f"q = 0.5 0.7 -0.4\nJ =\n{WRONG}")
+    verdict(page, "look again at vz")
+    marked = page.locator(".arm-judge .marked")
+    marked.locator("pre button").first.wait_for()
+    assert marked.locator("pre .entry").count() == 18
+    wrong = marked.locator("pre .off")
+    assert wrong.all_inner_texts() == ["0.3866"]
+    wrong.hover()
+    marked.get_by_text("0.3866: entry of vz, joint 3, read as 0.3866, wrong").wait_for()
+    wrong.focus()
+    page.keyboard.press("ArrowLeft")
+    marked.get_by_text("0.5925: entry of vz, joint 2, read as 0.5925", exact=True).wait_for()
+    assert marked.locator("pre").inner_text().strip() == f"q = 0.5 0.7 -0.4\nJ =\n{WRONG}"
+    assert page.evaluate(OUTSIDE) == []
+    assert serious(page) == []
+
+
+@wide
+def test_wrong_entry_is_corrected_in_the_text(page):
+    ask(page, WRONG)
+    marked = page.locator(".arm-judge .marked")
+    marked.locator("pre .off").click()
+    page.get_by_label("The number as it should be read").fill("0.2866")
+    page.keyboard.press("Enter")
+    verdict(page, "is right at this pose")
+    answer = page.get_by_label("Your answer", exact=True)
+    assert answer.input_value() == ELBOW
+    marked.get_by_role("button", name="Undo").click()
+    assert answer.input_value() == WRONG
+
+
+@phone
+def test_unread_number_is_put_behind_a_hash(page):
+    page.get_by_label("Question").select_option("torques")
+    page.get_by_label("Arm", exact=True).select_option("UR10E")
+    answer = page.get_by_label("Your answer", exact=True)
+    torques = "0.5\n1.5\n2.5\n3.5\n4.5\n0.5"
+    answer.fill(f"{torques}\n7.67l2")
+    verdict(page, "I cannot read")
+    marked = page.locator(".arm-judge .marked")
+    marked.locator("pre .unread").click()
+    page.get_by_role("button", name="This is no entry").click()
+    assert answer.input_value() == f"{torques}\n# 7.67l2"
+    verdict(page, "are not right")
+
+
+@wide
+def test_one_of_several_answers_is_chosen(page):
+    page.get_by_label("Question", exact=True).select_option("torques")
+    page.get_by_label("Arm", exact=True).select_option("UR10E")
+    answer = page.get_by_label("Your answer", exact=True)
+    answer.fill("first\n0.5 1.5 2.5 3.5 4.5 0.5\n\nsecond\n0.6 1.5 2.5 3.5 4.5 0.5")
+    verdict(page, "I find several answers that differ")
+    page.get_by_role("button", name="My answer is in line 5").click()
+    assert "\n# 0.5 1.5" in answer.input_value()
+    verdict(page, "The torques of UR10e are not right")
