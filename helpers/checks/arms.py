@@ -2,12 +2,13 @@
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
 from helpers.arm import Arm, Body, Row
 from helpers.inputs import must_be
+from helpers.variants import LumpedModel, Namesake, find_variants
 
 Data = dict[str, Any]
 
@@ -68,13 +69,25 @@ def judge_data(arm: Arm) -> Data:
     ]
     if others:
         found["alike"] = others
-    if robots := list(_robots(arm)):
-        found["robots"] = robots
-    if tuple(body.mass for body in arm.bodies or ()) == _GAZ_MASSES:
-        found["paper"] = _GAZ_CENTRES
+    found |= _variant_data(arm)
     if family := list(_family(arm)):
         found["family"] = family
     return json.loads(json.dumps(found))
+
+
+def _variant_data(arm: Arm) -> Data:
+    """Return the other published numbers of an arm that its messages may name."""
+    variants = find_variants(arm)
+    data: Data = {}
+    if variants.maker_signs:
+        data["makerSigns"] = [variants.maker_signs[i - 1] for i in arm.joints]
+    if variants.namesakes:
+        data["robots"] = list(_namesake_data(arm, variants.namesakes))
+    if arm.bodies and variants.published_centres:
+        data["paper"] = variants.published_centres
+    if arm.bodies and variants.lumped:
+        data["lumped"] = _lumped_data(arm, variants.lumped)
+    return data
 
 
 def _family(arm: Arm) -> Iterator[Data]:
@@ -102,46 +115,24 @@ def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:
     ]
 
 
-# The Panda's links as Gaz et al. (2019) give them, in the Craig frames of its maker.
-_GAZ_MASSES = (4.970684, 0.646926, 3.228604, 3.587895, 1.225946, 1.666555, 0.735522)
-_GAZ_CENTRES = (
-    (0.003875, 0.002081, -0.04762),
-    (-0.003141, -0.02872, 0.003495),
-    (0.027518, 0.039252, -0.066502),
-    (-0.05317, 0.104419, 0.027454),
-    (-0.011953, 0.041065, -0.038437),
-    (0.060149, -0.014117, -0.010517),
-    (0.010517, -0.004252, 0.061597),
-)
+def _namesake_data(arm: Arm, namesakes: Sequence[Namesake]) -> Iterator[Data]:
+    """Yield the rows with the lengths of each namesake, also without the pen, and its masses."""
+    for namesake in namesakes:
+        other = arm.with_values(**namesake.lengths)
+        data: Data = {"name": namesake.name, "rows": _rows_data(other)}
+        if namesake.masses:
+            data["masses"] = namesake.masses
+        if arm.values.get("l_pen"):
+            data["penless"] = _rows_data(other.with_values(l_pen=0))
+        yield data
 
 
-# The UR10 as its maker's table of Denavit-Hartenberg parameters has it: lengths (m), masses (kg).
-_UR10 = dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)
-_UR10_MASSES = (7.1, 12.7, 4.27, 2.0, 2.0, 0.365)
-
-
-def _namesakes() -> tuple[tuple[str, dict[str, float]], ...]:
-    """Robots of nearly one name: the UR10 as its manual's drawing has it and by its maker's table,
-    and the UR10e.
-    """
-    from helpers.robots import UR10E, UR10E_HOMEWORK  # the checkers themselves need no catalogue
-
-    drawn, new = ({n: arm.values[n] for n in _UR10} for arm in (UR10E_HOMEWORK, UR10E))
-    return ("UR10", drawn), ("UR10", _UR10), ("UR10e", new)
-
-
-def _robots(arm: Arm) -> Iterator[Data]:
-    """The rows with the lengths of robots of nearly the arm's name, and without the pen; beside the
-    UR10e the masses of the UR10 as well.
-    """
-    own = next(
-        (name for name, lengths in _namesakes() if lengths.items() <= arm.values.items()), None
-    )
-    for name, lengths in _namesakes():
-        if own and name != own:
-            other = arm.with_values(**lengths)
-            masses = {"masses": _UR10_MASSES} if name == "UR10" else {}
-            found = {"name": name, "rows": _rows_data(other), **masses}
-            if arm.values.get("l_pen"):
-                found["penless"] = _rows_data(other.with_values(l_pen=0))
-            yield found
+def _lumped_data(arm: Arm, model: LumpedModel) -> Data:
+    """Return a report's lumped model: [mass, x, y, z] of each row, and what its message names."""
+    bodies = [[_number(arm, entry) for entry in (body.mass, *body.com)] for body in model.bodies]
+    return {
+        "report": model.report,
+        "links": model.links,
+        "bodies": bodies,
+        "gravity": model.gravity,
+    }

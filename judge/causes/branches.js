@@ -1,6 +1,6 @@
 // Why a joint vector is none of the branches.
 
-import { revoluteFlags } from "../geometry/kinematics.js";
+import { jointNames, revoluteFlags } from "../geometry/kinematics.js";
 import {
   findBranch,
   matchJointsByBranch,
@@ -9,9 +9,9 @@ import {
   reachesTarget,
 } from "../matching.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
-import { jointMistakes, jointNames } from "./joints.js";
+import { jointMistakes } from "./joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages, causeMessage } from "./ranking.js";
-import { tableMistakes } from "./tables.js";
+import { tableMistakes } from "./chain.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../verdict.js").Finding} Finding */

@@ -1,63 +1,73 @@
-// The slips that are known in a Jacobian: in the table or q it is made from (`change`), in the
-// recipe (`recipe`), and in how it is written down (`write`). Behind each, where it was seen: a
-// slip's number in homework.md, a chapter, or work that was handed in.
+// Mistakes in a Jacobian: in the table or q that it is made from (`change`), in the recipe
+// (`recipe`), and in how it is written down (`write`). The comments say where a mistake was seen: a
+// slip of homework.md by its number, a chapter, or work that was handed in.
 
 import { jointNumbers } from "../geometry/kinematics.js";
-import { RAD } from "../geometry/angles.js";
+import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
-import { poseMistakes, tableMistakes } from "./tables.js";
+import { poseMistakes, tableMistakes } from "./chain.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
-/** @typedef {import("./ranking.js").Cause} Cause */
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
 /** @typedef {import("../geometry/chains.js").Chain} Chain */
+/** @typedef {import("../geometry/kinematics.js").Frame} Frame */
+/** @typedef {import("./ranking.js").Cause} Cause */
+/** @typedef {import("./ranking.js").Mistake} Mistake */
+/** @typedef {(c: Chain, T: Frame[]) => number[]} Recipe makes a Jacobian of a chain */
+/** @typedef {(J: number[], T: Frame[]) => number[]} Writing changes a finished Jacobian */
 /**
- * One mistake: each of its steps is there if it is done otherwise.
- * @typedef {{ cause: Cause, change?: (c: Chain) => Chain, recipe?: (c: Chain, T: any[]) =>
- *   number[], write?: (J: number[], T: any[]) => number[] }} Step
+ * One mistake: the step that it changes.
+ * @typedef {{ cause: Cause, change?: (c: Chain) => Chain, recipe?: Recipe, write?: Writing }}
+ *   JacobianStep
  */
 
-// A Jacobian with its rows in the axes of one frame, of any q, by steps some of which are wrong.
+/**
+ * Return a function from q to the Jacobian there, with some of the steps done wrong.
+ * @param {Arm} arm
+ * @param {number} frame whose axes the rows are in; 0 is the base
+ * @param {Partial<JacobianStep>} [step]
+ */
 export const makeJacobian =
-  (arm, frame, step = {}, built = builtBy(arm, frame, step)) =>
+  (arm, frame, step = {}, build = buildBy(arm, frame, step)) =>
   (q) => {
-    const { J, T } = built(q);
+    const { J, T } = build(q);
     return (step.write ?? same)(J, T);
   };
 
-// What a step's table and recipe make of q, before it is written down; the last is kept, since
-// many a writing is tried of it.
-function builtBy(arm, frame, { change = same, recipe = chains.flatJacobian }) {
-  let [last, made] = [null, null];
+// Build the Jacobian before it is written down. The last one is kept, since many writings are tried
+// on it.
+function buildBy(arm, frame, { change = same, recipe = chains.flatJacobian }) {
+  let [lastQ, last] = [null, null];
   return (q) => {
-    if (q === last) return made;
+    if (q === lastQ) return last;
     const c = change(chains.makeChain(arm, q));
     const T = chains.chainFrames(c);
     const J = recipe(c, T);
-    [last, made] = [q, { J: frame ? chains.rotateIntoFrame(J, T[frame] ?? T.at(-1)) : J, T }];
-    return made;
+    [lastQ, last] = [q, { J: frame ? chains.rotateIntoFrame(J, T[frame] ?? T.at(-1)) : J, T }];
+    return last;
   };
 }
 
 const same = (x, ..._) => x;
 
-/** @returns {Step[]} */
+/** List the mistakes. @param {Arm} arm @param {number[]} q @returns {JacobianStep[]} */
 export function listJacobianSteps(arm, q, frame) {
   const c = chains.makeChain(arm, q);
   const changes = [...poseMistakes("J.degrees", arm), ...tableMistakes(arm)];
   return [
-    ...changes.map(([one, change]) => ({ cause: one, change })),
-    ...Array.from(jacobianRecipes(c), ([one, recipe]) => ({ cause: one, recipe })),
-    ...Array.from(writings(arm, c, frame), ([one, write]) => ({ cause: one, write })),
+    ...changes.map(([cause, change]) => ({ cause, change })),
+    ...Array.from(jacobianRecipes(c), ([cause, recipe]) => ({ cause, recipe })),
+    ...Array.from(writings(arm, c, frame), ([cause, write]) => ({ cause, write })),
   ];
 }
 
-/** One slip each. @returns {import("./ranking.js").Mistake[]} */
-export const singleMistakes = (arm, frame, all) =>
-  all.map((one) => ({ cause: one.cause, make: makeJacobian(arm, frame, one) }));
+/** List single mistakes. @param {Arm} arm @param {JacobianStep[]} steps @returns {Mistake[]} */
+export const singleMistakes = (arm, frame, steps) =>
+  steps.map((step) => ({ cause: step.cause, make: makeJacobian(arm, frame, step) }));
 
 /**
- * One column that is another joint's: the column beside it, copied.
- * @returns {Generator<import("./ranking.js").Mistake>}
+ * List Jacobians with one column copied from the one beside it.
+ * @param {Arm} arm @returns {Generator<Mistake>}
  */
 export function* copiedColumns(arm, frame) {
   const right = makeJacobian(arm, frame);
@@ -73,36 +83,37 @@ export function* copiedColumns(arm, frame) {
 }
 
 /**
- * Two slips, of which no more than one is in the recipe.
- * @returns {Generator<import("./ranking.js").Mistake>}
+ * List pairs of mistakes, of which at most one is in the recipe.
+ * @param {Arm} arm @param {JacobianStep[]} steps @returns {Generator<Mistake>}
  */
-export function* mistakePairs(arm, frame, all) {
-  for (const [n, first] of all.entries()) {
-    const built = builtBy(arm, frame, first);
-    for (const second of all.slice(n + 1)) {
-      const two = joined(first, second);
-      if (!two) continue;
-      const make = makeJacobian(arm, frame, two, second.write ? built : undefined);
+export function* mistakePairs(arm, frame, steps) {
+  for (const [n, first] of steps.entries()) {
+    const build = buildBy(arm, frame, first);
+    for (const second of steps.slice(n + 1)) {
+      const both = joinSteps(first, second);
+      if (!both) continue;
+      const make = makeJacobian(arm, frame, both, second.write ? build : undefined);
       yield { cause: combineCauses(first.cause, second.cause), make };
     }
   }
 }
 
-function joined(first, second) {
+function joinSteps(first, second) {
   if (first.recipe && second.recipe) return null;
   return {
     ...first,
     ...second,
-    change: after(first.change, second.change),
-    write: after(first.write, second.write),
+    change: chainFunctions(first.change, second.change),
+    write: chainFunctions(first.write, second.write),
   };
 }
 
-const after = (one, two) => (one && two ? (x, T) => two(one(x, T), T) : (one ?? two));
+const chainFunctions = (one, two) => (one && two ? (x, T) => two(one(x, T), T) : (one ?? two));
 
 /**
- * The recipe, with one step done otherwise.
- * @returns {Generator<[Cause, (c: Chain, T: any[]) => number[]]>}
+ * List the recipes with one step done otherwise. Judges of Jacobians, torques and trajectories use
+ * this list.
+ * @param {Chain} c @returns {Generator<[Cause, Recipe]>}
  */
 export function* jacobianRecipes(c) {
   const by = (options) => (c1, T) => chains.flatJacobian(c1, T, options(c1));
@@ -119,10 +130,10 @@ export function* jacobianRecipes(c) {
   yield [makeCause("J.no cross"), by(() => ({ crossed: false }))]; // handed in
   const wrist = ({ rows }) => rows.length - 1; // handed in: the wrist's centre for the tip
   yield [makeCause("J.point", { k: wrist(c) }), by((c1) => ({ point: wrist(c1) }))];
-  yield [
-    makeCause("J.rows of T"),
-    (c1, T) => chains.flatJacobian(c1, chains.swapRowsForColumns(T)),
-  ]; // slip 4
+  // Modern Robotics: the velocity of the point of the tool that is at the base's origin
+  yield [makeCause("J.space"), by(() => ({ point: 0 }))];
+  const fromRows = (c1, T) => chains.flatJacobian(c1, chains.swapRowsForColumns(T)); // slip 4
+  yield [makeCause("J.rows of T"), fromRows];
   if (c.turns.includes(false)) {
     // handed in: z_2 x ... over z_2, and z_2 over z_2
     yield [makeCause("J.slide turns"), by(() => ({ slides: false }))];
@@ -138,8 +149,8 @@ export function* jacobianRecipes(c) {
 }
 
 /**
- * The writing: functions of a Jacobian in the axes of the declared frame.
- * @returns {Generator<[Cause, (J: number[], T: any[]) => number[]]>}
+ * List mistakes in writing down a Jacobian that is in the axes of the declared frame.
+ * @param {Arm} arm @returns {Generator<[Cause, Writing]>}
  */
 function* writings(arm, { dof, turns }, frame) {
   const each = (change) => (J) => J.map((x, i) => change(x, Math.floor(i / dof), i % dof));
@@ -148,10 +159,13 @@ function* writings(arm, { dof, turns }, frame) {
   const rows = (from) => (J) => J.map((_, i) => J[from(Math.floor(i / dof)) * dof + (i % dof)]);
   yield [makeCause("J.halves"), rows((i) => (i + 3) % 6)]; // conventions: (omega, v)
   yield [makeCause("J.wx and wy"), rows((i) => [0, 1, 2, 4, 3, 5][i])]; // handed in
+  yield [makeCause("J.vx and vy"), rows((i) => [1, 0, 2, 3, 4, 5][i])]; // handed in
   yield [makeCause("J.cross"), each((x, i, k) => (turns[k] && i < 3 ? -x : x))]; // handed in
   yield [makeCause("J.all signs"), blocks(-1, -1)]; // handed in
   yield [makeCause("J.angular sign"), blocks(1, -1)]; // handed in
   yield [makeCause("J.millimetres"), blocks(1000, 1)]; // slip 26: millimetres in a report in metres
+  yield [makeCause("J.angular degrees"), blocks(1, DEG)]; // handed in
+  if (!frame) yield* angleRates(dof);
   yield [makeCause("J.angular zero"), blocks(1, 0)]; // half an answer
   yield [makeCause("J.linear zero"), blocks(0, 1)];
   yield [makeCause("J.per degree"), each((x, _, k) => (turns[k] ? x * RAD : x))]; // handed in
@@ -168,8 +182,47 @@ function* writings(arm, { dof, turns }, frame) {
 }
 
 /**
+ * Rates of angles in place of the angular velocity (Siciliano et al., Robotics, 3.6): of ZYZ
+ * angles, and of roll, pitch and yaw in both orders. None where these angles are singular.
+ * @param {number} dof @returns {Generator<[Cause, Writing]>}
+ */
+function* angleRates(dof) {
+  const withRates = (rates) => (J, T) => {
+    const made = J.slice();
+    for (let k = 0; k < dof; k++) {
+      const omega = [3, 4, 5].map((i) => J[i * dof + k]);
+      rates(T.at(-1), omega).forEach((rate, i) => (made[(3 + i) * dof + k] = rate));
+    }
+    return made;
+  };
+  yield [makeCause("J.zyz rates"), withRates(zyzRates)];
+  yield [makeCause("J.rpy rates"), withRates(rollPitchYawRates)];
+  yield [makeCause("J.rpy rates"), withRates((T, w) => rollPitchYawRates(T, w).reverse())];
+}
+
+const SINGULAR = 1e-6; // sine of the middle angle: below it the rates are not defined
+
+// (phi, theta, psi) of Rz(phi) Ry(theta) Rz(psi).
+function zyzRates({ z }, omega) {
+  const sine = Math.hypot(z[0], z[1]);
+  if (sine < SINGULAR) return omega;
+  const [c, s] = [z[0] / sine, z[1] / sine];
+  const psi = (c * omega[0] + s * omega[1]) / sine;
+  return [omega[2] - z[2] * psi, c * omega[1] - s * omega[0], psi];
+}
+
+// (roll, pitch, yaw) of Rz(yaw) Ry(pitch) Rx(roll).
+function rollPitchYawRates({ x }, omega) {
+  const cosine = Math.hypot(x[0], x[1]);
+  if (cosine < SINGULAR) return omega;
+  const [c, s] = [x[0] / cosine, x[1] / cosine];
+  const roll = (c * omega[0] + s * omega[1]) / cosine;
+  return [roll, c * omega[1] - s * omega[0], omega[2] - x[2] * roll];
+}
+
+/**
  * Rows in the axes of another frame, the tool's or the base's.
- * @returns {Generator<[Cause, (J: number[], T: any[]) => number[]]>}
+ * @param {Arm} arm @returns {Generator<[Cause, Writing]>}
  */
 function* framesMistaken({ rows }, frame) {
   const last = rows.length;

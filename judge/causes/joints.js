@@ -1,57 +1,95 @@
-// What slips make of right joint angles, undone: the cause, and the angles that would have come out
-// without it. Behind each, where it was seen: a slip's number in homework.md, or work handed in.
+// Mistakes in joint values, undone: each function returns the joint values that the student would
+// have had without the mistake. The comment behind each says where the mistake was seen: a slip of
+// homework.md by its number, or work that was handed in.
 
-import { cosSin, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
+import { cosSin, jointNames, revoluteFlags } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
+import { joinList } from "../sentences.js";
 import { makeCause } from "./ranking.js";
-import { makerJointSigns } from "./tables.js";
 
 const QUARTER = Math.PI / 2;
-/** @type {[string, (x: number) => number][]} */
-const JOINT = [
+/** Mistakes in one angle, commoner first. @type {[string, (x: number) => number][]} */
+const ANGLE_MISTAKES = [
   ["ik.sign", (x) => -x], // slip 22: one sign of acos
+  ["ik.joint degrees", (x) => x * RAD], // handed in
   ["ik.half turn", (x) => x + Math.PI], // slip 13: atan for atan2
   ["ik.other axis", (x) => QUARTER - x], // slip 13: x/y for y/x
   ["ik.supplement", (x) => Math.PI - x], // slip 16: cos(pi - x)
   ["ik.offset", (x) => x + QUARTER], // the UR10e's offsets in theta
   ["ik.offset", (x) => x - QUARTER],
 ];
+/** Mistakes in a slide. @type {[string, (x: number) => number][]} */
+const SLIDE_MISTAKES = [
+  ["ik.sign", (x) => -x],
+  ["ik.joint millimetres", (x) => x / 1000], // handed in
+];
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+/** @typedef {import("../geometry/arm.js").Row} Row */
 /** @typedef {import("./ranking.js").Cause} Cause */
-/** @typedef {[Cause, (q: number[]) => number[]]} JointMistake */
+/**
+ * A mistake in joint values, and the function that undoes it.
+ * @typedef {[Cause, (q: number[]) => number[]]} JointMistake
+ */
 
-export const jointNames = (arm) => jointNumbers(arm).map((i) => `q_${i}`);
+/** List usual mistakes in joint values. @param {Arm} arm @returns {JointMistake[]} */
+export const jointMistakes = (arm) => [...mistakesInOneJoint(arm), ...mistakesInAllJoints(arm)];
 
-/** Slips of any joint vector. @returns {JointMistake[]} */
-export const jointMistakes = (arm) => [...single(arm), ...whole(arm)];
+const changeJoint = (k, change) => (q) => q.map((x, i) => (i === k ? change(x) : x));
 
-/** Slips in all joints at once. @returns {Generator<JointMistake>} */
-function* whole(arm) {
+/** @param {Arm} arm @returns {Generator<JointMistake>} */
+function* mistakesInAllJoints(arm) {
   const turns = revoluteFlags(arm);
   yield [makeCause("ik.degrees"), (q) => q.map((x, k) => (turns[k] ? x * RAD : x))];
   // handed in: q6 ... q1
   if (turns.length > 1) yield [makeCause("ik.reversed order"), (q) => [...q].reverse()];
-  const signs = makerJointSigns(arm); // handed in
-  if (signs) yield [makeCause("ik.makers signs"), (q) => q.map((x, k) => signs[k] * x)];
+  const signs = arm.makerSigns; // handed in
+  if (signs) yield [makersCause(arm), (q) => q.map((x, k) => signs[k] * x)];
 }
 
-/** Slips in one joint, or in one step of a closed form. @returns {Generator<JointMistake>} */
-function* single(arm) {
+/** The cause for joints that the maker counts the other way. @param {Arm} arm */
+export function makersCause(arm, key = "ik.makers signs") {
+  const turned = jointNames(arm).filter((_, k) => arm.makerSigns[k] < 0);
+  return makeCause(key, { _joints: joinList(turned.map((name) => name.slice(2))) });
+}
+
+/** @param {Arm} arm @returns {Generator<JointMistake>} */
+function* mistakesInOneJoint(arm) {
   const turns = revoluteFlags(arm);
   const names = jointNames(arm);
   yield* elbowFormula(arm);
   for (const [k, joint] of names.entries()) {
-    for (const [key, change] of turns[k] ? JOINT : JOINT.slice(0, 1))
-      yield [makeCause(key, { joint }), (q) => q.map((x, i) => (i === k ? change(x) : x))];
+    for (const [key, undo] of turns[k] ? ANGLE_MISTAKES : SLIDE_MISTAKES)
+      yield [makeCause(key, { joint }), changeJoint(k, undo)];
     for (let n = k + 1; n < names.length; n++) {
-      const exchanged = (q) => q.map((x, i) => (i === k ? q[n] : i === n ? q[k] : x)); // handed in
-      yield [makeCause("ik.exchanged", { first: joint, second: names[n] }), exchanged];
+      const exchange = (q) => q.map((x, i) => (i === k ? q[n] : i === n ? q[k] : x)); // handed in
+      yield [makeCause("ik.exchanged", { first: joint, second: names[n] }), exchange];
     }
   }
 }
 
+/**
+ * List for each joint the values with two neighbouring digits exchanged. Handed in.
+ * @param {Arm} arm
+ * @param {import("../digits.js").Entries} q as typed
+ * @returns {JointMistake[]}
+ */
+export function exchangedDigits(arm, { values, units }) {
+  return jointNames(arm).flatMap((joint, k) => {
+    const digits = String(Math.round(Math.abs(values[k]) / units[k]));
+    if (!units[k] || !/^\d+$/.test(digits)) return [];
+    return [...digits.slice(1)].flatMap((digit, i) => {
+      if (digit === digits[i]) return [];
+      const exchanged = digits.slice(0, i) + digit + digits[i] + digits.slice(i + 2);
+      const value = Math.sign(values[k]) * Number(exchanged) * units[k];
+      const change = value - values[k];
+      return [[makeCause("ik.digits", { joint }), changeJoint(k, (x) => x + change)]];
+    });
+  });
+}
+
 // theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links: slip 12.
-/** @returns {Generator<JointMistake>} */
+/** @param {{ rows: Row[] }} arm @returns {Generator<JointMistake>} */
 function* elbowFormula({ rows }) {
   if (rows.length < 3) return;
   const [, second, third] = rows;

@@ -1,134 +1,158 @@
-// The slips that are known in torques tau = g(q) - J^T F: in the table, q or the masses (`change`),
-// in the weight, in the force, and in how they are written down (`write`). Behind each, where it
-// was seen: a slip's number in homework.md, a chapter, or work that was handed in.
+// Mistakes in joint torques tau = g(q) - J^T F: in the load (table, q or masses), in the weight g,
+// in the force J^T F, and in how torques are written down. The comments say where a mistake was
+// seen: a slip of homework.md by its number, a section of it, or work that was handed in.
 
 import * as chains from "../geometry/chains.js";
-import { movingRows } from "../geometry/kinematics.js";
+import { jointNumbers, movingRows } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
 import { rowsOf } from "../reading/numbers.js";
-import { makerJointSigns, poseMistakes, tableMistakes } from "./tables.js";
+import { formatNumber, joinList } from "../sentences.js";
+import { poseMistakes, tableMistakes } from "./chain.js";
+import { jacobianRecipes } from "./jacobian.js";
+import { makersCause } from "./joints.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+/** @typedef {import("../geometry/kinematics.js").Frame} Frame */
+/** @typedef {import("./ranking.js").Mistake} Mistake */
 /**
- * An arm with masses under gravity (m/s^2, a vector) and a wrench for each of its poses.
+ * An arm with masses under gravity, and a wrench for each of its poses.
  * @typedef {object} Load
  * @property {import("../geometry/chains.js").Chain} c rows and joints, at no pose yet
- * @property {number[][]} wrenches
- * @property {number[]} gravity
- * @property {number[]} masses of each row
- * @property {number[][]} centres
+ * @property {number[][]} wrenches on the tool (N, N m)
+ * @property {number[]} gravity vector (m/s²)
+ * @property {number[]} masses of each row (kg)
+ * @property {number[][]} centres of mass in the frame of each row (m)
  */
 /**
- * An arm with masses at one pose: its frames and its Jacobian.
- * @typedef {Load & { T: any[], J: number[], F: number[] }} Pose
+ * A load at one pose: its frames, its Jacobian and the wrench there.
+ * @typedef {Load & { T: Frame[], J: number[], F: number[] }} LoadAtPose
  */
 /**
- * One mistake: each of its steps is there if it is done otherwise.
- * @typedef {{ cause: import("./ranking.js").Cause, change?: (load: Load) => Load, weight?: (at:
- *   Pose) => number[], force?: (at: Pose) => number[], write?: (tau: number[]) => number[] }} Step
+ * One mistake: the step that it changes of load, weight, force and writing.
+ * @typedef {object} TorqueStep
+ * @property {import("./ranking.js").Cause} cause
+ * @property {(load: Load) => Load} [change]
+ * @property {(at: LoadAtPose) => number[]} [weight]
+ * @property {(at: LoadAtPose) => number[]} [force]
+ * @property {(tau: number[]) => number[]} [write]
  */
 
 const same = (x) => x;
-const times = (factor, list) => list.map((x) => factor * x);
+const multiply = (factor, list) => list.map((x) => factor * x);
 
+/** @param {LoadAtPose} at */
 const weightOf = ({ c, T, masses, centres, gravity }) =>
   chains.gravityTorques(c, T, masses, centres, gravity);
+/** @param {LoadAtPose} at */
 const forceOf = ({ J, F }) => chains.wrenchTorques(J, F);
 
-/** @returns {Load} */
+/** @param {Arm} arm @param {number[][]} wrenches @param {number[]} gravity @returns {Load} */
 export function makeLoad(arm, wrenches, gravity) {
   const bodies = arm.rows.map((row) => row.body);
-  const [masses, centres] = [bodies.map(([mass]) => mass), bodies.map(([, ...centre]) => centre)];
+  const zeros = movingRows(arm).map(() => 0);
   return {
-    c: chains.makeChain(
-      arm,
-      movingRows(arm).map(() => 0),
-    ),
+    c: chains.makeChain(arm, zeros),
     wrenches,
     gravity,
-    masses,
-    centres,
+    masses: bodies.map(([mass]) => mass),
+    centres: bodies.map(([, ...centre]) => centre),
   };
 }
 
-// Torques at the poses of a list of joint values, by steps some of which are wrong.
+/**
+ * Return a function from the joint values of all poses to the torques there, with some of the steps
+ * done wrong.
+ * @param {Load} load
+ * @param {number} dof
+ * @param {Partial<TorqueStep>} [steps]
+ */
 export const makeTorques =
   (load, dof, { change = same, weight = weightOf, force = forceOf, write = same } = {}) =>
   (q) =>
-    rowsOf(q, dof).flatMap((one, i) => {
-      const at = atPose(change({ ...load, c: { ...load.c, q: one, dof } }), load.wrenches[i]);
+    rowsOf(q, dof).flatMap((pose, i) => {
+      const at = atPose(change({ ...load, c: { ...load.c, q: pose, dof } }), load.wrenches[i]);
       return write(subtractEach(weight(at), force(at)));
     });
 
+/** @returns {LoadAtPose} */
 function atPose(load, F) {
   const T = chains.chainFrames(load.c);
   return { ...load, T, J: chains.flatJacobian(load.c, T), F };
 }
 
-/** @returns {Step[]} */
+/**
+ * List the mistakes, commoner first.
+ * @param {Arm} arm
+ * @param {Load} load
+ * @returns {TorqueStep[]}
+ */
 export const listTorqueSteps = (arm, load) => [
-  ...bodies(arm, load),
-  ...chainsOf(arm),
   ...weights(load),
   ...forces(load),
   ...writings(arm),
+  ...bodies(arm, load),
+  ...chainMistakes(arm),
 ];
 
-// Slips in the table or q; without the pen the last centre of mass stays where it is, so that its
-// coordinates change.
-/** @returns {Step[]} */
-function chainsOf(arm) {
-  const tables = tableMistakes(arm).filter(
-    ([
-      {
-        keys: [key],
-      },
-    ]) => key !== "table.locked row",
-  );
+/** Mistakes in the table or q. @param {Arm} arm @returns {TorqueStep[]} */
+function chainMistakes(arm) {
+  const tables = tableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
+  // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
-  return [...poseMistakes("tau.degrees", arm), ...tables].map(([one, change]) => ({
-    cause: one,
+  return [...poseMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => ({
+    cause,
     change: (load) => ({
       ...load,
       c: change(load.c),
-      centres: one.keys[0] === "table.pen" ? centres : load.centres,
+      centres: cause.keys[0] === "table.pen" ? centres : load.centres,
     }),
   }));
 }
 
-/** One slip each. @returns {(import("./ranking.js").Mistake & { steps: any })[]} */
-export const singleMistakes = (load, dof, all) =>
-  all.map((one) => ({ cause: one.cause, steps: one, make: makeTorques(load, dof, one) }));
+/** List single mistakes. @returns {(Mistake & { steps: TorqueStep })[]} */
+export const singleMistakes = (load, dof, steps) =>
+  steps.map((step) => ({ cause: step.cause, steps: step, make: makeTorques(load, dof, step) }));
 
 /**
- * Two slips in different steps, or two changes.
- * @returns {Generator<import("./ranking.js").Mistake & { steps: any }>}
+ * List pairs of mistakes in different steps, or of two changes.
+ * @returns {Generator<Mistake & { steps: TorqueStep }>}
  */
-export function* mistakePairs(load, dof, all) {
-  for (const [n, first] of all.entries()) {
-    for (const second of all.slice(n + 1)) {
+export function* mistakePairs(load, dof, steps) {
+  for (const [n, first] of steps.entries()) {
+    for (const second of steps.slice(n + 1)) {
       if (["weight", "force", "write"].some((step) => first[step] && second[step])) continue;
-      const [one, other] = [first, second].map(({ change: its = same }) => its);
-      const change = (at) => other(one(at));
-      const two = { ...first, ...second, change };
-      yield {
-        cause: combineCauses(first.cause, second.cause),
-        steps: two,
-        make: makeTorques(load, dof, two),
-      };
+      const [one, other] = [first, second].map(({ change = same }) => change);
+      const cause = combineCauses(first.cause, second.cause);
+      const both = { ...first, ...second, cause, change: (at) => other(one(at)) };
+      yield { cause, steps: both, make: makeTorques(load, dof, both) };
     }
   }
 }
 
-/** @returns {Generator<Step>} */
+/** @param {Arm} arm @returns {Generator<TorqueStep>} */
 function* writings(arm) {
-  yield { cause: makeCause("tau.all signs"), write: (tau) => times(-1, tau) }; // handed in
-  // tau_7 first
+  yield { cause: makeCause("tau.all signs"), write: (tau) => multiply(-1, tau) }; // handed in
+  // handed in: tau_7 first
   yield { cause: makeCause("tau.reversed order"), write: (tau) => [...tau].reverse() };
-  const signs = makerJointSigns(arm); // as Pinocchio's model has them
+  const signs = arm.makerSigns; // as Pinocchio's model has them
   if (signs)
-    yield { cause: makeCause("tau.makers signs"), write: (tau) => tau.map((x, k) => signs[k] * x) };
+    yield {
+      cause: makersCause(arm, "tau.makers signs"),
+      write: (tau) => tau.map((x, k) => signs[k] * x),
+    };
+  const joints = jointNumbers(arm);
+  for (let i = 0; i < joints.length; i++)
+    for (let j = i + 1; j < joints.length; j++)
+      yield {
+        cause: makeCause("tau.exchanged", { i: joints[i], j: joints[j] }), // handed in
+        write: (tau) => tau.map((x, k) => (k === i ? tau[j] : k === j ? tau[i] : x)),
+      };
 }
+
+// The centres' numbers taken as coordinates in the frame before the link's own.
+const inFrameBefore = ({ centres, T }) =>
+  centres.map((centre, row) => chains.changeFrame(T[row], T[row + 1], centre));
 
 // What each joint's own link weighs, without those behind it.
 function ownLinks(at) {
@@ -136,81 +160,96 @@ function ownLinks(at) {
   return at.c.at.map((row, k) => weightOf({ ...at, masses: alone[row] })[k]);
 }
 
-/** @returns {Generator<Step>} */
-function* weights({ c }) {
-  yield { cause: makeCause("tau.own link"), weight: ownLinks }; // handed in
+/** @param {Load} load @returns {Generator<TorqueStep>} */
+function* weights({ c, gravity }) {
+  // slip 24
+  yield { cause: makeCause("tau.weight sign"), weight: (at) => multiply(-1, weightOf(at)) };
   yield { cause: makeCause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
-  yield { cause: makeCause("tau.weight sign"), weight: (at) => times(-1, weightOf(at)) }; // slip 24
+  yield { cause: makeCause("tau.own link"), weight: ownLinks }; // handed in
+  // handed in: the drawing has y upwards
+  const g = Math.hypot(...gravity);
+  /** @type {[string, number[]][]} */
+  const level = [
+    ["y", [0, -g, 0]],
+    ["x", [-g, 0, 0]],
+  ];
+  for (const [axis, vector] of level)
+    yield {
+      cause: makeCause("tau.gravity axis", { axis }),
+      weight: (at) => weightOf({ ...at, gravity: vector }),
+    };
 }
 
-/** @returns {Generator<Step>} */
-function* forces({ wrenches, c: { dof } }) {
+/** @param {Load} load @returns {Generator<TorqueStep>} */
+function* forces({ wrenches, c }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
-  const by = (change) => (at) => chains.wrenchTorques(at.J, change(at.F, at.T.at(-1)));
-  yield { cause: makeCause("tau.force sign"), force: by((F) => times(-1, F)) }; // section 4
-  yield { cause: makeCause("tau.force missing"), force: by((F) => times(0, F)) }; // half an answer
-  const tool = by((F, T) => chains.wrenchFromFrame(T, F));
-  yield { cause: makeCause("tau.force in tool"), force: tool }; // handed in
-  const across = ({ J, F, c }) => chains.wrenchTorques(chains.transpose(J, [c.dof, 6]), F);
-  if (dof === 6) yield { cause: makeCause("tau.J for J^T"), force: across }; // handed in
-  const late = ({ at }) => at.map((row) => row + 1);
-  const recipe =
-    (options) =>
-    ({ c, T, F }) =>
-      chains.wrenchTorques(chains.flatJacobian(c, T, options(c)), F);
-  yield { cause: makeCause("J.z_i"), force: recipe((c) => ({ axis: late(c) })) }; // slip 19
-  // handed in
-  yield { cause: makeCause("J.origin late"), force: recipe((c) => ({ origin: late(c) })) };
-  const frame = recipe((c) => ({ axis: late(c), origin: late(c) }));
-  yield { cause: makeCause("J.one frame late"), force: frame }; // handed in
+  const withWrench = (change) => (at) => chains.wrenchTorques(at.J, change(at.F, at.T.at(-1)));
+  const put = (key, change, fields) => ({
+    cause: makeCause(key, fields),
+    force: withWrench(change),
+  });
+  yield put("tau.force sign", (F) => multiply(-1, F)); // section 4
+  yield put("tau.force missing", (F) => multiply(0, F)); // half an answer
+  yield put("tau.force in tool", (F, T) => chains.wrenchFromFrame(T, F)); // handed in
+  for (const [i, component] of ["Fx", "Fy", "Fz", "Mx", "My", "Mz"].entries())
+    if (wrenches.some((F) => F[i] && F.some((x, k) => x && k !== i)))
+      // handed in
+      yield put("tau.component sign", (F) => F.map((x, k) => (k === i ? -x : x)), { component });
+  const untransposed = ({ J, F }) => chains.wrenchTorques(chains.transpose(J, [c.dof, 6]), F);
+  if (c.dof === 6) yield { cause: makeCause("tau.J for J^T"), force: untransposed }; // handed in
+  for (const [cause, recipe] of jacobianRecipes(c)) {
+    // Its linear rows are all 0: for a pure force it is as if the force were missing.
+    if (cause.keys[0] === "J.rows of T") continue;
+    yield { cause, force: ({ c: chain, T, F }) => chains.wrenchTorques(recipe(chain, T), F) };
+  }
 }
 
-/** Masses, centres and g. @returns {Generator<Step>} */
+/** Mistakes in masses, centres and g. @param {Arm} arm @returns {Generator<TorqueStep>} */
 function* bodies(arm, load) {
   const put = (key, change, fields = {}) => ({ cause: makeCause(key, fields), change });
   const g = Math.hypot(...load.gravity);
-  const under = (other) => ({ gravity: times(other / (g || 1), load.gravity) });
+  const withGravity = (value) => ({ gravity: load.gravity.map((x) => (x / g) * value) });
   for (const other of [9.8, 10]) {
     // slip 8; handed in
+    const fields = { g: other, _here: formatNumber(g, 4) };
     if (g && Math.abs(g - other) > 1e-9)
-      yield put("tau.gravity", (at) => ({ ...at, ...under(other) }), { g: other });
+      yield put("tau.gravity", (at) => ({ ...at, ...withGravity(other) }), fields);
   }
   yield* masses(arm, load, put);
   yield* centres(arm, load, put);
-  if (arm.rows.length === 7 && arm.rows[2].d) {
-    // the Panda report's model
-    yield put("tau.lumped", lumped);
-    yield put("tau.report", (at) => ({ ...lumped(at), ...under(9.8) }));
+  if (arm.lumped) {
+    const { report, links, gravity } = arm.lumped;
+    const lumped = {
+      masses: arm.lumped.bodies.map(([mass]) => mass),
+      centres: arm.lumped.bodies.map(([, ...centre]) => centre),
+    };
+    const fields = { _links: joinList(links), _report: report };
+    const withG = { ...fields, _g: gravity, _here: formatNumber(g, 4) };
+    yield put("tau.lumped", (at) => ({ ...at, ...lumped }), fields);
+    yield put("tau.report", (at) => ({ ...at, ...lumped, ...withGravity(gravity) }), withG);
   }
 }
 
-function* masses(arm, { masses: all }, put) {
-  const by = (change) => (at) => ({ ...at, masses: at.masses.map(change) });
-  yield put(
-    "tau.grams",
-    by((mass) => 1000 * mass),
-  ); // handed in
+function* masses(arm, load, put) {
+  const all = load.masses;
+  const withMasses = (change) => (at) => ({ ...at, masses: at.masses.map(change) });
+  const inGrams = withMasses((mass) => 1000 * mass); // handed in
+  yield put("tau.grams", inGrams);
   for (const step of [1, -1]) {
-    const moved = by((_, k) => all[k + step] ?? 0); // handed in
+    const moved = withMasses((_, k) => all[k + step] ?? 0); // handed in
     yield put("tau.masses moved", moved);
   }
-  const other = (arm.robots ?? []).find((one) => one.masses);
-  if (other)
-    yield put(
-      "tau.robot",
-      by((_, k) => other.masses[k]),
-      { name: other.name },
-    ); // section 4
-  for (const i of all.keys()) {
+  const other = (arm.robots ?? []).find((robot) => robot.masses); // section 4
+  if (other) {
+    const theirs = withMasses((_, k) => other.masses[k]);
+    yield put("tau.robot", theirs, { name: other.name });
+  }
+  for (const [i, mass] of all.entries()) {
     const link = i + 1;
-    if (all[i])
-      yield put(
-        "tau.mass missing",
-        by((mass, k) => (k === i ? 0 : mass)),
-        { link },
-      );
+    const missing = withMasses((x, k) => (k === i ? 0 : x));
+    if (mass) yield put("tau.mass missing", missing, { link });
     if (link === all.length) continue;
-    const exchanged = by((_, k) => all[k === i ? link : k === link ? i : k]); // handed in
+    const exchanged = withMasses((_, k) => all[k === i ? link : k === link ? i : k]); // handed in
     yield put("tau.masses exchanged", exchanged, { i: link, j: link + 1 });
   }
 }
@@ -218,24 +257,15 @@ function* masses(arm, { masses: all }, put) {
 function* centres(arm, { centres: all }, put) {
   const set = (key, list, fields = {}) => put(key, (at) => ({ ...at, centres: list }), fields);
   if (arm.paper) yield set("tau.paper centres", arm.paper); // slip 7
-  yield set(
-    "tau.centres at origins",
-    all.map(() => [0, 0, 0]),
-  ); // handed in
+  const origins = all.map(() => [0, 0, 0]);
+  yield set("tau.centres at origins", origins); // handed in
+  yield {
+    cause: makeCause("tau.centres one frame off"), // handed in: in the frame before the link's own
+    weight: (at) => weightOf({ ...at, centres: inFrameBefore(at) }),
+  };
   for (const { name, other, rows } of arm.alike ?? []) {
     // handed in: a centre in the paper's frame less the other length
     const shifted = all.map(([x, y, z], i) => [x + arm.rows[i].a - rows[i].a, y, z]);
     yield set("tau.centres other length", shifted, { name, other });
   }
-}
-
-// Links 2 and 3 as one uniform bar up the upper arm, which the report has so.
-function lumped(load) {
-  const half = load.c.rows[2].d / 2;
-  const [, second, third] = load.masses;
-  return {
-    ...load,
-    masses: load.masses.map((mass, i) => [mass, second + third, 0][i] ?? mass),
-    centres: load.centres.map((centre, i) => (i === 1 ? [0, 0, half] : centre)),
-  };
 }

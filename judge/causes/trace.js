@@ -5,7 +5,7 @@ import { minus, norm, scaled } from "../geometry/kinematics.js";
 import { subtractEach, nullSpace } from "../geometry/linear.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { jacobianRecipes } from "./jacobian.js";
-import { tableMistakes } from "./tables.js";
+import { tableMistakes } from "./chain.js";
 import { makeCause } from "./ranking.js";
 import {
   displacedPaths,
@@ -65,11 +65,26 @@ export function findTraceCause(run, tip, allowed, { off, shown }) {
     : [[], []];
   if (right(run)) return moved[0]?.one ?? null;
   return (
-    pathCause([...others, ...moved], path, tip, allowed) ??
+    wrongPathCause(run, [...others, ...moved], tip, allowed, off) ??
     loopCause(run, [...speeds(path), ...others.map(ledBy), ...matrices(run)]) ??
     (shown ? loopCause(run, matrices(run), [METHOD_ERROR, METHOD_TILT]) : null) ??
     (off ? pathCause(pathsWithTwoMistakes(path), path, tip, allowed) : null)
   );
+}
+
+// A table mistake or another path that explains where the tip is; null where it is not off.
+function wrongPathCause(run, others, tip, allowed, off) {
+  if (!off) return null;
+  return tableCause(run, allowed) ?? pathCause(others, run.path, tip, allowed);
+}
+
+// A table mistake with which the tip would follow the path: the pen forgotten, for instance.
+function tableCause({ q, arm, path }, allowed) {
+  const isNear = (change) => (row, k) => {
+    const tip = chainFrames(change(makeChain(arm, row))).at(-1).o;
+    return norm(minus(tip, path.position(path.times[k]))) <= allowed[k];
+  };
+  return tableMistakes(arm).find(([, change]) => q.every(isNear(change)))?.[0] ?? null;
 }
 
 // The first of other paths to which the tip is as near as it should be to its own.

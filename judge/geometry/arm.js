@@ -40,6 +40,9 @@ import { movingRows } from "./kinematics.js";
  * @property {{ name: string, rows: Row[], penless?: Row[], masses?: number[] }[]} [robots] arms of
  *   nearly the same name
  * @property {number[][]} [paper] centres of mass as published, in the frames of the publication
+ * @property {number[]} [makerSigns] for each joint -1 if the maker counts it the other way
+ * @property {{ report: string, links: number[], bodies: number[][], gravity: number }} [lumped] a
+ *   report's model with some links lumped: [mass, x, y, z] of each row
  * @property {Arm[]} [family] other arms of the same name in the catalogue
  */
 

@@ -156,6 +156,10 @@ export function gravityTorques(c, T, masses, centres, gravity) {
   return torques;
 }
 
+/** Return the coordinates in frame `to` of a point given in frame `from`. */
+export const changeFrame = (from, to, point) =>
+  inAxes(to, minus(plus(fromAxes(from, point), from.o), to.o));
+
 /** Return a wrench of the base's axes in those of a frame (R^T F). */
 export const wrenchIntoFrame = (frame, F) => [
   ...inAxes(frame, F.slice(0, 3)),

@@ -1,11 +1,10 @@
 // Is an inverse kinematics right and complete? Each answer is judged, and what is missing is named.
 
 import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
-import { jointNames } from "../causes/joints.js";
 import { causeName, causeMessage } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { needsPose, findClosedForm, solveInverse } from "../geometry/inverse.js";
-import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
+import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";

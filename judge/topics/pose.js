@@ -1,8 +1,8 @@
 // Do these joint angles reach that pose? The entries judged are the target's, the truth is the tip.
 
-import { jointMistakes as jointSlips, jointNames } from "../causes/joints.js";
+import { exchangedDigits, jointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
-import { tableMistakes } from "../causes/tables.js";
+import { tableMistakes } from "../causes/chain.js";
 import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
@@ -12,6 +12,7 @@ import {
   frameMatrix,
   minus,
   norm,
+  jointNames,
   jointNumbers,
   rotationBetween,
 } from "../geometry/kinematics.js";
@@ -82,7 +83,9 @@ function judged(q, arm, T, tolerance, taken) {
   const mine = { values: T.values.flat(), units: T.units.flat() };
   const right = tipOf(arm, T);
   const slips = [...known(arm, T)];
-  const further = [() => pairs(arm, T)];
+  const digits = () =>
+    exchangedDigits(arm, q).map(([cause, undo]) => ({ cause, make: (x) => right(undo(x)) }));
+  const further = [digits, () => pairs(arm, T)];
   const asked = { mine, q, dof: q.values.length, right, slips, tolerance, further };
   const verdict = judgeEntries(asked);
   const coarse = slackOf(q, q.values.length, right, Infinity);
@@ -132,7 +135,8 @@ const tipOf =
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* known(arm, T) {
   const right = tipOf(arm, T);
-  for (const [one, mended] of jointSlips(arm)) yield { cause: one, make: (q) => right(mended(q)) };
+  for (const [one, mended] of jointMistakes(arm))
+    yield { cause: one, make: (q) => right(mended(q)) };
   for (const [one, change] of tableMistakes(arm)) yield { cause: one, make: tipOf(arm, T, change) };
   const place = (i) => !T.pose || i % 4 === 3;
   const long = (q) => right(q).map((x, i) => (place(i) ? 1000 * x : x));
@@ -153,7 +157,7 @@ function* known(arm, T) {
 function* pairs(arm, T) {
   for (const [table, change] of tableMistakes(arm)) {
     const tip = tipOf(arm, T, change);
-    for (const [joints, mended] of jointSlips(arm))
+    for (const [joints, mended] of jointMistakes(arm))
       yield { cause: combineCauses(table, joints), make: (q) => tip(mended(q)) };
   }
 }

@@ -202,8 +202,26 @@ function judged(run, arm, path, allowed, given) {
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
   if (named) return explained(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
+  const mayDrift = isOffOnly(off && !given, jump, errors[0] <= allowed[0]);
+  return unnamed({ ...run, q }, path, { arm, symptoms, errors, mayDrift, rest });
+}
+
+const isOffOnly = (isOff, jump, startsRight) => isOff && !jump.length && startsRight;
+
+// The verdict where no mistake is known: Euler's drift, symptoms alone, or nothing wrong.
+function unnamed(run, path, { arm, symptoms, errors, mayDrift, rest }) {
+  if (mayDrift && !run.extra && followsPathByEuler(makeTrace(run.q, run.units, arm, path)))
+    return rightByEuler(arm, errors, run.taken, rest);
   if (symptoms.length) return unexplained(arm, symptoms, run.taken, rest);
   return reported(arm, RIGHT, "", run.taken, rest);
+}
+
+// Euler's own drift is no mistake: the joints are what the method gives with the student's steps.
+function rightByEuler(arm, errors, taken, rest) {
+  const fields = { error: formatMillimetres(Math.max(...errors), 4), steps: errors.length - 1 };
+  const notes = [...rest.notes, formatMessage("trace euler drift", fields)];
+  const headline = formatMessage("trace right by euler", { arm: arm.name });
+  return makeVerdict("trace", arm, RIGHT, headline, { taken, ...rest, notes });
 }
 
 const oneMore = ({ extra }) =>

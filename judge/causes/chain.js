@@ -1,0 +1,129 @@
+// Mistakes in an arm's table or in its joint values, whatever is computed from them. Each is a
+// function that changes a chain. The comments say where a mistake was seen: a slip of homework.md
+// by its number, or work that was handed in.
+
+import { DEG, RAD } from "../geometry/angles.js";
+import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
+import { makersCause } from "./joints.js";
+import { makeCause } from "./ranking.js";
+
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+/** @typedef {import("../geometry/arm.js").Row} Row */
+/** @typedef {import("../geometry/chains.js").Chain} Chain */
+/** @typedef {import("./ranking.js").Cause} Cause */
+/**
+ * A mistake, and what it makes of a chain.
+ * @typedef {[Cause, (c: Chain) => Chain]} ChainMistake
+ */
+
+/** List the usual mistakes in a table's numbers. @param {Arm} arm @returns {ChainMistake[]} */
+export const tableMistakes = (arm) => [
+  ...otherLengths(arm),
+  ...exchangedLengths(arm),
+  ...wholeTable(arm),
+  ...arm.rows.flatMap(mistakesInRow),
+];
+
+const changeRows = (change) => (c) => ({
+  ...c,
+  rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })),
+});
+
+/** Lengths of another arm or another length. @param {Arm} arm @returns {Generator<ChainMistake>} */
+function* otherLengths({ penless, alike = [], robots = [] }) {
+  if (penless) {
+    // handed in: the pen left out, and the pen taken away
+    yield [makeCause("table.pen"), changeRows((_, i) => ({ d: penless.rows[i].d }))];
+    const away = changeRows((row, i) => ({ d: 2 * penless.rows[i].d - row.d }));
+    yield [makeCause("table.pen sign"), away];
+  }
+  for (const { name, other, rows } of alike)
+    // slip 2
+    yield [makeCause("table.length", { name, other }), changeRows((_, i) => ({ a: rows[i].a }))];
+  for (const { name, rows } of robots) {
+    const lengths = changeRows((_, i) => ({ a: rows[i].a, d: rows[i].d }));
+    yield [makeCause("table.robot", { name }), lengths]; // slip 9
+  }
+}
+
+/**
+ * Two neighbouring lengths of a column exchanged, each row keeping its sign. Handed in.
+ * @param {Arm} arm @returns {Generator<ChainMistake>}
+ */
+function* exchangedLengths({ rows }) {
+  for (const column of ["a", "d"]) {
+    const links = rows.flatMap((row, i) => (row[column] ? [i] : []));
+    for (const [n, i] of links.entries()) {
+      const j = links[n + 1];
+      if (j === undefined || Math.abs(rows[i][column]) === Math.abs(rows[j][column])) continue;
+      const lengths = { [i]: rows[j][column], [j]: rows[i][column] };
+      const exchange = changeRows((row, k) =>
+        k in lengths ? { [column]: Math.sign(row[column]) * Math.abs(lengths[k]) } : {},
+      );
+      yield [makeCause(`table.${column} exchanged`, { i: i + 1, j: j + 1 }), exchange];
+    }
+  }
+}
+
+/** Offsets, convention, locked joint. @param {Arm} arm @returns {Generator<ChainMistake>} */
+function* wholeTable({ rows }) {
+  const hasOffset = (row) => row.kind === "revolute" && row.theta;
+  if (rows.filter(hasOffset).length > 1)
+    yield [makeCause("table.offsets"), changeRows((row) => (hasOffset(row) ? { theta: 0 } : {}))];
+  const before = changeRows((_, i) => ({ a: rows[i - 1]?.a ?? 0, alpha: rows[i - 1]?.alpha ?? 0 }));
+  yield [makeCause("table.craig rows"), before]; // handed in: Craig's rows in the standard matrix
+  const moving = rows.filter(({ kind }) => kind !== "fixed");
+  if (moving.length < rows.length) {
+    const withoutLocked = (c) => ({ ...c, rows: moving, at: movingRows({ rows: moving }) });
+    yield [makeCause("table.locked row"), withoutLocked]; // slip 3
+  }
+}
+
+/** @param {Row} row @param {number} index @returns {ChainMistake[]} */
+function mistakesInRow(row, index) {
+  const place = { row: index + 1 };
+  const put = (key, fields, entries) => [
+    makeCause(key, fields),
+    changeRows((_, i) => (i === index ? entries : {})),
+  ];
+  const mistakes = [];
+  if (Math.abs(Math.sin(row.alpha)) > 1e-9)
+    mistakes.push(put("table.twist", place, { alpha: -row.alpha }));
+  if (row.alpha) mistakes.push(put("table.no twist", place, { alpha: 0 }));
+  for (const column of ["a", "d"]) {
+    if (!row[column]) continue;
+    mistakes.push(put("table.sign", { column, ...place }, { [column]: -row[column] }));
+    mistakes.push(put("table.missing", { column, ...place }, { [column]: 0 }));
+  }
+  if (row.theta && row.kind === "revolute") {
+    mistakes.push(put("table.offset", place, { theta: 0 }));
+    mistakes.push(put("table.offset sign", place, { theta: -row.theta }));
+  }
+  return mistakes;
+}
+
+/**
+ * List mistakes in the joint values: degrees for radians or the reverse, the maker's signs, the
+ * sign of one joint, one joint in degrees, a slide in millimetres. All handed in.
+ * @param {string} degreesKey of the message on degrees
+ * @param {Arm} arm
+ * @returns {ChainMistake[]}
+ */
+export function poseMistakes(degreesKey, arm) {
+  const turns = revoluteFlags(arm);
+  const changeJoints = (change) => (c) => ({ ...c, q: c.q.map(change) });
+  /** @type {ChainMistake[]} */
+  const mistakes = [RAD, DEG].map((factor) => [
+    makeCause(degreesKey),
+    changeJoints((x, k) => (turns[k] ? x * factor : x)),
+  ]);
+  const signs = arm.makerSigns;
+  if (signs) mistakes.push([makersCause(arm), changeJoints((x, k) => signs[k] * x)]);
+  for (const [k, joint] of jointNames(arm).entries()) {
+    const change = (factor) => changeJoints((x, i) => (i === k ? factor * x : x));
+    mistakes.push([makeCause("ik.sign", { joint }), change(-1)]);
+    if (turns[k]) mistakes.push([makeCause("ik.joint degrees", { joint }), change(RAD)]);
+    else mistakes.push([makeCause("ik.joint millimetres", { joint }), change(1000)]);
+  }
+  return mistakes;
+}
