@@ -69,7 +69,7 @@ class Decoration:
 
 def draw_decoration(rng: Random, family: str, shape: tuple[int, int], layout: str) -> Decoration:
     """Draw a decoration; most answers have none, and most of the others one marked cell."""
-    if family not in DECORATIONS or rng.random() > 0.38:
+    if family not in DECORATIONS or rng.random() > 0.46:
         return Decoration()
     table = DECORATIONS[family]
     pattern = rng.choices(list(table), list(table.values()))[0]

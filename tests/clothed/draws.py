@@ -105,15 +105,8 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
         "decorated": "no" if decoration.pattern == "{x}" else "one" if decoration.cell else "all",
         "setting": setting,
     }  # fmt: skip
-    if layout_name in TOOL_PRINTS:
-        marks["number"] = "tool's own"
-    for feature in ("comma", "plus", "bare_point"):
-        if getattr(style, feature):
-            marks["number: " + feature] = "yes"
-    if style.minus != "-":
-        marks["number: Unicode minus"] = "yes"
-    if decoration.pattern in cells.FOOTNOTES:
-        marks["footnote"] = cells.FOOTNOTES[decoration.pattern]
+    marks |= _format_features(layout_name, style)
+    marks["footnote"] = cells.FOOTNOTES.get(decoration.pattern, "")
     numbering = layout_name in _NUMBERED
     columns, label_style = _columns(question, layout, numbering, rng)
     marks["labels"] = label_style if layout.labelled else "none"
@@ -123,12 +116,11 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
             for name, kind in zip(columns, question.kinds, strict=True)
         ]
     spelled = {kind: _spelled(kind, unit, family, rng) for kind in ("angle", "length", "torque")}
-    dressed = []
-    for i, row in enumerate(texts):
-        dressed.append([])
-        for j, text in enumerate(row):
-            after = spelled.get(question.kinds[j], "") if place == "cell" else ""
-            dressed[-1].append(_cell(text, after, decoration, (i, j), typed[i, j]))
+    units = [spelled.get(kind, "") if place == "cell" else "" for kind in question.kinds]
+    dressed = [
+        [_cell(x, units[j], decoration, (i, j), typed[i, j]) for j, x in enumerate(row)]
+        for i, row in enumerate(texts)
+    ]
     name = rng.choice(_NAMES[question.topic])
     marks["name"] = name
     heading = _plain_unit(question.kinds[0], unit) if place == "heading" else ""
@@ -137,6 +129,10 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
     marks["sentence"] = _sentence(question, unit, place, rng)
     grid = _with_neighbours(grid, question, layout_name, rng, marks)
     block = layout.write(grid, rng)
+    if place in ("label", "heading") and not _shows_unit(block, unit):
+        # This layout has dropped its headers, so the unit stands in a sentence.
+        marks["unit place"] = "sentence"
+        marks["sentence"] = _sentence(question, unit, "sentence", rng)
     if layout_name in _COMMENTED and rng.random() < 0.15:
         marks["line comments"] = "yes"
         block = _with_comments(block, question, rng)
@@ -146,6 +142,14 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
         marks["unit place"], marks["setting"], marks["sentence"] = "np.radians", "rad", ""
     kept = [] if layout_name in TOOL_PRINTS else [text for row in texts for text in row]
     return block, kept, typed, marks
+
+
+def _format_features(layout_name: str, style: numbers.NumberFormat) -> dict[str, str]:
+    """Return the features of a number format."""
+    features = {"number": "tool's own"} if layout_name in TOOL_PRINTS else {}
+    marks = ("comma", "plus", "bare_point")
+    features |= {f"number: {mark}": "yes" for mark in marks if getattr(style, mark)}
+    return features | ({"number: Unicode minus": "yes"} if style.minus != "-" else {})
 
 
 _NAMES = {
@@ -195,6 +199,11 @@ def _draw_unit(question: Question, layout_name: str, layout: layouts.Layout, rng
         return "rad", place, "rad"
     setting = "deg" if place == "nowhere" or rng.random() < 0.5 else "rad"
     return "deg", place, setting
+
+
+def _shows_unit(block: str, unit: str) -> bool:
+    shown = {"deg": ("deg", "°"), "rad": ("rad",), "N m": ("Nm", "N m")}
+    return any(mark in block for mark in shown.get(unit, (unit.strip(),)))
 
 
 def _factor(kind: str, unit: str) -> float:
@@ -264,8 +273,8 @@ _COMMENTED = ("lines", "assignments", "one a line", "YAML")
 
 def _with_neighbours(grid: layouts.Grid, question: Question, layout: str, rng: Random, marks: dict):
     """Add columns that tables have beside the answer: times, tip, limits, errors, remarks."""
-    # A third of the tables: logs of a circle start with the time, tables of torques have limits.
-    if layout not in _WIDE or question.topic == "jacobian" or rng.random() > 0.35:
+    # Nearly half of the tables: logs start with the time, tables of torques show limits.
+    if layout not in _WIDE or question.topic == "jacobian" or rng.random() > 0.45:
         return grid
     count = len(question.right) if len(grid.cells) > 1 else len(grid.columns)
     if question.topic == "trace":

@@ -58,15 +58,17 @@ def _exchanged(question: Question, rng: Random):
 
 
 def _degrees(question: Question, rng: Random):
-    """Compute at degrees taken for radians, or convert to radians twice."""
+    """Compute at degrees taken for radians.
+
+    Joint values converted once too often are left out: where no unit is typed, they are right.
+    """
     if question.topic == "jacobian":
         return "degrees", kinematics.jacobian(question.arm, np.rad2deg(question.q))
     if question.topic == "torques":
         q = np.rad2deg(question.q)
         tau = statics.static_torque(question.arm, q, question.wrench)
         return "degrees", np.atleast_2d(tau)
-    angles = np.array([kind == "angle" for kind in question.kinds])
-    return "degrees", np.where(angles, np.deg2rad(question.right), question.right)
+    return "degrees", None
 
 
 def _procedure(question: Question, rng: Random):

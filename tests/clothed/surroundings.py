@@ -170,7 +170,7 @@ def dress_surroundings(
 
     chat = takes("AI chat", 0.08 if tool else 0.15)
     before = _lines_before(question, chat, rng, marks, takes)
-    if question.topic != "table" and len(typed) == 1 and takes("older list", 0.11):
+    if question.topic != "table" and len(typed) == 1 and takes("older list", 0.13):
         before.append(_older_list(typed, rng))
     if marks.get("sentence"):
         before.append(marks["sentence"])
