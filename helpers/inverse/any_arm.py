@@ -109,7 +109,7 @@ def _solve(arm: Arm, structure: Structure, targets: Array, start: Array) -> Foun
         if not missed.size:
             break
         again = _solve_once(arm, structure, targets[..., missed], start[:, missed] + value)
-        found = _put(found, again, missed)
+        found = _replace_columns(found, again, missed)
     return found
 
 
@@ -119,7 +119,7 @@ def _has_free(found: Found) -> NDArray[np.bool_]:
     return np.any(masks, axis=0) if masks else np.zeros(found.distance.shape, bool)
 
 
-def _put(found: Found, again: Found, at: NDArray[np.intp]) -> Found:
+def _replace_columns(found: Found, again: Found, at: NDArray[np.intp]) -> Found:
     """Replace the targets of some columns by those solved again."""
     for old, new in zip(found.q, again.q, strict=True):
         old[..., at] = new

@@ -105,7 +105,7 @@ def _solve_along(
     return solve_cosine_sine(a, b, c, size, chosen) if turns else solve_quadratic(a, b, c, size)
 
 
-def _at(A: Array, q: Array, turns: bool) -> Array:
+def _invariants_at(A: Array, q: Array, turns: bool) -> Array:
     """Return the invariants A (x, y) at joint values q."""
     x, y = (np.cos(q), np.sin(q)) if turns else (q, q * q)
     return A[:, 0] * x + A[:, 1] * y
@@ -179,7 +179,7 @@ def _cross_segment(
     (A_s, b_s, turns_s), (A_c, b_c, turns_c) = segment, conic
     along, across = flat.directions.T
     first = _solve_along(across, (A_c, turns_c), _product(across, b_s - b_c), size, start[1])
-    offset = _at(A_c, first.values, turns_c) + b_c - b_s
+    offset = _invariants_at(A_c, first.values, turns_c) + b_c - b_s
     second = _solve_along(along, (A_s, turns_s), _product(along, offset), size, start[0])
     return first, second
 
@@ -202,7 +202,7 @@ def _cross_alike(
     else:  # (D (q, q^2) + e)_0 squared is (D (q, q^2) + e)_1
         a, b = 2 * D[0, 0] * e[0] - D[1, 0], D[0, 0] ** 2 - D[1, 1]
         roots = solve_quadratic(a, b, e[1] - e[0] ** 2, 1.0)
-    x, y = _at(D, roots.values, turns) + e
+    x, y = _invariants_at(D, roots.values, turns) + e
     return roots, np.arctan2(y, x) if turns else x
 
 

@@ -62,7 +62,7 @@ class Flatness(NamedTuple):
 
 
 def find_flatness(axis: JointAxis, second: JointAxis, size: float) -> Flatness:
-    """Return how flat a joint's curve is; a property of the two axes, whatever the point."""
+    """Return how flat the curve of a joint is beside a second joint."""
     x = axis.point + size * np.array([0.3, -0.7, 0.5])[:, None, None]
     A, _ = invariants(second, joint_curve(axis, x), size)
     U, sizes, _ = np.linalg.svd(A[:, :, 0, 0])

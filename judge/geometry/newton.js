@@ -4,8 +4,8 @@ import { cross, dot, jacobianColumns, linkFrames, minus, plus } from "./kinemati
 import { solveLinear } from "./linear.js";
 
 const VALID = 1e-9; // m and rad
-const FINISHED_FROM = 1e-6; // it begins this near where a closed form is exact
-const NEARLY_FINISHED_FROM = 1e-2; // and this near where the structure is met only nearly
+const FINISHED_FROM = 1e-6; // largest pose error (m, rad) to start from with an exact closed form
+const NEARLY_FINISHED_FROM = 1e-2; // the same for axes that meet or are parallel only nearly
 
 /**
  * The joint vector that reaches the target; null where none is near.
