@@ -148,7 +148,10 @@ export function findBranches(arm, q, tries = 300) {
     const { q: branch, error } = solvePose(arm, start, target, { lockedJoint });
     if (error < 1e-9) addBranch(wrapAngles(arm, branch));
   }
-  return { list: solutions, families, lockedJoint, target, hasOrientation };
+  // The list begins with the branch on which the arm stands.
+  const distance = ({ q: branch }) => measureJointDistance(arm, branch, q);
+  const list = [...solutions].sort((one, other) => distance(one) - distance(other));
+  return { list, families, lockedJoint, target, hasOrientation };
 }
 
 // The branches of the arm's closed form, if its targets are those of the explorer; else none.
