@@ -28,7 +28,7 @@ SEARCHES = {
     "prismatic joint jacobian": r"02_.*: The Stanford|glossary: prismatic",
     "manipulability": r"02_.*: How near|glossary: manip",
     "rank of the jacobian": r"02_.*|errata: 10 ",
-    "euler angle rates": r"02_.*: Rates of angles|glossary: ",
+    "euler angle rates": r"02_.*: Rates of |glossary: ",
     "compare_jacobian": r"check_your_homework: Your Jacobian|api: compare_jacobian",
     # circles
     "damped least squares": r"03_.*: |glossary: damped",
