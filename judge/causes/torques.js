@@ -143,11 +143,13 @@ function* writings(arm) {
     };
   const joints = jointNumbers(arm);
   for (let i = 0; i < joints.length; i++)
-    for (let j = i + 1; j < joints.length; j++)
+    for (let j = i + 1; j < joints.length; j++) {
+      if (joints.length === 3 && j === i + 2) continue; // the reversed order
       yield {
         cause: makeCause("tau.exchanged", { i: joints[i], j: joints[j] }), // handed in
         write: (tau) => tau.map((x, k) => (k === i ? tau[j] : k === j ? tau[i] : x)),
       };
+    }
 }
 
 // The centres' numbers taken as coordinates in the frame before the link's own.
@@ -219,14 +221,17 @@ function* bodies(arm, load) {
   yield* centres(arm, load, put);
   if (arm.lumped) {
     const { report, links, gravity } = arm.lumped;
-    const lumped = {
-      masses: arm.lumped.bodies.map(([mass]) => mass),
-      centres: arm.lumped.bodies.map(([, ...centre]) => centre),
-    };
+    // Other links keep what another mistake made of them.
+    const isLumped = arm.lumped.bodies.map(([mass], k) => mass !== load.masses[k]);
+    const lumped = (at) => ({
+      ...at,
+      masses: at.masses.map((mass, k) => (isLumped[k] ? arm.lumped.bodies[k][0] : mass)),
+      centres: at.centres.map((x, k) => (isLumped[k] ? arm.lumped.bodies[k].slice(1) : x)),
+    });
     const fields = { _links: joinList(links), _report: report };
     const withG = { ...fields, _g: gravity, _here: formatNumber(g, 4) };
-    yield put("tau.lumped", (at) => ({ ...at, ...lumped }), fields);
-    yield put("tau.report", (at) => ({ ...at, ...lumped, ...withGravity(gravity) }), withG);
+    yield put("tau.lumped", lumped, fields);
+    yield put("tau.report", (at) => ({ ...lumped(at), ...withGravity(gravity) }), withG);
   }
 }
 
