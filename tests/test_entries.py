@@ -62,7 +62,10 @@ def test_the_truth_rounded_or_cut_in_each_entry_is_right(about, seed):
     assert asked.judge(typed(asked.right, digits)).grade == "right"
     unit = 10.0**-digits
     cut = typed(np.trunc(asked.right / unit) * unit, digits)
-    assert asked.judge(cut).grade == "right", cut
+    report = asked.judge(cut)
+    # Cut entries leave a whole unit open, in which a known mistake may stand too: "so far".
+    assert report.grade in ("right", "so far"), cut
+    assert report.causes == (), cut
 
 
 @BOTH
