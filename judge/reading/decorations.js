@@ -31,7 +31,7 @@ const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|un
 // What stands in braces, themselves two deep.
 const BRACED = String.raw`\{((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){0,60}\}){0,80})\}`;
 // (corrected), (was 2.075), but (rad)
-const REMARK = String.raw`\((?!\s*(?:${UNIT})\s*\))[A-Za-z][^()\n]{0,30}\)`;
+const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?!\s*[*/^+-])`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
@@ -62,7 +62,7 @@ const DECORATIONS = [
   ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`", "'"].map((mark) => [wrapped(mark), "$1"]),
   [/(?<=\d\.\d{1,18})\*(?=\s*(?:$|[|&;,\]]))/gm, ""], // a star behind
   [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
-  [new RegExp(String.raw`(?<=[\d°])[ \t]*${REMARK}`, "g"), ""],
+  [new RegExp(String.raw`(?<=[\d°])[ ]*${REMARK}`, "g"), ""],
   [new RegExp(String.raw`(?<![\w.])${NUMBER}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"), ""], // corrected
   [new RegExp(`<(${NUMBER.replace("[-+]", "[-+−]")})>`, "g"), "$1"],
   // A unit behind a name belongs to the name: it is no list.
