@@ -62,13 +62,16 @@ def _degrees(question: Question, rng: Random):
 
     Joint values converted once too often are left out: where no unit is typed, they are right.
     """
+    if question.topic not in ("jacobian", "torques"):
+        return "degrees", None
+    angles = np.array([kind == "angle" for kind in joint_kinds(question.arm)])
+    # Whole turns are taken off: they change nothing, and large angles bring a warning.
+    turned = np.remainder(np.rad2deg(question.q) + np.pi, 2 * np.pi) - np.pi
+    q = np.where(angles, turned, question.q)
     if question.topic == "jacobian":
-        return "degrees", kinematics.jacobian(question.arm, np.rad2deg(question.q))
-    if question.topic == "torques":
-        q = np.rad2deg(question.q)
-        tau = statics.static_torque(question.arm, q, question.wrench)
-        return "degrees", np.atleast_2d(tau)
-    return "degrees", None
+        return "degrees", kinematics.jacobian(question.arm, q)
+    tau = statics.static_torque(question.arm, q, question.wrench)
+    return "degrees", np.atleast_2d(tau)
 
 
 def _procedure(question: Question, rng: Random):
