@@ -54,6 +54,11 @@ class Asked:
 BOTH = pytest.mark.parametrize("about", ["jacobian", "torques"])
 
 
+# With d_1 and d_4 exchanged joint 1 of the UR10e carries -1.72377 instead of -1.72306 N m, and the
+# others what they do carry. Both are cut to -1.723, so the answer is right so far.
+CUT_LIKE_A_MISTAKE = {("torques", 18)}
+
+
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_truth_rounded_or_cut_in_each_entry_is_right(about, seed):
@@ -63,8 +68,8 @@ def test_the_truth_rounded_or_cut_in_each_entry_is_right(about, seed):
     unit = 10.0**-digits
     cut = typed(np.trunc(asked.right / unit) * unit, digits)
     report = asked.judge(cut)
-    # Cut entries leave a whole unit open, in which a known mistake may stand too: "so far".
-    assert report.grade in ("right", "so far"), cut
+    expected = "so far" if (about, seed) in CUT_LIKE_A_MISTAKE else "right"
+    assert report.grade == expected, cut
     assert report.causes == (), cut
 
 
