@@ -66,7 +66,7 @@ def test_modules_import_without_extras_but_explorer_explains(python, tmp_path):
 
 
 def test_wheel_holds_exactly_the_package(python, tmp_path):
-    """Typed, with its scripts and style sheets; no tests, no bundler's sources."""
+    """Typed, with its scripts and style sheets; no tests, no bundler's sources, no guides."""
     done = subprocess.run(
         [python, "-c", "import helpers; print(helpers.__path__[0])"], cwd=tmp_path,
         capture_output=True, text=True, check=True,
@@ -74,8 +74,8 @@ def test_wheel_holds_exactly_the_package(python, tmp_path):
     place = Path(done.stdout.strip())
 
     def files(folder):
-        found = (p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
-        return {p.as_posix() for p in found if "__pycache__" not in p.parts}
+        paths = (p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
+        return {p.as_posix() for p in paths if "__pycache__" not in p.parts and p.suffix != ".md"}
 
     for room in ("helpers", "answers"):
         assert files(place.parent / room) == files(ROOT / room)

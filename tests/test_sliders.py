@@ -19,7 +19,11 @@ CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
 
 def slider_cells(path):
     cells = nbformat.read(path, as_version=4).cells
-    return [cell for cell in cells if "remove-cell" in cell.metadata.get("tags", [])]
+    return [
+        cell
+        for cell in cells
+        if cell.cell_type == "code" and "remove-cell" in cell.metadata.get("tags", [])
+    ]
 
 
 def run(path):

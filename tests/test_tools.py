@@ -77,18 +77,19 @@ def notebook(tmp_path):
 
 
 def test_refresh_stores_outputs_without_machine_details(notebook):
-    ids = [cell.id for cell in nbformat.read(notebook, as_version=4).cells]
+    title_id, *ids = [cell.id for cell in nbformat.read(notebook, as_version=4).cells]
     refresh(notebook)
     first = notebook.read_bytes()
     read = nbformat.read(notebook, as_version=4)
-    _, printed, valued = read.cells
+    title, setup_note, printed, valued = read.cells
+    assert setup_note.metadata.tags == ["remove-cell"]
     assert [out.text for out in printed.outputs] == ["a\n['one.ipynb']\n"], (
         "it runs in its own folder"
     )
     assert valued.outputs[0].data["text/plain"] == "42"
     assert valued.metadata == {"tags": ["hide-input"]}
-    assert [cell.id for cell in read.cells] == ids
-    assert [cell.execution_count for cell in read.cells[1:]] == [1, 2]
+    assert [title.id, printed.id, valued.id] == [title_id, *ids]
+    assert [printed.execution_count, valued.execution_count] == [1, 2]
     assert set(read.metadata) == {"kernelspec", "language_info", "myst"}
     assert read.metadata.kernelspec.name == "python3"
     refresh(notebook)
