@@ -21,8 +21,8 @@ const SYNONYMS = [
 const EXPANSIONS = { ik: "inverse kinematics", fk: "forward kinematics" };
 const STOP_WORDS = new Set("a an and are at by can do does for from get how i in is it my of on or out the there to was what when where which why with you your".split(" "));
 
-// Return a word without its ending: "poses" finds "pose", and "singularities" finds "singularity".
-const stem = (word) => (word.length > 3 ? word.replace(/ies$/, "y").replace(/(?<![su])s$/, "").replace(/(?<=ch|sh|x)e$/, "") : word);
+// Return a word without its ending: "poses" finds "pose", and "singularities" finds "singular".
+const stem = (word) => (word.length > 3 ? word.replace(/ies$/, "y").replace(/(?<=....)ity$/, "").replace(/(?<![su])s$/, "").replace(/(?<=ch|sh|x)e$/, "") : word);
 
 // Split text into words. A name with underscores counts as a whole and in parts: compare_jacobian
 // is found by jacobian too.
