@@ -79,25 +79,41 @@ export function findRowsFault(rows) {
   return null;
 }
 
-// A typed arm has no limits and no masses.
-const withoutLimits = ({ kind, a, alpha, d, theta }) => ({
+const NO_LIMITS = { lower: null, upper: null, speed: null, effort: null };
+
+// The entries of a row with the limits of another; a typed row has no masses.
+const withLimits = (
+  { kind, a, alpha, d, theta },
+  /** @type {Limits} */ { lower, upper, speed, effort },
+) => ({
   kind,
   a,
   alpha,
   d,
   theta,
-  lower: null,
-  upper: null,
-  speed: null,
-  effort: null,
+  lower,
+  upper,
+  speed,
+  effort,
 });
 
 /** Return whether two rows have the same kind and entries. @param {Row} p @param {Row} q */
 export const isSameRow = (p, q) =>
   p.kind === q.kind && ENTRIES.every(([key]) => Math.abs(p[key] - q[key]) < 1e-12);
 
+// Whether two tables differ in lengths only, so that each joint keeps its zero and its sign. The
+// zero of a joint that slides is a length too.
+const differInLengthsOnly = (rows, others) =>
+  rows.length === others.length &&
+  rows.every((row, i) => {
+    const other = others[i];
+    const d = row.kind === "prismatic" ? row.d : other.d;
+    return isSameRow({ ...row, a: other.a, d }, other);
+  });
+
 /**
- * Return the arm that a typed table describes: `base` itself if no entry was changed.
+ * Return the arm that a typed table describes: `base` itself if no entry was changed. It keeps the
+ * limits of `base` if only lengths were changed.
  * @param {Row[]} rows
  * @param {Arm} base the arm whose table the reader began with
  * @returns {Arm}
@@ -105,7 +121,9 @@ export const isSameRow = (p, q) =>
 export function makeTypedArm(rows, base) {
   if (rows.length === base.rows.length && rows.every((row, i) => isSameRow(row, base.rows[i])))
     return base;
-  const typed = { name: TYPED_ARM_NAME, home: [], rows: rows.map(withoutLimits) };
+  const keepsLimits = differInLengthsOnly(rows, base.rows);
+  const typedRows = rows.map((row, i) => withLimits(row, keepsLimits ? base.rows[i] : NO_LIMITS));
+  const typed = { name: TYPED_ARM_NAME, home: [], rows: typedRows };
   return { ...typed, home: carryOverJoints(base, base.home, typed, (row) => row) };
 }
 

@@ -47,7 +47,8 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * variables show.
  * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string |
  *   null, said: string[], exchanged?: boolean, guessed?: boolean, left?: string[],
- *   tokens?: import("./owners.js").Token[] }} TypedTable `left` is what else stands in the text
+ *   tokens?: import("./owners.js").Token[], order?: string[] }} TypedTable `left` is what else
+ *   stands in the text, `order` the entries of its columns
  */
 
 /**
@@ -139,6 +140,7 @@ function tablesOf(found, { columns, options, known }) {
   return readings(order, known).map((table) => ({
     ...units,
     ...table,
+    order: order.typedOrder ?? table.order,
     left: typed.entries ? typed.left : [...typed.left, ...unused],
     said: [...typed.said, ...table.said],
   }));
@@ -203,7 +205,7 @@ function attempted(cells, order, known, sure) {
       return rowOf(k + 1, entries, known);
     });
     const said = sure ? [] : [formatMessage("taken: columns", { columns: order.join(" ") })];
-    return { rows, said, guessed: !sure };
+    return { rows, said, order, guessed: !sure };
   } catch (error) {
     if (error instanceof ArmError) return { error };
     throw error;
@@ -321,7 +323,34 @@ export function ownRows(text, unit, values = [], length = null) {
   const tables = read(text, {}, values);
   const table = tables.find(({ said }) => said.includes(asked)) ?? tables[0];
   const angles = table.angles ?? (unit === "deg" || length ? unit : null);
-  const { rows, said } = meant({ ...table, lengths: table.lengths ?? length, angles }, []);
+  const taken = meant({ ...table, lengths: table.lengths ?? length, angles }, []);
+  const said = taken.said.filter((words) => words !== asked);
   const guessed = table.guessed && !table.said.includes(asked);
-  return { rows, said: said.filter((words) => words !== asked), guessed };
+  return { rows: taken.rows, said, guessed, reading: describeReading(table, taken) };
 }
+
+// Say how a table was read: the order of its columns, its convention and units, and the rest that
+// was guessed. A unit is left out where every entry has one of its own.
+function describeReading(table, { said, length, angle }) {
+  const { rows, order = [], convention } = table;
+  const columns = order.map((name) => COLUMN_SYMBOLS[name]).join(" ");
+  const unit = Object.keys(UNITS).find((name) => UNITS[name] === length);
+  const hasBareLength = rows.some(({ numbers, metres }) =>
+    ["a", "d"].some((name) => numbers[name] && !metres.has(name)),
+  );
+  const hasBareAngle = bareAngles(table).some(Boolean);
+  const parts = [
+    columns && formatMessage("taken: columns", { columns }),
+    formatMessage(convention === "craig" ? "taken: craig" : "taken: standard"),
+    hasBareLength && formatMessage("taken: lengths", { unit }),
+    hasBareAngle && formatMessage(angle === 1 ? "taken: radians" : "taken: degrees"),
+  ].filter(Boolean);
+  const stated = ["taken: millimetres", "taken: degrees", "taken: craig"].map((key) =>
+    formatMessage(key),
+  );
+  const guessedOrder = formatMessage("taken: columns", { columns: order.join(" ") });
+  const rest = said.filter((words) => words !== guessedOrder && !stated.includes(words));
+  return [...parts, ...rest].join("; ");
+}
+
+const COLUMN_SYMBOLS = { a: "a", alpha: "α", d: "d", theta: "θ" };

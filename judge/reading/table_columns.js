@@ -98,7 +98,8 @@ function byHeads(cells, heads) {
     const none = ["", "-"].includes(still.trim()) || number(still) === 0;
     return none ? kept : withOffset(k + 1, kept, still);
   });
-  return { orders: [ENTRIES], sure: true, rows };
+  const typedOrder = [...ENTRIES].sort((p, q) => words.indexOf(p) - words.indexOf(q));
+  return { orders: [ENTRIES], sure: true, rows, typedOrder };
 }
 
 // Without heads: every order in which nothing looks out of its place, the likeliest first.

@@ -11,15 +11,15 @@ const TABLE_PATTERN = /[\n\t;&|]|\]\s*,|,\s*\[|\d +[-\d]/;
  * Read a pasted table.
  * @param {string} text
  * @param {string} unit of angles without a unit
- * @returns {{ rows: any[], said: string[] } | { error: string } | null} the rows and what was
- *   guessed; null for a single entry
+ * @returns {{ rows: any[], reading: string } | { error: string } | null} the rows and how the text
+ *   was read; null for a single entry
  */
 export function readPastedTable(text, unit) {
   try {
     if (!TABLE_PATTERN.test(text.trim())) return null;
-    const found = ownRows(text, unit);
-    const fault = findRowsFault(found.rows);
-    return fault ? { error: `${fault}.` } : found;
+    const { rows, reading } = ownRows(text, unit);
+    const fault = findRowsFault(rows);
+    return fault ? { error: `${fault}.` } : { rows, reading };
   } catch (error) {
     if (error instanceof ArmError) return { error: `${error.message}.` };
     throw error;

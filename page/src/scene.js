@@ -39,6 +39,7 @@ import {
   makeWall,
 } from "./shapes.js";
 import { measureTipOffset } from "./state.js";
+import { TipView } from "./tip_view.js";
 
 const HALF_LENGTH_FORCE = 10; // N; a force of this size is drawn at half the largest length
 const MAX_ARROW_SHARE = 0.36; // largest length of the force arrow as a share of the arm's reach
@@ -55,6 +56,7 @@ export class ArmPicture {
     /** @type {boolean[]} */
     this.drawn = []; // whether the axes of each frame are drawn
     this.first = options.first ?? 0; // number of the first frame
+    this.tipView = new TipView(this);
     this.shown = /** @type {any} */ ({});
   }
 
@@ -112,8 +114,9 @@ export class ArmPicture {
   // Update the picture to the state; only what changed is rebuilt.
   draw(state, derived, theme) {
     const dark = theme === "dark";
-    const first = !this.body;
-    const other = this.arm !== state.arm;
+    const [first, before] = [!this.body, this.arm];
+    const other = before !== state.arm;
+    this.tipView.beginMotion();
     if (other || this.dark !== dark) this.build(state.arm, dark);
     const { frames } = derived;
     this.frames = frames;
@@ -133,7 +136,7 @@ export class ArmPicture {
     this.drawBarrier(frames.at(-1).o, state.hold);
     this.drawFading(frames.at(-1).o, state.hold?.fading ?? []);
     this.drawMark(state.mark);
-    if (first) this.fit();
+    if (first || (other && this.tipView.needsFitAfter(before))) this.fit();
     this.figure.request();
   }
 
@@ -356,6 +359,7 @@ export class ArmPicture {
   }
 
   dispose() {
+    this.tipView.dispose();
     this.labels.dispose();
     if (this.world) removeAndDispose(this.world);
     this.figure.dispose();

@@ -12,6 +12,7 @@ import {
 import {
   gravityTorque,
   jacobianColumns,
+  movingRows,
   potentialEnergy,
   linkFrames,
   minus,
@@ -113,6 +114,7 @@ const MAX_UNDO_STEPS = 200;
 const EVENT_HANDLERS = {
   selectArm: (state, { arm, q, reference = arm }) => selectArm(state, arm, q, reference),
   editTable: (state, { rows, q, rowBefore }) => editTable(state, rows, q, rowBefore),
+  replaceTable: (state, { rows }) => replaceTable(state, rows),
   moveJoints: (state, { q, hold = null }) =>
     isJointVector(state.arm, q) ? { q, hold, playing: false } : null,
   glide: (state, { q }) => (isJointVector(state.arm, q) ? { q } : null),
@@ -204,6 +206,14 @@ function editTable(state, rows, q, rowBefore = (row) => row) {
     arm,
     q: isJointVector(arm, q) ? q : carryOverJoints(state.arm, state.q, arm, rowBefore),
   };
+}
+
+// Show the arm of a whole new table, with every joint at 0.
+function replaceTable({ base }, rows) {
+  if (findRowsFault(rows)) return null;
+  const typed = makeTypedArm(rows, base);
+  const arm = typed === base ? base : { ...typed, home: [] };
+  return { arm, q: movingRows(arm).map(() => 0) };
 }
 
 function moveAlongTrace({ trace, arm }, progress) {

@@ -1,7 +1,7 @@
 // Statements of the explorer: rank, solution branches, whether two arms are the same.
 // tests/test_explorer.py compares each with Python.
 
-import { isOutsideLimits } from "../../judge/geometry/arm.js";
+import { hasLimits, isOutsideLimits } from "../../judge/geometry/arm.js";
 import { isSameMachine } from "../../judge/geometry/axes.js";
 import { dot, movingRows, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
 import { formatFixed, describeMotion } from "./text.js";
@@ -123,14 +123,26 @@ const TABLE_HELP =
   "The arm follows, and the first one stays as a ghost.";
 
 /**
- * Describe whether a typed table is the same arm as the reference, and how far their tips are
- * apart.
+ * Describe whether a typed table is the same arm as the reference, how far their tips are apart,
+ * and whether its joints still have limits.
  * @typedef {import("../../judge/geometry/arm.js").Arm} Arm
- * @param {{ arm: Arm, reference: Arm, q: number[] }} state
+ * @param {{ arm: Arm, base?: Arm, reference: Arm, q: number[] }} state
  * @param {{ frames: any[] }} derived
  */
-export function describeTable({ arm, reference, q }, { frames }) {
+export function describeTable(state, { frames }) {
+  const { arm, base = arm, reference } = state;
   if (arm === reference) return TABLE_HELP;
+  return [compareWithReference(state, frames), describeKeptLimits(arm, base)].join(" ").trim();
+}
+
+// Say whether a typed arm keeps the limits of the arm whose table was edited.
+function describeKeptLimits(arm, base) {
+  if (arm === base || !hasLimits(base)) return "";
+  if (hasLimits(arm)) return `Only lengths differ: the joints keep the limits of the ${base.name}.`;
+  return `The limits of the ${base.name} are not those of this table: its joints turn freely.`;
+}
+
+function compareWithReference({ arm, reference, q }, frames) {
   const counts = [arm, reference].map((one) => movingRows(one).length);
   if (counts[0] !== counts[1])
     return `Yours has ${counts[0]} joints, the ${reference.name} ${counts[1]}.`;

@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { MAX_ROWS, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
+import { homePose, MAX_ROWS, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { EMPTY, measureTipOffset, makeInitialState, Store } from "../../page/src/state.js";
 import { findBranches } from "../../page/src/motion.js";
-import { describeRank } from "../../page/src/verdicts.js";
+import { describeRank, describeTable } from "../../page/src/verdicts.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
 const start = (arm = PANDA) => new Store(makeInitialState({ arm, q: [...arm.home] }));
@@ -88,15 +88,47 @@ test("events that do not fit the state change nothing", () => {
   assert.equal(store.dispatch({ type: "seek", progress: 0.5 }), false, "the trace belongs to another arm");
 });
 
-test("an edited arm has no limits or masses", () => {
+const LIMITS = ["lower", "upper", "effort", "speed"];
+const changeRow = (arm, i, entries) => arm.rows.map((row, k) => (k === i ? { ...row, ...entries } : row));
+
+test("a changed length keeps the limits, not the masses", () => {
   const store = start();
-  store.dispatch({ type: "editTable", rows: PANDA.rows.map((row, i) => (i === 2 ? { ...row, a: 0.088 } : row)) });
+  store.dispatch({ type: "editTable", rows: changeRow(PANDA, 2, { a: 0.088 }) });
   const { arm, reference, q } = store.state;
   assert.deepEqual([arm.name, reference.name, q], [TYPED_ARM_NAME, "Panda", PANDA.home]);
-  for (const row of arm.rows) {
-    for (const key of ["lower", "upper", "effort", "speed"]) assert.equal(row[key], null);
+  arm.rows.forEach((row, i) => {
+    for (const key of LIMITS) assert.equal(row[key], PANDA.rows[i][key]);
     assert.equal(row.body, undefined);
-  }
+  });
+  assert.match(describeTable(store.state, store.derived), /Only lengths differ: the joints keep the limits of the Panda\.$/);
+});
+
+test("a changed angle drops the limits and says so", () => {
+  const store = start();
+  store.dispatch({ type: "editTable", rows: changeRow(PANDA, 2, { theta: 0.1 }) });
+  const { arm } = store.state;
+  for (const row of arm.rows) for (const key of LIMITS) assert.equal(row[key], null);
+  assert.match(describeTable(store.state, store.derived), /The limits of the Panda are not those of this table/);
+});
+
+test("a changed offset of a sliding joint drops the limits", () => {
+  const store = start(STANFORD);
+  store.dispatch({ type: "editTable", rows: changeRow(STANFORD, 2, { d: 0.1 }) });
+  assert.ok(store.state.arm.rows.every(({ lower }) => lower === null));
+});
+
+test("a pasted table is shown with all joints at 0", () => {
+  const store = start();
+  store.dispatch({ type: "replaceTable", rows: changeRow(PANDA, 0, { d: 0.5 }) });
+  assert.deepEqual(store.state.q, PANDA.home.map(() => 0));
+  assert.deepEqual(homePose(store.state.arm), PANDA.home.map(() => 0));
+  store.dispatch({ type: "replaceTable", rows: [{ ...PANDA.rows[0], a: NaN }] });
+  assert.equal(store.state.arm.rows[0].d, 0.5);
+});
+
+test("the first table restores limits and masses", () => {
+  const store = start();
+  store.dispatch({ type: "editTable", rows: changeRow(PANDA, 2, { alpha: 0.1 }) });
   store.dispatch({ type: "editTable", rows: PANDA.rows.map((row) => ({ ...row })) });
   assert.equal(store.state.arm, PANDA, "the original rows restore the Panda with limits and masses");
 });

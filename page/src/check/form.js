@@ -109,6 +109,7 @@ export function buildForm(id, arms, given) {
   const boxes = Object.fromEntries(
     entries.map(([key, field]) => [key, makeBox(field, `${id}-${key}`, fields[key])]),
   );
+  boxes.table.append(h("p.about", { role: "status" }));
   const grids = addGrids(boxes);
   for (const key of given ? listGivenFields(given, arms) : []) boxes[key]?.classList.add("given");
   const asked = given ? describeQuestion(given, arms) : "";
@@ -129,6 +130,20 @@ export function buildForm(id, arms, given) {
     boxes.answer,
   );
   return { form, fields, boxes, grids, told, folded };
+}
+
+/**
+ * Say below the reader's own table how it was read.
+ * @param {HTMLElement} box
+ * @param {import("./question.js").Outcome["arm"]} [arm]
+ */
+export function showTableReading(box, arm) {
+  const count = arm ? movingRows(arm).length : 0;
+  const joints = count === 1 ? "1 joint" : `${count} joints`;
+  setText(
+    box.querySelector("[role=status]"),
+    arm?.reading ? `Read as ${joints}, with ${arm.reading}.` : "",
+  );
 }
 
 // Add a grid of numbers to the fields that may hold a short list.

@@ -10,7 +10,7 @@ import {
   parseQuestionLink,
 } from "./question.js";
 import { addFileInput } from "./files.js";
-import { adaptForm, buildForm, listNumberNames, makeOffer } from "./form.js";
+import { adaptForm, buildForm, listNumberNames, makeOffer, showTableReading } from "./form.js";
 import { addReportButton } from "./hand_in.js";
 import { makeMarkedText } from "./marked_text.js";
 import { AnswerMemory, clearAnswers } from "./memory.js";
@@ -166,6 +166,7 @@ export class AnswerCheck {
   judge() {
     clearTimeout(this.timer);
     this.outcome = judgeQuestion(this.question, this.arms);
+    showTableReading(this.form.boxes.table, this.outcome.arm);
     const isWrong = this.outcome.verdict?.grade === "wrong" && !this.isExample();
     this.form.fields.answer.setAttribute("aria-invalid", String(isWrong));
     for (const listener of this.listeners) listener(this.question, this.outcome);

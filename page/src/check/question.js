@@ -202,11 +202,11 @@ export function findArm(question, arms) {
   const symbols = QUESTIONS[question.ask].fields.includes("values")
     ? ownValues(question.values)
     : [];
-  const { rows, said, guessed } = ownRows(question.table, question.unit, symbols, "m");
+  const { rows, said, guessed, reading } = ownRows(question.table, question.unit, symbols, "m");
   if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADER_ADVICE}.`);
   const fault = findRowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
-  return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: UNNAMED_ARM };
+  return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: UNNAMED_ARM, reading };
 }
 
 /** @typedef {import("../../../judge/advice.js").Advice} Advice */
@@ -218,7 +218,8 @@ export function findArm(question, arms) {
  * @property {Advice[]} [advice] settings that the reader may have meant
  * @property {import("./marked_text.js").Token[]} [tokens] the numbers of the text with their owners
  * @property {{ from: number, to: number }[]} [answers] lines of several answers that differ
- * @property {Arm & { explorer?: string }} [arm]
+ * @property {Arm & { explorer?: string, reading?: string }} [arm] `reading` says how a typed table
+ *   was read
  * @property {number[]} [q]
  */
 

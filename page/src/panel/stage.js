@@ -36,8 +36,7 @@ const SWING_STEP = 0.06; // rad along the null space for one press
  *   of the first frame; `hasTipBar` shows the buttons for the tip
  */
 export function makeStage(store, tools) {
-  const { goTo, id, announce = () => {}, signal } = tools;
-  const { isGrabbable = true, hasTipBar = true, first = 0 } = tools;
+  const { goTo, id, announce = () => {}, signal, isGrabbable = true, hasTipBar = true } = tools;
   const handleKey = (event) => {
     if (!picture || !moveTipByKey(picture, store, event)) return;
     announce(() => describeHold(store.state.hold));
@@ -46,7 +45,7 @@ export function makeStage(store, tools) {
   const { paper, grip, hold, why } = parts;
   const root = h("div.stage", { tabindex: 0, role: "application", "aria-label": HELP });
   root.append(...Object.values({ ...parts, hold: hold.root }));
-  const picture = makePicture(root, parts, first);
+  const picture = makePicture(root, parts, tools.first ?? 0);
   if (picture && isGrabbable) enableGrabbing(picture, store, { grip, goTo });
   root.addEventListener("dblclick", () => picture?.fit());
   root.addEventListener("keydown", (event) => {
@@ -63,6 +62,7 @@ export function makeStage(store, tools) {
       else drawStill();
     },
     update(state) {
+      picture?.tipView.waitForRest(store);
       hold.update(state);
       // Without a force, the torque view's ball stands at the tip and needs the place.
       const isTipFree = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);

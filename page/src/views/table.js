@@ -26,27 +26,55 @@ const KINDS = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
 const VARIABLE_COLUMN = { revolute: "theta", prismatic: "d" };
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
 
-export function build(store, { announce }) {
+export function build(store, { announce, fit }) {
   const error = h("p.error");
   const verdict = h("p.verdict");
+  const reading = makeReadingNote();
   const change = (rows, rowBefore, gesture = null) =>
     store.dispatch({ type: "editTable", rows, rowBefore, gesture });
   const complain = (message) => {
     error.textContent = message ? `${message} The last good arm stays.` : "";
     if (message) announce(() => error.textContent);
   };
-  const grid = makeGrid(store, { change, complain, announce });
+  const replace = ({ rows, reading: text }) => {
+    store.dispatch({ type: "replaceTable", rows });
+    reading.show(`Read with ${text}.`, store.state.arm);
+    fit();
+  };
+  const grid = makeGrid(store, { change, replace, complain });
   const button = (text, onclick) => h("button", { onclick }, text);
   const add = button("Add a row", () => change([...store.state.arm.rows, NEW_ROW]));
   const back = button("Back to the first table", () => change(store.state.base.rows));
   const row = h("div.row", {}, add, back, makeCopyButton(store, announce));
-  const root = h("div.dh", {}, grid.root, error, row, verdict);
+  const root = h("div.dh", {}, grid.root, error, reading.root, row, verdict);
   const update = (state, derived) => {
     grid.update(state);
+    reading.update(state);
     add.disabled = state.arm.rows.length >= MAX_ROWS;
     setText(verdict, describeTable(state, derived));
   };
-  return { root, update, summary: () => error.textContent || verdict.textContent };
+  const summary = () =>
+    error.textContent || [reading.root.textContent, verdict.textContent].filter(Boolean).join(" ");
+  return { root, update, summary };
+}
+
+// Make the line that says how a pasted table was read; it goes when another arm is shown.
+function makeReadingNote() {
+  const root = h("p.words", { hidden: true });
+  let arm = null;
+  return {
+    root,
+    show(text, readArm) {
+      arm = readArm;
+      setText(root, text);
+      root.hidden = false;
+    },
+    update(state) {
+      if (state.arm === arm) return;
+      setText(root, "");
+      root.hidden = true;
+    },
+  };
 }
 
 // Make the button that copies the table for spreadsheets, MATLAB and this book's table readers.
@@ -64,49 +92,56 @@ function makeCopyButton(store, announce) {
   return button;
 }
 
-// Make the table of text fields. Rows are not rebuilt while the reader types in one.
-function makeGrid(store, { change, complain, announce }) {
+// Make the table of text fields. Rows are not rebuilt by what the reader types into one of them.
+function makeGrid(store, { change, replace, complain }) {
   const units = h("tr");
   const body = h("tbody", {
-    onpaste: (event) => handlePaste(event, store, { change, complain, announce }),
+    onpaste: (event) => handlePaste(event, store, { replace, complain }),
   });
   const name = { "aria-label": "Denavit-Hartenberg table, standard convention" };
   const table = h("table.entries", name, h("thead", {}, units), body);
   let rendered = /** @type {any} */ ({});
+  let isTyping = false;
 
   function typed(i, [key, letter, angle], input, whole) {
     const { unit, arm } = store.state;
     const { value, message } = readField(input, angle ? "angle" : "length", { unit, whole });
     complain(message && `Row ${i + 1}, ${letter} ${message}.`);
     if (value === undefined) return;
+    isTyping = true;
     change(replaceAt(arm.rows, i, { ...arm.rows[i], [key]: value }), undefined, `cell ${i} ${key}`);
+    isTyping = false;
     if (whole) input.value = formatEntry(value, angle, unit);
   }
 
   function update({ arm, unit }) {
-    const root = /** @type {ShadowRoot} */ (body.getRootNode());
-    const typing = body.contains(root.activeElement) && root.activeElement.matches("input");
-    const reshaped = rendered.rows?.length !== arm.rows.length || rendered.unit !== unit;
-    if (!reshaped && (rendered.rows === arm.rows || typing)) return;
+    const isShown = rendered.rows === arm.rows || isTyping;
+    const before = rendered;
+    rendered = { rows: arm.rows, unit };
+    if (isShown && before.unit === unit) return;
+    const focusedCell = findFocusedCell(body);
     units.replaceChildren(...makeColumnHeaders(unit));
     body.replaceChildren(...arm.rows.map((_, i) => makeTableRow(i, arm, unit, { change, typed })));
-    rendered = { rows: arm.rows, unit };
+    body.querySelector(`[data-cell="${focusedCell}"]`)?.focus({ preventScroll: true });
   }
   return { root: makeScrollRegion("Denavit-Hartenberg table", table), update };
 }
 
+// Return the name of the cell that has the focus, or undefined.
+function findFocusedCell(body) {
+  const { activeElement } = /** @type {ShadowRoot} */ (body.getRootNode());
+  const cell = /** @type {HTMLElement | null} */ (activeElement);
+  return body.contains(cell) ? cell.dataset.cell : undefined;
+}
+
 // Replace the table by one pasted into any of its fields.
-function handlePaste(event, store, { change, complain, announce }) {
-  const { currentTarget: body, target } = event;
+function handlePaste(event, store, { replace, complain }) {
   const text = event.clipboardData?.getData("text/plain") ?? "";
   const table = readPastedTable(text, store.state.unit);
   if (!table) return;
   event.preventDefault();
   complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
-  if ("error" in table) return;
-  change(table.rows);
-  body.querySelector(`[data-cell="${target.dataset.cell}"]`)?.focus({ preventScroll: true });
-  if (table.said.length) announce(() => `Taken as ${table.said.join("; ")}`, true);
+  if (!("error" in table)) replace(table);
 }
 
 const makeColumnHeaders = (unit) => [
