@@ -139,7 +139,7 @@ export function describeTable(state, { frames }) {
 function describeKeptLimits(arm, base) {
   if (arm === base || !hasLimits(base)) return "";
   if (hasLimits(arm)) return `Only lengths differ: the joints keep the limits of the ${base.name}.`;
-  return `The limits of the ${base.name} are not those of this table: its joints turn freely.`;
+  return `The limits of the ${base.name} are not those of this table: its joints move freely.`;
 }
 
 function compareWithReference({ arm, reference, q }, frames) {

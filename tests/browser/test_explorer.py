@@ -794,8 +794,8 @@ def test_vertical_swipe_ignores_sliders(visit):
     assert picture["y"] + picture["height"] < 844, "the picture is in view while one types"
 
 
-def test_pasted_table_is_announced_once(visit):
-    here = visit("#arm=Panda&view=table")
+def test_pasted_table_fills_the_cells_and_is_announced_once(visit):
+    here = visit("#arm=Elbow arm&view=table")
     here.leave()
     page = here.page
     cell = page.locator("[data-cell='1-a']")
@@ -810,13 +810,16 @@ def test_pasted_table_is_announced_once(visit):
         const clear = window.clearTimeout;
         window.clearTimeout = (timer) => due.set(timer, null) && clear(timer);
         const clipboardData = new DataTransfer();
-        clipboardData.setData('text/plain', '0\\tpi/2\\t0.5\\tq1\\n0.4\\t0\\t0\\tq2\\n0.3\\t0\\t0\\tq3');
+        clipboardData.setData('text/plain', '0\\tpi/2\\t0.6\\tq1\\n0.45\\t0\\t0\\tq2\\n0.3\\t0\\t0\\tq3');
         e.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
     }"""
     )
     page.wait_for_function(f"{STORE}.state.arm.name === 'Your arm'")  # the reader comes with it
     assert here.state("arm.rows.length") == 3
     page.locator("[data-cell='1-a']:focus").wait_for()
+    assert page.locator("[data-cell='1-d']").input_value() == "0.6"
+    assert page.locator("[data-cell='2-a']").input_value() == "0.45"
+    assert here.q() == pytest.approx([0, 0, 0])
     page.get_by_role("slider", name="Joint 1, angle").focus()
     for _ in range(30):
         page.keyboard.press("ArrowRight")

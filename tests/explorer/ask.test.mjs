@@ -34,6 +34,11 @@ test("other fragments hold no question", () => {
   assert.deepEqual(parseQuestionLink("", ARMS), { question: null, message: "" });
 });
 
+test("a typed table says how it was read", () => {
+  const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, 0, d2, 0" };
+  assert.equal(findArm(own, []).reading, "columns a α d θ; the standard convention; lengths in m");
+});
+
 test("a typed table has the joint kinds of its variables", () => {
   const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0" };
   const { rows } = findArm(own, []);
