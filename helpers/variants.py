@@ -5,7 +5,7 @@ same name have other lengths. The judge names such a mistake; its own code knows
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from helpers.arm import Arm, Body
 from helpers.inputs import require_type
@@ -114,7 +114,8 @@ _VARIANTS = (
 def find_variants(arm: Arm) -> Variants:
     """Find other published numbers of an arm, by the symbols in its table.
 
-    Locked joints and other values make no difference; an arm outside the catalogue has none.
+    Locked joints make no difference, and other values only to the namesakes: an arm with lengths
+    of its own has none. An arm outside the catalogue has no variants.
 
     Example:
         >>> from helpers.robots import PANDA
@@ -125,5 +126,10 @@ def find_variants(arm: Arm) -> Variants:
     table = [(row.a, row.alpha, row.d) for row in arm.rows]
     for known, variants in _VARIANTS:
         if table == [(row.a, row.alpha, row.d) for row in known.rows]:
-            return variants
+            namesakes = [
+                namesake
+                for namesake in variants.namesakes
+                if all(arm.values[name] == known.values[name] for name in namesake.lengths)
+            ]
+            return replace(variants, namesakes=namesakes)
     return Variants()
