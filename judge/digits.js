@@ -56,34 +56,31 @@ const hairOf = (truth) => HAIR * largest(truth);
 // An entry that shows its last place needs no more than arithmetic does.
 const hair = (unit, top) => (unit ? NOISE : HAIR) * top;
 
-// The ways in which an entry may agree with the truth, the best first.
-/** @typedef {{ short: boolean, top: number }} Entry */
-/** @type {[string, (off: number, unit: number, entry: Entry) => boolean][]} */
-const WAYS = [
-  ["rounded", (off, unit) => off <= HALF * unit],
-  ["cut", (off, unit, { short }) => off <= 0 || (short && off < unit)],
-  ["one off", (off, unit, { top }) => off <= ONE_OFF * Math.min(unit, COARSE * top)],
-];
+const isShort = (x, expected) => Math.abs(x) <= Math.abs(expected) && x * expected >= 0;
 
 /**
  * How entries agree with what they should be: "rounded" to their last places, all "cut" there, but
  * for "one off" in some last place, or not at all, "". `slack` is what each may be off besides.
- * @param {Entries} mine @param {number[]} truth @param {number[]} [slack]
+ * @param {Entries} mine @param {number[]} truth @param {number[]} slack
  */
 export function agreement({ values, units: places }, truth, slack) {
   const top = largest(truth);
-  let ways = WAYS;
-  for (let i = 0; i < values.length && ways.length; i++) {
-    const [x, is] = [values[i], truth[i]];
-    const off = Math.abs(x - is) - hair(places[i], top) - (slack?.[i] ?? 0);
-    const entry = { short: Math.abs(x) <= Math.abs(is) && x * is >= 0, top };
-    ways = ways.filter(([, fits]) => fits(off, places[i], entry));
+  let [rounded, cut, oneOff] = [true, true, true];
+  for (let i = 0; i < values.length; i++) {
+    const [x, expected, unit] = [values[i], truth[i], places[i]];
+    const off = Math.abs(x - expected) - hair(unit, top) - slack[i];
+    if (off <= 0) continue;
+    rounded &&= off <= HALF * unit;
+    cut &&= off < unit && isShort(x, expected);
+    oneOff &&= off <= ONE_OFF * Math.min(unit, COARSE * top);
+    if (!rounded && !cut && !oneOff) return "";
   }
-  return ways[0]?.[0] ?? "";
+  return rounded ? "rounded" : cut ? "cut" : "one off";
 }
 
 export const isRight = (how) => how === "rounded" || how === "cut";
-export const agrees = (mine, truth, slack) => isRight(agreement(mine, truth, slack));
+export const agrees = (mine, truth, slack = truth.map(() => 0)) =>
+  isRight(agreement(mine, truth, slack));
 
 // Which entries are wrong: by more than one in the last place, or, where none is, at all.
 export function beyond({ values, units: places }, truth, slack) {

@@ -73,6 +73,7 @@ export function joinCauseMessages(causes) {
  */
 export function findExplanations({ mine, q, dof, expected, slack, wrong }, candidates) {
   const widest = Math.max(...slack);
+  const largestExpected = largest(expected);
   const rightIndices = wrong.flatMap((isWrong, i) => (isWrong ? [] : [i]));
   const selectRight = (list) => rightIndices.map((i) => list[i]);
   const rightEntries = { values: selectRight(mine.values), units: selectRight(mine.units) };
@@ -85,12 +86,8 @@ export function findExplanations({ mine, q, dof, expected, slack, wrong }, candi
     if (leavesRight && tellable(mine, expected, values)) rivals++;
     if (agrees(mine, values)) exact.push(candidate);
     else if (widest && !exact.length) {
-      const most = NEAR * widest * Math.max(1, largest(values) / largest(expected));
-      const isNear = agrees(
-        mine,
-        values,
-        values.map(() => most),
-      );
+      const most = NEAR * widest * Math.max(1, largest(values) / largestExpected);
+      const isNear = agrees(mine, values, new Array(values.length).fill(most));
       if (isNear && agrees(mine, values, slackOf(q, dof, candidate.make))) near.push(candidate);
     }
   }

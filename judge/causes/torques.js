@@ -25,14 +25,15 @@ import { combineCauses, makeCause } from "./ranking.js";
  * @property {number[][]} centres of mass in the frame of each row (m)
  */
 /**
- * A load at one pose: its frames, its Jacobian and the wrench there.
- * @typedef {Load & { T: Frame[], J: number[], F: number[] }} LoadAtPose
+ * A load at one pose: its frames and the wrench there.
+ * @typedef {Load & { T: Frame[], F: number[] }} LoadAtPose
  */
 /**
  * One mistake: the step that it changes of load, weight, force and writing.
  * @typedef {object} TorqueStep
  * @property {import("./ranking.js").Cause} cause
  * @property {(load: Load) => Load} [change]
+ * @property {(load: Load) => Load} [secondChange] of a pair, done after `change`
  * @property {(at: LoadAtPose) => number[]} [weight]
  * @property {(at: LoadAtPose) => number[]} [force]
  * @property {(tau: number[]) => number[]} [write]
@@ -45,7 +46,10 @@ const multiply = (factor, list) => list.map((x) => factor * x);
 const weightOf = ({ c, T, masses, centres, gravity }) =>
   chains.gravityTorques(c, T, masses, centres, gravity);
 /** @param {LoadAtPose} at */
-const forceOf = ({ J, F }) => chains.wrenchTorques(J, F);
+const jacobianOf = ({ c, T }) => chains.flatJacobian(c, T);
+/** @param {LoadAtPose} at */
+const forceOf = (at) =>
+  at.F.some(Boolean) ? chains.wrenchTorques(jacobianOf(at), at.F) : at.c.at.map(() => 0);
 
 /** @param {Arm} arm @param {number[][]} wrenches @param {number[]} gravity @returns {Load} */
 export function makeLoad(arm, wrenches, gravity) {
@@ -60,25 +64,52 @@ export function makeLoad(arm, wrenches, gravity) {
   };
 }
 
+// A function that keeps its results, in a WeakMap if their arguments come and go.
+/** @param {(argument: any) => any} make @param {Map<any, any> | WeakMap<any, any>} results */
+function keepResults(make, results = new Map()) {
+  return (argument) => {
+    let result = results.get(argument);
+    if (result === undefined) results.set(argument, (result = make(argument)));
+    return result;
+  };
+}
+
+/** Torques at some poses. Mistakes share what is kept: frames of a chain, weights and forces. */
+class TorquesAtPoses {
+  /** @param {Load} load @param {number} dof @param {number[]} q joint values of all poses */
+  constructor(load, dof, q) {
+    const poses = rowsOf(q, dof).map((pose) => ({ ...load, c: { ...load.c, q: pose, dof } }));
+    const framesOf = keepResults(chains.chainFrames, new WeakMap());
+    this.atPose = (changed, i) => ({ ...changed, T: framesOf(changed.c), F: load.wrenches[i] });
+    this.loadsOf = keepResults((change) => poses.map((pose, i) => this.atPose(change(pose), i)));
+    const partsOf = (change) => keepResults((part) => this.loadsOf(change).map(part));
+    this.weightsOf = keepResults(partsOf);
+    this.forcesOf = keepResults(partsOf);
+  }
+
+  /** @param {Partial<TorqueStep>} steps those that are done wrong @returns {number[]} */
+  make({ change = same, secondChange, weight = weightOf, force = forceOf, write = same }) {
+    const loads =
+      secondChange && this.loadsOf(change).map((load, i) => this.atPose(secondChange(load), i));
+    const weights = loads ? loads.map(weight) : this.weightsOf(change)(weight);
+    const forces = loads ? loads.map(force) : this.forcesOf(change)(force);
+    return weights.flatMap((g, i) => write(subtractEach(g, forces[i])));
+  }
+}
+
 /**
- * Return a function from the joint values of all poses to the torques there, with some of the steps
- * done wrong.
+ * Return a maker of torques. It takes the steps that are done wrong, and gives a function from the
+ * joint values of all poses to the torques there. What it makes at `q` is kept.
  * @param {Load} load
  * @param {number} dof
- * @param {Partial<TorqueStep>} [steps]
+ * @param {number[]} q
+ * @returns {(steps?: Partial<TorqueStep>) => (values: number[]) => number[]}
  */
-export const makeTorques =
-  (load, dof, { change = same, weight = weightOf, force = forceOf, write = same } = {}) =>
-  (q) =>
-    rowsOf(q, dof).flatMap((pose, i) => {
-      const at = atPose(change({ ...load, c: { ...load.c, q: pose, dof } }), load.wrenches[i]);
-      return write(subtractEach(weight(at), force(at)));
-    });
-
-/** @returns {LoadAtPose} */
-function atPose(load, F) {
-  const T = chains.chainFrames(load.c);
-  return { ...load, T, J: chains.flatJacobian(load.c, T), F };
+export function torqueMaker(load, dof, q) {
+  const kept = new TorquesAtPoses(load, dof, q);
+  return (steps = {}) =>
+    (values) =>
+      (values === q ? kept : new TorquesAtPoses(load, dof, values)).make(steps);
 }
 
 /**
@@ -100,32 +131,43 @@ function chainMistakes(arm) {
   const tables = tableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
-  return [...poseMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => ({
-    cause,
-    change: (load) => ({
-      ...load,
-      c: change(load.c),
-      centres: cause.keys[0] === "table.pen" ? centres : load.centres,
-    }),
-  }));
+  return [...poseMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
+    const changed = keepResults(change, new WeakMap());
+    const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
+    return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };
+  });
 }
 
-/** List single mistakes. @returns {(Mistake & { steps: TorqueStep })[]} */
-export const singleMistakes = (load, dof, steps) =>
-  steps.map((step) => ({ cause: step.cause, steps: step, make: makeTorques(load, dof, step) }));
+/**
+ * List single mistakes.
+ * @param {TorqueStep[]} steps
+ * @param {ReturnType<typeof torqueMaker>} maker
+ * @returns {(Mistake & { steps: TorqueStep })[]}
+ */
+export const singleMistakes = (steps, maker) =>
+  steps.map((step) => ({ cause: step.cause, steps: step, make: maker(step) }));
 
 /**
  * List pairs of mistakes in different steps, or of two changes.
+ * @param {TorqueStep[]} steps
+ * @param {ReturnType<typeof torqueMaker>} maker
  * @returns {Generator<Mistake & { steps: TorqueStep }>}
  */
-export function* mistakePairs(load, dof, steps) {
+export function* mistakePairs(steps, maker) {
   for (const [n, first] of steps.entries()) {
     for (const second of steps.slice(n + 1)) {
       if (["weight", "force", "write"].some((step) => first[step] && second[step])) continue;
-      const [one, other] = [first, second].map(({ change = same }) => change);
-      const cause = combineCauses(first.cause, second.cause);
-      const both = { ...first, ...second, cause, change: (at) => other(one(at)) };
-      yield { cause, steps: both, make: makeTorques(load, dof, both) };
+      const steps = { ...first, ...second };
+      if (first.change && second.change)
+        [steps.change, steps.secondChange] = [first.change, second.change];
+      yield {
+        // Made when it is asked for: hardly any of thousands of pairs explains an answer.
+        get cause() {
+          return combineCauses(first.cause, second.cause);
+        },
+        steps,
+        make: maker(steps),
+      };
     }
   }
 }
@@ -185,7 +227,8 @@ function* weights({ c, gravity }) {
 /** @param {Load} load @returns {Generator<TorqueStep>} */
 function* forces({ wrenches, c }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
-  const withWrench = (change) => (at) => chains.wrenchTorques(at.J, change(at.F, at.T.at(-1)));
+  const withWrench = (change) => (at) =>
+    chains.wrenchTorques(jacobianOf(at), change(at.F, at.T.at(-1)));
   const put = (key, change, fields) => ({
     cause: makeCause(key, fields),
     force: withWrench(change),
@@ -197,7 +240,8 @@ function* forces({ wrenches, c }) {
     if (wrenches.some((F) => F[i] && F.some((x, k) => x && k !== i)))
       // handed in
       yield put("tau.component sign", (F) => F.map((x, k) => (k === i ? -x : x)), { component });
-  const untransposed = ({ J, F }) => chains.wrenchTorques(chains.transpose(J, [c.dof, 6]), F);
+  const untransposed = (at) =>
+    chains.wrenchTorques(chains.transpose(jacobianOf(at), [c.dof, 6]), at.F);
   if (c.dof === 6) yield { cause: makeCause("tau.J for J^T"), force: untransposed }; // handed in
   for (const [cause, recipe] of jacobianRecipes(c)) {
     // Its linear rows are all 0: for a pure force it is as if the force were missing.

@@ -94,7 +94,12 @@ export const swapRowsForColumns = (T) =>
   });
 
 const inAxes = ({ x, y, z }, u) => [dot(x, u), dot(y, u), dot(z, u)];
-const fromAxes = ({ x, y, z }, u) => plus(plus(scaled(u[0], x), scaled(u[1], y)), scaled(u[2], z));
+const fromAxes = ({ x, y, z }, u) => [
+  u[0] * x[0] + u[1] * y[0] + u[2] * z[0],
+  u[0] * x[1] + u[1] * y[1] + u[2] * z[1],
+  u[0] * x[2] + u[1] * y[2] + u[2] * z[2],
+];
+const addScaled = (u, k, v) => [u[0] + k * v[0], u[1] + k * v[1], u[2] + k * v[2]];
 
 /**
  * Rotate a Jacobian's rows from the base's axes into those of a frame (R^T J).
@@ -143,10 +148,8 @@ export function gravityTorques(c, T, masses, centres, gravity) {
   let [mass, moment, k] = [0, ZERO, c.dof - 1];
   for (let row = c.rows.length - 1; row >= 0; row--) {
     mass += masses[row];
-    moment = plus(
-      moment,
-      scaled(masses[row], plus(fromAxes(T[row + 1], centres[row]), T[row + 1].o)),
-    );
+    const centre = plus(fromAxes(T[row + 1], centres[row]), T[row + 1].o);
+    moment = addScaled(moment, masses[row], centre);
     if (c.at[k] !== row) continue;
     const { z, o } = T[row];
     const torque = -dot(z, cross(minus(moment, scaled(mass, o)), gravity));

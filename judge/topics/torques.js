@@ -5,7 +5,7 @@ import {
   mistakePairs,
   singleMistakes,
   listTorqueSteps,
-  makeTorques,
+  torqueMaker,
 } from "../causes/torques.js";
 import { causeName, joinCauseMessages } from "../causes/ranking.js";
 import { RIGHT, SO_FAR, WRONG } from "../digits.js";
@@ -151,7 +151,7 @@ function misshapen({ shape, values }, count, arm) {
 function judged(typed, at, load, { arm, tolerance }) {
   const verdict = verdictOf(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);
-  const truth = makeTorques(load, load.c.dof)(at.values);
+  const truth = torqueMaker(load, load.c.dof, at.values)()(at.values);
   const figures = figuresOf(typed.values, truth, verdict, load.c.dof);
   const rest = { taken: typed.said, figures, wrong: verdict.wrong };
   if (verdict.grade === WRONG) {
@@ -171,30 +171,30 @@ function judged(typed, at, load, { arm, tolerance }) {
   return reported(arm, verdict.grade, headline, { ...rest, notes });
 }
 
-// Of a long run a few poses say which slips are worth a try at all of them.
+// Of many poses a few select the mistakes that are worth a try at all of them.
 function verdictOf(typed, at, load, { arm, tolerance }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
-  const slips = listTorqueSteps(arm, load);
-  const empty = !typed.values.some(Boolean);
-  const further = (held) => (empty ? [] : [() => mistakePairs(held, dof, slips)]);
-  const ask = (mine, q, held, tried, more) => {
-    const right = makeTorques(held, dof);
-    return judgeEntries({ mine, q, dof, right, slips: tried, tolerance, further: more });
+  const steps = listTorqueSteps(arm, load);
+  const isEmpty = !typed.values.some(Boolean);
+  const judge = (mine, q, maker, mistakes, further) =>
+    judgeEntries({ mine, q, dof, right: maker(), slips: mistakes, tolerance, further });
+  const judgeAll = (mine, q, poses) => {
+    const maker = torqueMaker(poses, dof, q.values);
+    const pairs = isEmpty ? [] : [() => mistakePairs(steps, maker)];
+    return judge(mine, q, maker, singleMistakes(steps, maker), pairs);
   };
-  if (count <= SAMPLE) return ask(typed, at, load, singleMistakes(load, dof, slips), further(load));
-  const picked = Array.from({ length: SAMPLE }, (_, i) =>
+  if (count <= SAMPLE) return judgeAll(typed, at, load);
+  const indices = Array.from({ length: SAMPLE }, (_, i) =>
     Math.round((i * (count - 1)) / (SAMPLE - 1)),
   );
-  const some = (list) => picked.flatMap((i) => list.slice(i * dof, (i + 1) * dof));
-  const part = ({ values, units }) => ({ values: some(values), units: some(units) });
-  const held = { ...load, wrenches: picked.map((i) => load.wrenches[i]) };
-  const first = ask(part(typed), part(at), held, singleMistakes(held, dof, slips), further(held));
-  const worth = first.slips.map(({ cause, steps: wrong }) => ({
-    cause,
-    make: makeTorques(load, dof, wrong),
-  }));
-  return ask(typed, at, load, worth, []);
+  const select = (list) => indices.flatMap((i) => list.slice(i * dof, (i + 1) * dof));
+  const sample = ({ values, units }) => ({ values: select(values), units: select(units) });
+  const wrenches = indices.map((i) => load.wrenches[i]);
+  const first = judgeAll(sample(typed), sample(at), { ...load, wrenches });
+  const maker = torqueMaker(load, dof, at.values);
+  const mistakes = first.slips.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
+  return judge(typed, at, maker, mistakes, []);
 }
 
 // By how much the worst torque is off, and how many joints are right at every pose.
