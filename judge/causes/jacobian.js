@@ -90,23 +90,24 @@ export function* mistakePairs(arm, frame, steps) {
   for (const [n, first] of steps.entries()) {
     const build = buildBy(arm, frame, first);
     for (const second of steps.slice(n + 1)) {
-      const both = joinSteps(first, second);
-      if (!both) continue;
-      const make = makeJacobian(arm, frame, both, second.write ? build : undefined);
-      yield { cause: combineCauses(first.cause, second.cause), make };
+      if (first.recipe && second.recipe) continue;
+      const steps = joinSteps(first, second);
+      yield {
+        // Made when it is asked for: hardly any of thousands of pairs explains an answer.
+        get cause() {
+          return combineCauses(first.cause, second.cause);
+        },
+        make: makeJacobian(arm, frame, steps, second.write ? build : undefined),
+      };
     }
   }
 }
 
-function joinSteps(first, second) {
-  if (first.recipe && second.recipe) return null;
-  return {
-    ...first,
-    ...second,
-    change: chainFunctions(first.change, second.change),
-    write: chainFunctions(first.write, second.write),
-  };
-}
+const joinSteps = (first, second) => ({
+  change: chainFunctions(first.change, second.change),
+  recipe: first.recipe ?? second.recipe,
+  write: chainFunctions(first.write, second.write),
+});
 
 const chainFunctions = (one, two) => (one && two ? (x, T) => two(one(x, T), T) : (one ?? two));
 

@@ -44,12 +44,27 @@ export function cosSin(angle) {
   ][((Math.round(turns) % 4) + 4) % 4];
 }
 
-/** Return the indices, from 0, of the rows that move. @param {Rows} arm */
-export const movingRows = (arm) => arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [] : [i]));
-/** Return the joints' numbers, counted from 1. @param {Rows} arm */
-export const jointNumbers = (arm) => movingRows(arm).map((i) => i + 1);
-/** Return for each joint whether it is revolute. @param {Rows} arm */
-export const revoluteFlags = (arm) => movingRows(arm).map((i) => arm.rows[i].kind === "revolute");
+// A function of an arm's rows that keeps its result as long as the rows live. It is asked thousands
+// of times for each answer.
+function keptByRows(make) {
+  const results = new WeakMap();
+  return ({ rows }) => {
+    let result = results.get(rows);
+    if (!result) results.set(rows, (result = make(rows)));
+    return result;
+  };
+}
+
+/** Return the indices, from 0, of the rows that move. @type {(arm: Rows) => number[]} */
+export const movingRows = keptByRows((rows) =>
+  rows.flatMap(({ kind }, i) => (kind === "fixed" ? [] : [i])),
+);
+/** Return the joints' numbers, counted from 1. @type {(arm: Rows) => number[]} */
+export const jointNumbers = keptByRows((rows) => movingRows({ rows }).map((i) => i + 1));
+/** Return for each joint whether it is revolute. @type {(arm: Rows) => boolean[]} */
+export const revoluteFlags = keptByRows((rows) =>
+  movingRows({ rows }).map((i) => rows[i].kind === "revolute"),
+);
 /** Return the names of the joint values: q_1, q_2, ... @param {Rows} arm */
 export const jointNames = (arm) => jointNumbers(arm).map((i) => `q_${i}`);
 

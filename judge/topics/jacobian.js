@@ -133,7 +133,8 @@ function judged(typed, { arm, at, frame, tolerance = null }, said) {
   const slips = listJacobianSteps(arm, at.values, frame);
   const whole = makeJacobian(arm, frame);
   const half = typed.shape[0] === 3 ? rowsMeant(typed.values, whole(at.values)) : null;
-  const part = ({ cause, make }) => ({ cause, make: (q) => rowsOfHalf(make(q), half) });
+  const part = (mistake) =>
+    half === null ? mistake : { ...mistake, make: (q) => rowsOfHalf(mistake.make(q), half) };
   const right = (q) => rowsOfHalf(whole(q), half);
   const singles = singleMistakes(arm, frame, slips).map(part);
   const of = (make) => () => Array.from(make(arm, frame, slips), part);
