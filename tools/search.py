@@ -1,14 +1,17 @@
-"""A Sphinx extension: the words of every section, as a script that the search page loads.
+"""Write the search index of the book: a script that the search loads when a reader first uses it.
 
-Sphinx's own search fetches each page for the words around a hit, which a browser forbids on pages
-opened from a file (sphinx-doc/sphinx#10407). Here the words come with the index. A section, a term
-of the glossary, a function of the package and a row of the table of symptoms are one entry
-each: its page, its place there, its title, its words. What ranks them is `book/assets/search.js`.
+Sphinx's own search fetches each page for the text around a hit, which a browser forbids on pages
+opened from a file (sphinx-doc/sphinx#10407). Here the text comes with the index. A section, an
+exercise, a slip, a term of the glossary, a function of the package and a row of the table of
+symptoms are one entry each: its page, its anchor, its title, its text. `book/assets/search.js`
+ranks them.
 """
 
 import json
 import re
+import unicodedata
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 from docutils import nodes
@@ -18,99 +21,196 @@ from sphinx.builders.html import StandaloneHTMLBuilder
 from sphinx.environment import BuildEnvironment
 
 SCRIPT = "search-entries.js"
-SYMPTOMS = "symptoms"  # the id of the table whose rows are entries
-PLAIN = re.compile(r"[\w+=.^-]{1,12}")  # a formula that can be read in a line of plain text
-LABEL = re.compile(r"\0(.+?)\0")  # a reference that is resolved when all pages have been read
-UNREAD = (
+SYMPTOMS = "symptoms"  # id of the table whose rows are entries
+SHEETS = "answers/"
+LIST_PAGES = ("api", "references")
+BOXES = ("exercise", "slip")  # classes of the boxes that are entries
+REFERENCE = re.compile(r"\0(.+?)\0")  # a reference that is resolved when all pages have been read
+SKIPPED = (
     *(nodes.raw, nodes.comment, nodes.image, nodes.literal_block, nodes.footnote, nodes.math_block),
     *(nodes.section, addnodes.desc),
 )
-Entries = dict[str, list[dict[str, str]]]
+MAX_FORMULA_LENGTH = 30  # characters; longer formulas cannot be read in a line of plain text
+SYMBOLS = {
+    **{"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "Delta": "Δ", "Sigma": "Σ"},
+    **{"times": "×", "cdot": "·", "circ": "°", "partial": "∂", "pm": "±", "le": "≤", "ge": "≥"},
+    **{"ne": "≠", "approx": "≈", "to": "→", "infty": "∞", "dots": "…", "top": "T", "quad": " "},
+    **{"leq": "≤", "geq": "≥", "ldots": "…", "sqrt": "√", "sum": "Σ", "ell": "l"},
+}
+MARKS = {"dot": "\u0307", "ddot": "\u0308", "hat": "\u0302", "bar": "\u0304", "tilde": "\u0303"}
+FUNCTIONS = {"sin", "cos", "tan", "det", "rank", "max", "min", "arccos", "arctan"}
+Entry = dict[str, str]
 
 
-def words(node: nodes.Node) -> Iterator[str]:
-    """What a reader reads of a node; code, outputs, long formulas and parts that are entries of
-    their own are left out."""
+def write_formula(tex: str) -> str:
+    """Return a formula as plain text, or nothing if it is too long for that."""
+    text = re.sub(r"\\(?:mathrm|text|operatorname|mathbf|mathit)\*?\{([^{}]*)\}", r"\1", tex)
+    text = re.sub(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"\1/\2", text)
+    text = re.sub(
+        rf"\\({'|'.join(MARKS)})(?![A-Za-z])(?:\{{(\\?\w+)\}}|\s*(\\?\w))",
+        lambda mark: (mark[2] or mark[3]) + MARKS[mark[1]],
+        text,
+    )
+    text = re.sub(r"\\(?:left|right|[,;:! ])", "", text)
+    text = re.sub(
+        r"\\([A-Za-z]+) ?",
+        lambda name: get_symbol(name[1]) or name[0],
+        text,
+    )
+    text = re.sub(r"[{}]", "", text.replace("^°", "°")).lstrip("^_").replace("'", "′")
+    return "" if len(text) > MAX_FORMULA_LENGTH or re.search(r"[\\&]", text) else text
+
+
+def get_symbol(name: str) -> str:
+    """Return the character of a TeX command, or nothing if it has none."""
+    if name in FUNCTIONS:
+        return name
+    greek = f"GREEK SMALL LETTER {name.replace('lambda', 'lamda').upper()}"
+    with suppress(KeyError):
+        return SYMBOLS.get(name) or unicodedata.lookup(greek)
+    return ""
+
+
+def is_entry_box(node: nodes.Node) -> bool:
+    """Return whether a node is a box that has an entry of its own."""
+    return isinstance(node, nodes.admonition) and bool({*node["classes"]} & {*BOXES})
+
+
+def is_solution(node: nodes.Node) -> bool:
+    return isinstance(node, nodes.admonition) and "solution" in node["classes"]
+
+
+def iterate_text(node: nodes.Node) -> Iterator[str]:
+    """Yield the readable text of a node, without code, outputs, long formulas, solutions and the
+    parts that are entries of their own."""
     if isinstance(node, nodes.Text):
         yield node.astext()
     elif node.get("reftype") == "ref" and not node["refexplicit"]:
         yield f"\0{node['reftarget']}\0"
     elif isinstance(node, nodes.math):
-        tex = node.astext()
-        yield tex if PLAIN.fullmatch(tex) else "…"
-    elif not isinstance(node, UNREAD) and "cell_output" not in node.get("classes", ()):
-        yield from (word for child in node.children for word in words(child))
+        yield write_formula(node.astext())
+    elif not (
+        isinstance(node, SKIPPED)
+        or is_entry_box(node)
+        or is_solution(node)
+        or "cell_output" in node.get("classes", ())
+    ):
+        yield from (text for child in node.children for text in iterate_text(child))
         yield " " if isinstance(node, nodes.TextElement) else ""
 
 
-def entry(title: nodes.Node, anchor: str, parts: list[nodes.Node]) -> dict[str, str]:
-    text = " ".join("".join(words(part)) for part in parts)
-    return {"anchor": anchor, "title": title.astext(), "text": " ".join(text.split())}
+def join_text(parts: list[nodes.Node]) -> str:
+    """Return the readable text of nodes in one line."""
+    text = " ".join(" ".join("".join(iterate_text(part)) for part in parts).split())
+    return re.sub(r"\s+(?=[,.;:)])", "", text)  # where a formula was left out
 
 
-def entries(doctree: nodes.document) -> Iterator[dict[str, str]]:
-    for section in doctree.findall(lambda node: type(node) is nodes.section):
+def make_entry(title: nodes.Node, anchor: str, parts: list[nodes.Node]) -> Entry:
+    """Make an entry from its title, its place and what stands below the title."""
+    name = "".join(text for child in title.children for text in iterate_text(child))
+    return {
+        "anchor": anchor,
+        "title": " ".join((name or title.astext()).split()),
+        "text": join_text(parts),
+    }
+
+
+def iterate_entries(doctree: nodes.document) -> Iterator[Entry]:
+    """Yield the entries of a page, each with its own anchor."""
+    for section in doctree.findall(nodes.section):
         title, *parts = section.children
-        if not isinstance(title, nodes.title):
-            continue
-        yield entry(title, section["ids"][0], parts)
+        if isinstance(title, nodes.title) and title.astext() != "References":
+            yield make_entry(title, section["ids"][0], parts)
+    for box in doctree.findall(is_entry_box):
+        if box["ids"]:
+            yield make_entry(box.children[0], box["ids"][0], box.children[1:])
+    yield from iterate_terms(doctree)
+    yield from iterate_symptoms(doctree)
+    yield from iterate_functions(doctree)
+
+
+def iterate_terms(doctree: nodes.document) -> Iterator[Entry]:
+    """Yield an entry for each term of the glossary."""
     for item in doctree.findall(nodes.definition_list_item):
-        terms = [term for term in item.findall(nodes.term) if term["ids"]]
-        for term in terms[:1]:
-            yield entry(term, term["ids"][0], [item.children[-1]])
-    tables = (table for table in doctree.findall(nodes.table) if SYMPTOMS in table["ids"])
-    for table in tables:
-        for row in table.findall(nodes.row):
-            symptom = entry(row.children[0], table.parent["ids"][0], row.children[1:])
-            yield {**symptom, "symptom": "yes"}
+        term = next((term for term in item.findall(nodes.term) if term["ids"]), None)
+        if term:
+            yield make_entry(term, term["ids"][0], [item.children[-1]])
+
+
+def iterate_symptoms(doctree: nodes.document) -> Iterator[Entry]:
+    """Yield an entry for each row of the table of symptoms."""
+    for table in doctree.findall(nodes.table):
+        if SYMPTOMS not in table["ids"]:
+            continue
+        for body in table.findall(nodes.tbody):
+            for symptom, *rest in (row.children for row in body.children):
+                entry = make_entry(symptom, table.parent["ids"][0], rest)
+                yield {**entry, "symptom": "yes"}
+
+
+def iterate_functions(doctree: nodes.document) -> Iterator[Entry]:
+    """Yield an entry for each documented function or class."""
     for function in doctree.findall(addnodes.desc):
         signature, content = function.children[0], function.children[-1]
         if signature.get("ids"):
-            name = nodes.Text(signature.get("fullname") or signature["ids"][0])
-            yield entry(name, signature["ids"][0], [content])
+            name = nodes.inline("", signature.get("fullname") or signature["ids"][0])
+            yield make_entry(name, signature["ids"][0], [content])
 
 
-def collect(app: Sphinx, doctree: nodes.document) -> None:
-    kept(app.env)[app.env.docname] = list(entries(doctree))
+def collect_entries(app: Sphinx, doctree: nodes.document) -> None:
+    """Keep the entries of a page that has just been read."""
+    stored_entries(app.env)[app.env.docname] = list(iterate_entries(doctree))
 
 
-def kept(env: BuildEnvironment) -> Entries:
-    """The entries of each page; they are stored with what else Sphinx knows of unchanged pages."""
+def stored_entries(env: BuildEnvironment) -> dict[str, list[Entry]]:
+    """Return the entries of each page, which Sphinx stores with its data of unchanged pages."""
     if not hasattr(env, "search_entries"):
         env.search_entries = {}
     return env.search_entries
 
 
-def forget(_app: Sphinx, env: BuildEnvironment, page: str) -> None:
-    kept(env).pop(page, None)
+def forget_page(_app: Sphinx, env: BuildEnvironment, page: str) -> None:
+    """Drop the entries of a page that is read anew or gone."""
+    stored_entries(env).pop(page, None)
 
 
-def write(app: Sphinx, problem: Exception | None) -> None:
+def get_kind(env: BuildEnvironment, page: str) -> str:
+    """Return what a page is: a numbered chapter, an answer sheet, a list or a side page."""
+    if page in env.toc_secnumbers:
+        return "chapter"
+    if page.startswith(SHEETS):
+        return "sheet"
+    return "list" if page in LIST_PAGES else "side"
+
+
+def write_index(app: Sphinx, problem: Exception | None) -> None:
+    """Write the entries of all pages into the script, with references resolved."""
     if problem or not isinstance(app.builder, StandaloneHTMLBuilder):
         return
-    labels = app.env.get_domain("std").labels
+    env = app.env
+    labels = env.get_domain("std").labels
 
-    def title(label: re.Match) -> str:
-        return labels[label[1]][2] if label[1] in labels else "…"
+    def get_title(reference: re.Match) -> str:
+        return labels[reference[1]][2] if reference[1] in labels else ""
 
-    found = [
-        {"page": page, "of": app.env.titles[page].astext(), **each}
-        | {"text": LABEL.sub(title, each["text"])}
-        for page, of_page in sorted(kept(app.env).items())
-        for each in of_page
+    entries = [
+        {"page": page, "kind": get_kind(env, page), "of": env.titles[page].astext(), **entry}
+        | {"text": REFERENCE.sub(get_title, entry["text"])}
+        for page, page_entries in sorted(stored_entries(env).items())
+        for entry in page_entries
     ]
     script = Path(app.outdir, "_static", SCRIPT)
-    script.write_text(f"const ENTRIES = {json.dumps(found, ensure_ascii=False)};\n", "utf-8")
+    script.write_text(f"const ENTRIES = {json.dumps(entries, ensure_ascii=False)};\n", "utf-8")
 
 
-def instead(app: Sphinx) -> None:
-    """Sphinx's own index is not made."""
+def disable_own_search(app: Sphinx) -> None:
+    """Stop Sphinx from making its own index."""
     app.builder.search = False
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    app.connect("builder-inited", instead)
-    app.connect("doctree-read", collect)
-    app.connect("env-purge-doc", forget)
-    app.connect("build-finished", write)
+    app.connect("builder-inited", disable_own_search)
+    app.connect("doctree-read", collect_entries)
+    app.connect("env-purge-doc", forget_page)
+    app.connect("build-finished", write_index)
     return {"parallel_write_safe": True}

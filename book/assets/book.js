@@ -135,3 +135,32 @@ document.addEventListener("DOMContentLoaded", () => {
   }, { rootMargin: "-20% 0px -70%" });
   each("article section[id]", (section) => links.has(section.id) && sectionObserver.observe(section));
 });
+
+// The search loads its index when a reader first uses a search field.
+const folder = document.currentScript.src;
+let searchScripts = null;
+function loadSearch() {
+  searchScripts ??= ["vendor/minisearch/minisearch", "search-entries", "search"].map((name) =>
+    document.head.appendChild(Object.assign(document.createElement("script"), { src: new URL(`${name}.js`, folder).href, async: false })));
+}
+
+// The keys / and Ctrl+K lead to the search field, except where a reader types.
+document.addEventListener("keydown", (event) => {
+  const { key, ctrlKey, metaKey, altKey } = event;
+  const isTyping = event.composedPath()[0].matches?.("input, textarea, select, [contenteditable]");
+  const isShortcut = (key === "/" && !ctrlKey && !metaKey && !altKey && !isTyping) || (key.toLowerCase() === "k" && (ctrlKey || metaKey) && !altKey);
+  const field = document.querySelector("form[role='search'] input");
+  if (!isShortcut || !field) return;
+  event.preventDefault();
+  field.focus();
+  field.select();
+});
+
+document.addEventListener("DOMContentLoaded", () => {
+  const field = document.querySelector("form[role='search'] input");
+  if (field?.form.matches(".search")) {
+    field.value = new URLSearchParams(location.search).get("q") ?? "";
+    loadSearch();
+  }
+  field?.addEventListener("focus", loadSearch, { once: true });
+});

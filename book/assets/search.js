@@ -1,40 +1,85 @@
-// The search page: MiniSearch over the entries of tools/search.py, in the reader's browser, also
-// from a file.
+// The search: MiniSearch over the entries of tools/search.py, in the reader's browser, also from a
+// file. book.js loads this script when a reader first uses a search field.
+
+const BOOK = globalThis.document && new URL("..", document.currentScript.src).href;
 
 // Groups of words that find each other: readers' words and the book's.
 const SYNONYMS = [
   ["ik", "inverse"],
   ["fk", "forward"],
+  ["forward", "transform", "frame"],
   ["dh", "denavit", "table"],
-  ["solution", "way", "branch", "eight"],
+  ["parameter", "table"],
+  ["solution", "branch", "eight"],
   ["8", "eight"],
   ["com", "mass"],
+  ["center", "centre"],
   ["reach", "unreachable", "workspace"],
-  ["singularity", "singular"],
+  ["singularity", "singular", "det"],
   ["pinv", "pseudo"],
   ["robot", "arm"],
-  ["error", "wrong", "mistake", "slip"],
-  ["prismatic", "slide"],
+  ["error", "wrong", "mistake", "slip", "correct"],
+  ["prismatic", "slide", "stanford"],
   ["craig", "modified"],
+  ["franka", "panda"],
+  ["effector", "tip"],
+  ["drift", "error", "miss"],
+  ["position", "pose"],
+  ["assign", "place"],
+  ["delete", "remove", "lose"],
+  ["arctan", "atan", "atan2"],
 ];
-// Expansions of an abbreviation that is the whole query.
-const EXPANSIONS = { ik: "inverse kinematics", fk: "forward kinematics" };
-const STOP_WORDS = new Set("a an and are at by can do does for from get how i in is it my of on or out the there to was what when where which why with you your".split(" "));
+// Expansions of a term that is the whole query.
+const FORWARD = "forward pose of the tip";
+const EXPANSIONS = { ik: "inverse kinematics", fk: FORWARD, "forward kinematics": FORWARD };
+const STOP_WORDS = new Set(
+  `a an and are as at be between by calculate can compute could do does find for from get give has have help homework how i if in
+   is it its many me much my need no not of on or out please question should so the there this to use using versus vs want was way what
+   when where which who why will with without you your`.split(/\s+/),
+);
+const GREEK = { α: "alpha", β: "beta", γ: "gamma", δ: "delta", θ: "theta", ϑ: "theta", λ: "lambda", ξ: "xi", π: "pi", σ: "sigma", τ: "tau", φ: "phi", ϕ: "phi", ψ: "psi", ω: "omega", "∂": "d" };
 
-// Return a word without its ending: "poses" finds "pose", and "singularities" finds "singular".
-const stem = (word) => (word.length > 3 ? word.replace(/ies$/, "y").replace(/(?<=....)ity$/, "").replace(/(?<![su])s$/, "").replace(/(?<=ch|sh|x)e$/, "") : word);
+// Robots that the book does not have; their names lead to the page about an arm of one's own.
+const OTHER_ROBOTS = /^(ur(3|5|7|8|12|15|16|18|20|30)e?|kuka|iiwa|lbr|kr\d+|puma|abb|irb\d*|fanuc|xarm\d?|kinova|gen3|jaco|sawyer|baxter|yaskawa|motoman|staubli|stäubli|dobot|denso|widowx|viperx|scorbot|doosan|techman|niryo)$/;
+const OWN_ARM_PAGE = "own_arm";
 
-// Split text into words. A name with underscores counts as a whole and in parts: compare_jacobian
-// is found by jacobian too.
-const split = (text) => (text.normalize("NFKC").toLowerCase().match(/[\p{L}\p{N}_]+/gu) ?? []).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")].filter(Boolean) : word));
+const IRREGULAR_STEMS = { axes: "axis", matrices: "matrix", radii: "radius", indices: "index" };
+const ENDINGS = /(?<=^.{3,})(?:ations?|ating|ated|ates?|ings?|ies|ity|ed|es|e|y|s)$/;
 
-// Boost for numbers and names of arms, for titles that contain the whole query, and for symptoms if
-// the query has several words.
-const BOOST = 3;
+// Return a word without its ending: "closing" finds "close", and "singularities" finds "singular".
+function stem(word) {
+  if (word.length < 4 || /\d|_/.test(word) || /(ss|is|us)$/.test(word)) return word;
+  if (word in IRREGULAR_STEMS) return IRREGULAR_STEMS[word];
+  const bare = word.replace(/(?<=.{3})it(y|ies)$/, "").replace(ENDINGS, "");
+  return /[aeiouy]/.test(bare) ? bare.replace(/([bdgmnprt])\1$/, "$1") : word;
+}
+
+// Split text into words. Symbols are joined with their index, as z0; a name with underscores counts
+// as a whole and in parts, so that compare_jacobian is found by jacobian too.
+function split(text) {
+  const plain = text.normalize("NFKC").toLowerCase()
+    .replace(/[α-ωϑϕ∂]/g, (letter) => GREEK[letter] ?? letter)
+    .replace(/(\d)\s*[×x*]\s*(?=\d)/g, "$1x");
+  return (plain.match(/\d+\.\d+|[\p{L}\p{N}_]+/gu) ?? []).flatMap(splitName);
+}
+
+function splitName(word) {
+  if (!word.includes("_")) return word;
+  const joined = word.replaceAll("_", "");
+  return /^\p{L}+_\w{1,2}$/u.test(word) ? joined : [word, ...word.split("_")].filter(Boolean);
+}
+
+// Numbers and names of arms say what the reader means.
 const BOOSTED_TERM = /^(\d+|panda|ur10e?|stanford|elbow)$/;
+const BOOST = 3;
+const PHRASE_BOOST = 1.6; // where the words stand together in the text
 
-// Pages that list what other pages explain rank lower.
-const PAGE_WEIGHTS = { api: 0.3, where: 0.3, glossary: 0.8 };
+// Chapters explain; other pages apply or list what they explain.
+const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.1, list: 0.03 };
+const PAGE_WEIGHTS = { where: 0.2, intro: 0.4, glossary: 0.2 };
+
+// Words of a complaint, which leads to the table of symptoms.
+const COMPLAINTS = /^(why|my|not|no|wrong|error|fail\w*|miss\w*|cannot|can.t|doesn.t|bug|jump\w*|tilt\w*|exceed\w*)$/;
 
 const index = new MiniSearch({
   idField: "id",
@@ -42,77 +87,165 @@ const index = new MiniSearch({
   tokenize: split,
   processTerm: (word) => (STOP_WORDS.has(word) ? null : stem(word)),
 });
-// The title of a page's first section is the page's title, which counts once. The index is built in
-// chunks so that the page stays responsive.
-const indexing = index.addAllAsync(ENTRIES.map((entry, id) => ({ ...entry, of: entry.of === entry.title ? "" : entry.of, id })), { chunkSize: 25 });
+// A word of the page's title counts once: it makes no difference among the page's sections. The index
+// is built in chunks so that the page stays responsive.
+const indexing = index.addAllAsync(ENTRIES.map((entry, id) => ({ ...entry, title: entry.title === entry.of ? entry.title : omitWords(entry.title, entry.of), of: entry.title === entry.of ? "" : entry.of, id })), { chunkSize: 25 });
 
-const findSynonyms = (word) => [...new Set(SYNONYMS.filter((words) => words.includes(word)).flat())].filter((other) => other !== word);
+function omitWords(text, others) {
+  const omitted = new Set(split(others).map(stem));
+  return split(text).filter((word) => !omitted.has(stem(word))).join(" ");
+}
 
-function search(typed) {
-  const text = EXPANSIONS[typed.trim().toLowerCase()] ?? typed;
-  const words = split(text.trim()).filter((word) => !STOP_WORDS.has(word)).map(stem);
+const findSynonyms = (word) => [...new Set(SYNONYMS.map((group) => group.map(stem)).filter((group) => group.includes(word)).flat())].filter((other) => other !== word);
+
+// Return the stems of what was typed. A query of stop words alone keeps them, and a name with
+// underscores stands for itself alone.
+function readQuery(typed) {
+  const all = split(EXPANSIONS[typed.trim().toLowerCase()] ?? typed);
+  const names = all.filter((word) => word.includes("_"));
+  const words = names.length ? names : all;
+  const asked = words.filter((word) => !STOP_WORDS.has(word));
+  return [...new Set(asked.length ? asked : words)].map(stem);
+}
+
+// Find the entries that have the words, best first.
+function findEntries(typed) {
+  const words = readQuery(typed);
+  const synonyms = new Map(words.map((word) => [word, findSynonyms(word)]));
   const queries = words.map((word, k) => ({
     combineWith: "OR",
     queries: [
-      { queries: [word], prefix: k === words.length - 1, fuzzy: word.length > 4 ? 0.2 : false, boostTerm: (term) => (BOOSTED_TERM.test(term) ? BOOST : 1) },
-      ...findSynonyms(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 1 / BOOST })),
+      { queries: [word], prefix: k === words.length - 1 && word.length > 1, fuzzy: word.length > 4 ? 0.2 : false, boostTerm: (term) => (BOOSTED_TERM.test(term) ? BOOST : 1) },
+      ...synonyms.get(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 1 / BOOST })),
     ],
   }));
-  const options = { bm25: { k: 1.2, b: 0.3, d: 0.5 }, boost: { title: 6, of: 6 } };
-  const all = index.search({ combineWith: "AND", queries }, options);
-  const hits = all.length ? all : index.search({ combineWith: "OR", queries }, options);
-  const joined = (text) => ` ${split(text).join(" ")} `;
-  const phrase = joined(text);
-  const weight = ({ title, page, symptom }) =>
-    (joined(title).includes(phrase) ? BOOST : 1) * (symptom && words.length > 1 ? BOOST : (PAGE_WEIGHTS[page] ?? 1));
-  return hits.map((hit) => ({ ...hit, score: hit.score * weight(ENTRIES[hit.id]) })).sort((one, other) => other.score - one.score);
+  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, of: 4 } });
+  const phrase = joinStems(words);
+  const isComplaint = typed.toLowerCase().split(/[^\p{L}’']+/u).some((word) => COMPLAINTS.test(word));
+  const rate = ({ id, score, queryTerms }) => {
+    const { title, text, page, kind, symptom } = ENTRIES[id];
+    const matched = words.filter((word) => [word, ...synonyms.get(word)].some((term) => queryTerms.includes(term)));
+    const coverage = matched.length / words.length;
+    const together = joinStems(stemsOf(title)).includes(phrase) ? BOOST : words.length > 1 && joinStems(stemsOf(text)).includes(phrase) ? PHRASE_BOOST : 1;
+    const weight = symptom ? (isComplaint ? BOOST : KIND_WEIGHTS[kind]) : KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1);
+    if (kind === "list" && words.some((word) => word.includes("_"))) return score; // a function by its name
+    return score * coverage * together * weight;
+  };
+  return hits
+    .map((hit) => ({ ...ENTRIES[hit.id], terms: hit.terms, score: rate(hit) }))
+    .sort((one, other) => other.score - one.score);
 }
+
+const joinStems = (stems) => ` ${stems.join(" ")} `;
+const stemsOf = (text) => split(text).filter((word) => !STOP_WORDS.has(word)).map(stem);
+
+// Find the pages that have the words, best first, each with its entries. All answer sheets are one
+// page with a link to each. The name of a robot that the book does not have puts the page about an
+// arm of one's own first.
+function searchBook(typed) {
+  const groups = new Map();
+  for (const entry of findEntries(typed)) {
+    const key = entry.kind === "sheet" ? "sheets" : entry.page;
+    if (!groups.has(key)) groups.set(key, { key, kind: entry.kind, title: entry.kind === "sheet" ? "Answer sheets" : entry.of, page: entry.page, entries: [] });
+    groups.get(key).entries.push(entry);
+  }
+  const found = [...groups.values()];
+  const robot = split(typed).find((word) => OTHER_ROBOTS.test(word));
+  return robot ? [makeOwnArmGroup(robot), ...found.filter(({ key }) => key !== OWN_ARM_PAGE)] : found;
+}
+
+function makeOwnArmGroup(robot) {
+  const entry = ENTRIES.find(({ page }) => page === OWN_ARM_PAGE);
+  const text = `The book has no ${robot.toUpperCase()}. With its DH table or its URDF you get everything that the chapters do.`;
+  return { key: OWN_ARM_PAGE, kind: entry.kind, title: entry.of, page: OWN_ARM_PAGE, entries: [{ ...entry, text, terms: [] }] };
+}
+
+const MAX_PAGES = 12;
+const MAX_SECTIONS = 3; // shown of a page
+const WAYS_ON = { "check_your_homework.html#symptoms": "what you see, by symptom", "where.html": "the homework line by line", "genindex.html": "the index" };
+
+const make = (name, attributes = {}, ...children) => {
+  const element = Object.assign(document.createElement(name), attributes);
+  element.append(...children);
+  return element;
+};
+const makeLink = ({ page, anchor }, text) => make("a", { href: `${BOOK}${page}.html${anchor ? `#${anchor}` : ""}` }, text);
 
 // Make an excerpt around the first hits, with the hits marked.
-function makeExcerpt({ text }, terms) {
-  const hits = text.matchAll(/[\p{L}\p{N}_]+/gu);
-  const places = [...hits].filter(([word]) => split(word).some((part) => terms.includes(stem(part))));
-  const start = Math.max(0, (places[0]?.index ?? 0) - 60), from = start && text.indexOf(" ", start) + 1;
-  const shown = document.createElement("p");
+function makeExcerpt({ text, terms }) {
+  const hits = [...text.matchAll(/[\p{L}\p{N}_]+/gu)].filter(([word]) => split(word).some((part) => terms.includes(stem(part))));
+  const start = Math.max(0, (hits[0]?.index ?? 0) - 60), from = start && text.indexOf(" ", start) + 1;
+  const excerpt = make("p");
   let at = from;
-  for (const { 0: word, index: place } of places.filter(({ index: place }) => place >= from && place < from + 200)) {
-    shown.append(text.slice(at, place), Object.assign(document.createElement("mark"), { textContent: word }));
+  for (const { 0: word, index: place } of hits.filter(({ index: place }) => place >= from && place < from + 160)) {
+    excerpt.append(text.slice(at, place), make("mark", {}, word));
     at = place + word.length;
   }
-  const end = text.indexOf(" ", Math.max(at, from + 220));
-  shown.prepend(from ? "… " : "");
-  shown.append(end < 0 ? text.slice(at) : `${text.slice(at, end)} …`);
-  return shown;
+  const end = text.indexOf(" ", Math.max(at, from + 180));
+  excerpt.prepend(from ? "… " : "");
+  excerpt.append(end < 0 ? text.slice(at) : `${text.slice(at, end)} …`);
+  return excerpt;
 }
 
-function makeResult(hit) {
-  const { page, anchor, title, of } = ENTRIES[hit.id];
-  const link = Object.assign(document.createElement("a"), { href: `${page}.html#${anchor}`, textContent: title });
-  const item = document.createElement("li");
-  item.append(link, ...(title === of ? [] : [Object.assign(document.createElement("span"), { textContent: of })]));
-  item.append(makeExcerpt(ENTRIES[hit.id], hit.terms));
-  return item;
+// Make the results of one page: its title, and its best sections with excerpts.
+function makePageResult({ kind, title, page, entries }) {
+  if (kind === "sheet") return makeSheetsResult(entries);
+  const sections = entries.slice(0, MAX_SECTIONS).map((entry) =>
+    make("li", {}, ...(entry.title === title ? [] : [makeLink(entry, entry.title)]), makeExcerpt(entry)));
+  return make("li", {}, makeLink({ page }, title), make("ul", {}, ...sections));
 }
 
-const MAX_RESULTS = 30;
+// Make one result of all answer sheets: a link to the best place of each.
+function makeSheetsResult(entries) {
+  const best = new Map();
+  for (const entry of entries) if (!best.has(entry.page)) best.set(entry.page, entry);
+  const links = [...best.values()].map((entry) => makeLink(entry, entry.of));
+  return make("li", { className: "sheets" }, "Answer sheets: ", ...links.flatMap((link, k) => (k ? [" · ", link] : [link])));
+}
 
-if (globalThis.document) {
-  const results = document.querySelector("#search-results"), summary = document.querySelector("#search-told");
-  const fields = [...document.querySelectorAll("input[name=q]")];
-  const showResults = async (text) => {
+function describeResults(typed, found) {
+  if (!typed.trim()) return [];
+  if (found.length) {
+    const places = found.reduce((sum, { entries }) => sum + entries.length, 0);
+    return [`${places === 1 ? "1 place" : `${places} places`} on ${found.length === 1 ? "1 page" : `${found.length} pages`}`];
+  }
+  const ways = Object.entries(WAYS_ON).map(([href, text]) => make("a", { href: BOOK + href }, text));
+  return ["Nothing in the book has these words. Three ways on: ", ways[0], ", ", ways[1], ", or ", ways[2], "."];
+}
+
+// Show results as the reader types. Arrow keys lead from the field through the links and back.
+function attachResults(form) {
+  const field = form.querySelector("input");
+  const summary = document.querySelector("#search-summary") ?? make("p", { role: "status" });
+  const list = document.querySelector("#search-results") ?? make("ol");
+  const isPage = list.isConnected;
+  const box = isPage ? list : make("div", { className: "results", hidden: true }, summary, list);
+  if (!isPage) form.append(box);
+  const show = async () => {
     await indexing;
-    const hits = text.trim() ? search(text) : [];
-    results.replaceChildren(...hits.slice(0, MAX_RESULTS).map(makeResult));
-    const more = hits.length > MAX_RESULTS ? `, the first ${MAX_RESULTS} of ${hits.length}` : "";
-    summary.textContent = !text.trim() ? "" : hits.length ? `${Math.min(hits.length, MAX_RESULTS)} places${more}` : "Nothing in the book has these words.";
+    const typed = field.value, found = typed.trim() ? searchBook(typed) : [];
+    list.replaceChildren(...found.slice(0, MAX_PAGES).map(makePageResult));
+    summary.replaceChildren(...describeResults(typed, found));
+    if (isPage) history.replaceState(null, "", `?q=${encodeURIComponent(typed)}`);
+    else box.hidden = !typed.trim() || !form.contains(document.activeElement);
   };
-  for (const field of fields)
-    field.addEventListener("input", () => {
-      fields.filter((other) => other !== field).forEach((other) => (other.value = field.value));
-      history.replaceState(null, "", `?q=${encodeURIComponent(field.value)}`);
-      showResults(field.value);
-    });
-  const asked = new URLSearchParams(location.search).get("q") ?? "";
-  fields.forEach((field) => (field.value = asked));
-  showResults(asked);
+  field.addEventListener("input", show);
+  field.addEventListener("focus", show);
+  (isPage ? document : form).addEventListener("keydown", (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const links = [...list.querySelectorAll("a")], at = links.indexOf(document.activeElement);
+    if (event.key === "Escape" && !isPage) {
+      box.hidden = true;
+      field.focus();
+      box.hidden = true;
+    }
+    if (!step || !links.length || (at < 0 && document.activeElement !== field)) return;
+    event.preventDefault();
+    (links[Math.min(at + step, links.length - 1)] ?? field).focus();
+  });
+  if (!isPage) form.addEventListener("focusout", ({ relatedTarget }) => form.contains(relatedTarget) || (box.hidden = true));
+  if (!isPage) list.addEventListener("click", ({ target }) => target.closest("a") && (box.hidden = true));
+  show();
 }
+
+if (globalThis.document) document.querySelectorAll("form[role='search']").forEach(attachResults);
