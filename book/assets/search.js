@@ -19,7 +19,7 @@ const SYNONYMS = [
   ["pinv", "pseudo"],
   ["robot", "arm"],
   ["error", "wrong", "mistake", "slip", "correct"],
-  ["prismatic", "slide", "stanford"],
+  ["prismatic", "slide"],
   ["craig", "modified"],
   ["franka", "panda"],
   ["effector", "tip"],
@@ -29,8 +29,10 @@ const SYNONYMS = [
   ["delete", "remove", "lose"],
   ["arctan", "atan", "atan2"],
 ];
+// Words that lead to another one, and not the other way round.
+const HINTS = { prismatic: ["stanford"] };
 // Expansions of a term that is the whole query.
-const FORWARD = "forward pose of the tip";
+const FORWARD = "forward transform matrices";
 const EXPANSIONS = { ik: "inverse kinematics", fk: FORWARD, "forward kinematics": FORWARD };
 const STOP_WORDS = new Set(
   `a an and are as at be between by calculate can compute could do does find for from get give has have help homework how i if in
@@ -86,6 +88,7 @@ const index = new MiniSearch({
   fields: ["title", "of", "text"],
   tokenize: split,
   processTerm: (word) => (STOP_WORDS.has(word) ? null : stem(word)),
+  searchOptions: { tokenize: (word) => [word], processTerm: (word) => word }, // a query has stems already
 });
 // A word of the page's title counts once: it makes no difference among the page's sections. The index
 // is built in chunks so that the page stays responsive.
@@ -96,7 +99,10 @@ function omitWords(text, others) {
   return split(text).filter((word) => !omitted.has(stem(word))).join(" ");
 }
 
-const findSynonyms = (word) => [...new Set(SYNONYMS.map((group) => group.map(stem)).filter((group) => group.includes(word)).flat())].filter((other) => other !== word);
+function findSynonyms(word) {
+  const groups = SYNONYMS.map((group) => group.map(stem)).filter((group) => group.includes(word));
+  return [...new Set([...groups.flat(), ...(HINTS[word] ?? [])])].filter((other) => other !== word);
+}
 
 // Return the stems of what was typed. A query of stop words alone keeps them, and a name with
 // underscores stands for itself alone.
