@@ -34,7 +34,7 @@ SEARCHES = {
     "damped least squares": r"03_.*: |glossary: damped",
     "pseudo-inverse": r"03_.*: |glossary: pseudo",
     "euler step size error": r"03_.*: (How the error|The Euler)",
-    "joint limits": r"03_.*: (The joints that|The way out|Rates that keep)|robot_data|check_.*: A joint turns",
+    "joint limits": r"03_.*: (The joints|The way out|Rates that)|robot_data|check_.*: A joint",
     "feedback gain": r"03_.*: Feedback",
     # torques
     "gravity torque": r"04_.*|glossary: gravity|answers/.*: Gravity",
