@@ -15,7 +15,7 @@ sys.path.insert(0, str(ROOT))
 
 from playwright.sync_api import Browser, sync_playwright  # noqa: E402
 
-from tools.browser import launched  # noqa: E402
+from tools.browser import launch_browser  # noqa: E402
 
 RUNS, SLOWER = 5, 4
 
@@ -88,7 +88,7 @@ def dragged(browser: Browser) -> list[float]:
 
 def main() -> None:
     with sync_playwright() as playwright:
-        browser = launched(playwright)
+        browser = launch_browser(playwright)
         runs = [dragged(browser) for _ in range(RUNS)]
         browser.close()
     for share in (0.5, 0.95):

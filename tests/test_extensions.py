@@ -8,7 +8,7 @@ import pytest
 from docutils import nodes
 
 from tools.pages import fold, keep_together, keep_whole, visit_math_block
-from tools.pictures import size, visit_image
+from tools.pictures import svg_size, visit_image
 
 PANELS = ((12, 8, 93, 166), (207, 17, 186, 166))
 
@@ -28,7 +28,7 @@ def figure(*panels, wide=400, high=200):
 )
 def test_svg_size_is_read_in_points_or_pixels(width, expected):
     height = width.replace("300", "150")
-    assert size(ET.fromstring(f'<svg width="{width}" height="{height}"/>')) == expected
+    assert svg_size(ET.fromstring(f'<svg width="{width}" height="{height}"/>')) == expected
 
 
 def shown(tmp_path, svg, **attributes):

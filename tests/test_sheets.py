@@ -221,34 +221,38 @@ def test_page_numbers_match_numeric_view(sheet):
 def test_every_sheet_is_in_the_contents():
     toc = (answers.ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
     listed = set(re.findall(r"answers/(\w+)", toc))
-    assert {page.name for page in answers.PAGES} == listed, "a line answers/NAME in book/_toc.yml"
+    assert {page.name for page in answers.PAGES} == listed, (
+        "add a line answers/NAME to book/_toc.yml"
+    )
 
 
 def test_every_arm_has_a_sheet():
     shown = {arm.name for page in answers.PAGES for arm in page.arms}
-    assert {arm.name for arm in robots.ARMS} <= shown, "a Page in PAGES of tools/answers.py"
+    assert {arm.name for arm in robots.ARMS} <= shown, (
+        "add a SheetPage to PAGES of tools/answers.py"
+    )
 
 
 def test_sheets_are_rewritten_only_after_changes(tmp_path, monkeypatch):
-    monkeypatch.setattr(answers, "text_of", lambda page: page.lead)
+    monkeypatch.setattr(answers, "page_markdown", lambda page: page.introduction)
     first, second = (tmp_path / f"{page.name}.md" for page in answers.PAGES[:2])
-    answers.write(tmp_path, "one")
+    answers.write_pages(tmp_path, "one")
     assert {path.stem for path in tmp_path.glob("*.md")} == {page.name for page in answers.PAGES}
     first.write_text("edited", "utf-8")
-    answers.write(tmp_path, "one")
+    answers.write_pages(tmp_path, "one")
     assert first.read_text("utf-8") == "edited"
     second.unlink()
-    answers.write(tmp_path, "one")
+    answers.write_pages(tmp_path, "one")
     first.write_text("edited", "utf-8")
     before = second.stat().st_mtime_ns
-    answers.write(tmp_path, "two")
-    assert first.read_text("utf-8") == answers.PAGES[0].lead
+    answers.write_pages(tmp_path, "two")
+    assert first.read_text("utf-8") == answers.PAGES[0].introduction
     assert second.stat().st_mtime_ns == before, "what is the same is left alone"
-    assert {*(answers.ROOT / "answers/static").iterdir()} <= {*answers.sources()}
+    assert {*(answers.ROOT / "answers/static").iterdir()} <= {*answers.list_sources()}
 
 
 def test_sheet_page_has_title_and_answers():
-    text = answers.text_of(answers.PAGES[5])
+    text = answers.page_markdown(answers.PAGES[5])
     assert text.startswith('---\nmyst:\n  html_meta:\n    description: "Elbow arm: every link ')
     assert "\n---\n\n# Elbow arm\n\nThe arm of three joints" in text
     assert text.count('<details class="answer"') == len(SHEETS["elbow"].items)

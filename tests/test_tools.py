@@ -18,47 +18,49 @@ ROOT = Path(__file__).parents[1]
 
 
 def test_pdf_pages_follow_the_contents():
-    names = pdf.names()
-    contents = (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8")
+    names = pdf.list_pages()
+    toc = (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8")
     assert names[0] == "intro"
-    listed = re.findall(r"file: (\S+)", contents)
-    assert names[1:] == [name for name in listed if name not in pdf.ALONE]
+    listed = re.findall(r"file: (\S+)", toc)
+    assert names[1:] == [name for name in listed if name not in pdf.LEFT_OUT]
     assert len(names) == len(set(names))
 
 
 def test_pdf_link_is_inserted_once(tmp_path):
     page = tmp_path / "intro.html"
-    page.write_text(f"<article></article>{pdf.PLACE}", encoding="utf-8")
-    pdf.link(page)
-    pdf.link(page)
+    page.write_text(f"<article></article>{pdf.LINK_PLACEHOLDER}", encoding="utf-8")
+    pdf.link_pdf(page)
+    pdf.link_pdf(page)
     assert page.read_text(encoding="utf-8") == f"<article></article>{pdf.LINK}"
     page.write_text("<article></article>", encoding="utf-8")
     with pytest.raises(RuntimeError, match="no place"):
-        pdf.link(page)
+        pdf.link_pdf(page)
 
 
 def test_pdf_references_use_pages_of_first_print(monkeypatch):
-    """A second print that moved a place would make them wrong."""
-    found = iter([{"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 4, "b": 1}])
-    monkeypatch.setattr(pdf, "places", lambda data: next(found))
-    said = []
-    page = SimpleNamespace(evaluate=lambda _, pages: said.append(pages), pdf=lambda **_: b"%PDF")
-    assert pdf.printed(page) == b"%PDF"
-    assert said == [{}, {"a": 3, "b": 1}]
+    """The second print may not move a link's target to another page."""
+    targets = iter([{"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 4, "b": 1}])
+    monkeypatch.setattr(pdf, "target_pages", lambda _: next(targets))
+    page_numbers = []
+    tab = SimpleNamespace(
+        evaluate=lambda _, pages: page_numbers.append(pages), pdf=lambda **_: b"%PDF"
+    )
+    assert pdf.print_with_page_numbers(tab) == b"%PDF"
+    assert page_numbers == [{}, {"a": 3, "b": 1}]
     with pytest.raises(RuntimeError, match=r"moves \['a'\]"):
-        pdf.printed(page)
+        pdf.print_with_page_numbers(tab)
 
 
 def test_pdf_without_browser_exits_with_message(monkeypatch):
     def launch(**_):
         raise Error("Chromium distribution 'chrome' is not found")
 
-    nothing = SimpleNamespace(chromium=SimpleNamespace(launch=launch))
-    monkeypatch.setattr(pdf, "sync_playwright", lambda: nullcontext(nothing))
+    playwright = SimpleNamespace(chromium=SimpleNamespace(launch=launch))
+    monkeypatch.setattr(pdf, "sync_playwright", lambda: nullcontext(playwright))
     monkeypatch.setenv("PATH", "")
-    with pytest.raises(SystemExit) as ended:
+    with pytest.raises(SystemExit) as error:
         pdf.main()
-    assert re.fullmatch("no browser is on the PATH; expected one of chromium.*", ended.value.code)
+    assert re.fullmatch("no browser is on the PATH; expected one of chromium.*", error.value.code)
 
 
 @pytest.fixture
@@ -79,21 +81,21 @@ def notebook(tmp_path):
 def test_refresh_stores_outputs_without_machine_details(notebook):
     title_id, *ids = [cell.id for cell in nbformat.read(notebook, as_version=4).cells]
     refresh(notebook)
-    first = notebook.read_bytes()
-    read = nbformat.read(notebook, as_version=4)
-    title, setup_note, printed, valued = read.cells
+    first_bytes = notebook.read_bytes()
+    refreshed = nbformat.read(notebook, as_version=4)
+    title, setup_note, printing_cell, value_cell = refreshed.cells
     assert setup_note.metadata.tags == ["remove-cell"]
-    assert [out.text for out in printed.outputs] == ["a\n['one.ipynb']\n"], (
-        "it runs in its own folder"
+    assert [out.text for out in printing_cell.outputs] == ["a\n['one.ipynb']\n"], (
+        "the notebook did not run in its own folder"
     )
-    assert valued.outputs[0].data["text/plain"] == "42"
-    assert valued.metadata == {"tags": ["hide-input"]}
-    assert [title.id, printed.id, valued.id] == [title_id, *ids]
-    assert [printed.execution_count, valued.execution_count] == [1, 2]
-    assert set(read.metadata) == {"kernelspec", "language_info", "myst"}
-    assert read.metadata.kernelspec.name == "python3"
+    assert value_cell.outputs[0].data["text/plain"] == "42"
+    assert value_cell.metadata == {"tags": ["hide-input"]}
+    assert [title.id, printing_cell.id, value_cell.id] == [title_id, *ids]
+    assert [printing_cell.execution_count, value_cell.execution_count] == [1, 2]
+    assert set(refreshed.metadata) == {"kernelspec", "language_info", "myst"}
+    assert refreshed.metadata.kernelspec.name == "python3"
     refresh(notebook)
-    assert notebook.read_bytes() == first
+    assert notebook.read_bytes() == first_bytes
 
 
 def test_repository_url_agrees_in_all_files():

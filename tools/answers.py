@@ -1,5 +1,7 @@
-"""A Sphinx extension: the answer sheets of the book's arms, book/answers/*.md, are written before
-Sphinx looks for pages, and only when what makes them has changed.
+"""A Sphinx extension that writes the answer sheets of the book's arms, book/answers/*.md.
+
+It writes them before Sphinx looks for pages, and only if a file that they are made from has
+changed.
 """
 
 from dataclasses import replace
@@ -17,7 +19,7 @@ from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_
 
 ROOT = Path(__file__).parents[1]
 
-_HOW = """
+INSTRUCTIONS = """
 :::{container} screen
 Every answer is folded under its question: try first, then open it. The buttons copy an answer as a
 block that needs no editing: LaTeX for a document with `amsmath`, Python for SymPy (everything a
@@ -30,27 +32,25 @@ whether your own answer is another way of writing the same, give it to
 """
 
 
-_WHAT = (
+DESCRIPTION = (
     "every link matrix, frame, Jacobian and torque in symbols and numbers,"
     " to copy as LaTeX, Python or MATLAB."
 )
 
 
-class Page(NamedTuple):
-    """A sheet of the book: its file, its heading, what is said first, and the arms whose numbers it
-    gives.
-    """
+class SheetPage(NamedTuple):
+    """An answer sheet of the book; `arms` share its formulas and differ in their numbers."""
 
     name: str
     heading: str
-    lead: str
+    introduction: str
     arms: tuple[Arm, ...]
 
 
 BENT = (0, -pi / 3, pi / 3, -pi / 2, -pi / 2, 0)
 
 PAGES = (
-    Page(
+    SheetPage(
         "panda",
         "Panda",
         "The Panda with its pen and all seven joints. Homework and real arm share every formula;"
@@ -59,7 +59,7 @@ PAGES = (
         " [Panda, joint 3 locked at 0](panda_joint_3_locked.md) is the arm that draws the circle.",
         (PANDA_HOMEWORK, PANDA),
     ),
-    Page(
+    SheetPage(
         "panda_joint_3_locked",
         "Panda, joint 3 locked at 0",
         "The Panda as the homework uses it: joint 3 stays at 0, row 3 is fixed, and the Jacobian"
@@ -67,7 +67,7 @@ PAGES = (
         " parallel now, so their angles join: $q_2 - q_4$.",
         (PANDA_HOMEWORK.lock(3), PANDA.lock(3)),
     ),
-    Page(
+    SheetPage(
         "ur10e_homework",
         "UR10e, the homework's table",
         "The arm of the homework, whose lengths are those of a UR10. The homework gives it no"
@@ -75,7 +75,7 @@ PAGES = (
         " worked out for [the maker's UR10e](ur10e.md).",
         (UR10E_HOMEWORK,),
     ),
-    Page(
+    SheetPage(
         "ur10e",
         "UR10e, the maker's table",
         "The arm as its maker describes it, with the homework's pen. Numbers are given at a bent"
@@ -83,7 +83,7 @@ PAGES = (
         " stands upright and weighs on no joint.",
         (replace(UR10E, home=BENT),),
     ),
-    Page(
+    SheetPage(
         "stanford",
         "Stanford arm",
         "Two turns, a slide and a wrist. Joint 3 slides, so its column of the Jacobian is"
@@ -91,14 +91,14 @@ PAGES = (
         " homework gives it no masses, so there is no gravity here.",
         (STANFORD,),
     ),
-    Page(
+    SheetPage(
         "elbow",
         "Elbow arm",
         "The arm of three joints without an offset at its shoulder."
         " [Elbow arm with an offset](elbow_with_offset.md) has one.",
         (ELBOW,),
     ),
-    Page(
+    SheetPage(
         "elbow_with_offset",
         "Elbow arm with an offset",
         "The arm of three joints whose shoulder stands out by $d$. With $d = 0$ it is"
@@ -108,40 +108,46 @@ PAGES = (
 )
 
 
-def text_of(page: Page) -> str:
-    """A page in Markdown."""
-    arm, *also = page.arms
-    lead = f"{page.lead}\n{_HOW.rstrip()}"
-    return markdown(arm, page.heading, lead, tuple(also), f"{page.heading}: {_WHAT}")
+def page_markdown(page: SheetPage) -> str:
+    """Return the Markdown text of a page."""
+    arm, *more_arms = page.arms
+    introduction = f"{page.introduction}\n{INSTRUCTIONS.rstrip()}"
+    description = f"{page.heading}: {DESCRIPTION}"
+    return markdown(arm, page.heading, introduction, tuple(more_arms), description)
 
 
-def write(folder: Path, fingerprint: str) -> None:
-    """Write the pages that differ, unless the fingerprint is that of the last time."""
-    mark = folder / ".made"
+def write_pages(folder: Path, fingerprint: str) -> None:
+    """Write the pages that differ, unless they were last written with the same fingerprint."""
+    fingerprint_file = folder / ".made"
     paths = {page: folder / f"{page.name}.md" for page in PAGES}
-    there = all(path.exists() for path in (mark, *paths.values()))
-    if there and mark.read_text("utf-8") == fingerprint:
+    are_complete = all(path.exists() for path in (fingerprint_file, *paths.values()))
+    if are_complete and fingerprint_file.read_text("utf-8") == fingerprint:
         return
     folder.mkdir(exist_ok=True)
     for page, path in paths.items():
-        text = text_of(page)
-        if not path.exists() or path.read_text("utf-8") != text:  # a page that stays is not read
+        text = page_markdown(page)
+        # Sphinx reads again each file that was written, so unchanged pages are not.
+        if not path.exists() or path.read_text("utf-8") != text:
             path.write_text(text, "utf-8")
-    mark.write_text(fingerprint, "utf-8")
+    fingerprint_file.write_text(fingerprint, "utf-8")
 
 
-def sources() -> list[Path]:
-    """The files that make the pages; style and script of a sheet stand in it."""
+def list_sources() -> list[Path]:
+    """Return the files that the pages are made from, with the style and script in a sheet."""
     modules = (path for room in ("helpers", "answers") for path in (ROOT / room).rglob("*.py"))
     return [Path(__file__), *sorted(modules), *sorted((ROOT / "answers/static").iterdir())]
 
 
-def fingerprint() -> str:
-    """What changes with anything that makes the pages."""
-    parts = [sp.__version__.encode(), *(path.read_bytes() for path in sources())]
+def compute_fingerprint() -> str:
+    """Return a hash of all sources and of SymPy's version."""
+    parts = [sp.__version__.encode(), *(path.read_bytes() for path in list_sources())]
     return sha256(b"".join(parts)).hexdigest()
 
 
+def write_before_build(app: Sphinx) -> None:
+    write_pages(Path(app.srcdir, "answers"), compute_fingerprint())
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
-    app.connect("builder-inited", lambda app: write(Path(app.srcdir, "answers"), fingerprint()))
+    app.connect("builder-inited", write_before_build)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,4 +1,4 @@
-"""A headless Chromium with no network: the PDF is printed with it, and tests look through it."""
+"""Start a headless Chromium without network access, for the PDF and for tests."""
 
 import shutil
 
@@ -15,10 +15,10 @@ FLAGS = [
     "--use-gl=angle",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    "--font-render-hinting=none",  # letters as wide as they are in a window
+    "--font-render-hinting=none",  # characters get the same width as in a browser's window
 ]
-# First the one that has no window to draw: the others' frame and tab cost more than a page.
-NAMES = (
+# The headless shell comes first: it draws no window, which in the others costs more than a page.
+PROGRAMS = (
     "chromium-headless-shell",
     "chromium",
     "chromium-browser",
@@ -28,18 +28,29 @@ NAMES = (
 )
 
 
-def launched(playwright: Playwright, *more: str) -> Browser:
-    """Chromium, Chrome or Edge, with `more` flags; on macOS and Windows Playwright knows where
-    Chrome is installed. Raises NoBrowser where there is none."""
-    path = next(filter(None, map(shutil.which, NAMES)), None)
-    where = {"executable_path": path} if path else {"channel": "chrome"}
+class NoBrowser(Exception):
+    """No Chromium, Chrome or Edge is installed."""
+
+
+def launch_browser(playwright: Playwright, *more_flags: str) -> Browser:
+    """Launch Chromium, Chrome or Edge without a window.
+
+    If no program of `PROGRAMS` is on the PATH, Playwright looks for Chrome where macOS and Windows
+    install it.
+
+    Args:
+        playwright: A running Playwright.
+        more_flags: Command-line flags in addition to `FLAGS`.
+
+    Raises:
+        NoBrowser: No browser is installed.
+    """
+    path = next(filter(None, map(shutil.which, PROGRAMS)), None)
+    program = {"executable_path": path} if path else {"channel": "chrome"}
     try:
-        return playwright.chromium.launch(**where, args=[*FLAGS, *more])
+        return playwright.chromium.launch(**program, args=[*FLAGS, *more_flags])
     except Error as error:
         if path:
             raise
-        raise NoBrowser(f"no browser is on the PATH; expected one of {', '.join(NAMES)}") from error
-
-
-class NoBrowser(Exception):
-    """There is no Chromium, Chrome or Edge to look with."""
+        expected = ", ".join(PROGRAMS)
+        raise NoBrowser(f"no browser is on the PATH; expected one of {expected}") from error

@@ -182,7 +182,7 @@ def prepare(app: Sphinx, doctree: nodes.document, name: str) -> None:
     for table in list(doctree.findall(nodes.table)):
         thin_out(table)
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
-    stills.draw(app, doctree, name)
+    stills.add_stills(app, doctree, name)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -1,17 +1,17 @@
-// A document that knows just enough for the page's own code to build its parts in it, so that they
-// stand in the book as HTML before their script has come (stills.py).
+// A document with just enough of the DOM for the page's scripts to build live figures and forms as
+// HTML. tools/stills.py writes that HTML into the book, to be shown until the scripts have loaded.
 
 const ENTITIES = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
-const safe = (text) => String(text).replace(/[&<>"]/g, (sign) => ENTITIES[sign]);
-const kebab = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-const nothing = () => {};
+const escapeHtml = (text) => String(text).replace(/[&<>"]/g, (character) => ENTITIES[character]);
+const toKebabCase = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+const doNothing = () => {};
 
 class Text {
   constructor(text) {
     this.textContent = String(text);
   }
   get outerHTML() {
-    return safe(this.textContent);
+    return escapeHtml(this.textContent);
   }
 }
 
@@ -28,14 +28,14 @@ class Element {
     this.childNodes = [];
     this.style = new Style();
     this.dataset = new Proxy(this, {
-      get: (_, name) => this.getAttribute(`data-${kebab(name)}`) ?? undefined,
-      set: (_, name, value) => (this.setAttribute(`data-${kebab(name)}`, value), true),
+      get: (_, name) => this.getAttribute(`data-${toKebabCase(name)}`) ?? undefined,
+      set: (_, name, value) => (this.setAttribute(`data-${toKebabCase(name)}`, value), true),
     });
     this.classList = {
       contains: (name) => this.className.split(" ").includes(name),
       add: (name) => this.classList.toggle(name, true),
       toggle: (name, on) => {
-        const rest = this.className.split(" ").filter((one) => one && one !== name);
+        const rest = this.className.split(" ").filter((other) => other && other !== name);
         this.className = [...rest, ...(on ? [name] : [])].join(" ");
       },
     };
@@ -55,8 +55,8 @@ class Element {
   get firstChild() {
     return this.childNodes[0] ?? null;
   }
-  // A node stands in one place only.
-  #taken(nodes) {
+  /** Take nodes from their old parents, since a node has one parent, and turn strings into texts. */
+  #adopt(nodes) {
     return nodes.map((node) => {
       if (!(node instanceof Element)) return node instanceof Text ? node : new Text(node);
       node.parent?.childNodes.splice(node.parent.childNodes.indexOf(node), 1);
@@ -65,10 +65,10 @@ class Element {
     });
   }
   append(...nodes) {
-    this.childNodes.push(...this.#taken(nodes));
+    this.childNodes.push(...this.#adopt(nodes));
   }
   prepend(...nodes) {
-    this.childNodes.unshift(...this.#taken(nodes));
+    this.childNodes.unshift(...this.#adopt(nodes));
   }
   replaceChildren(...nodes) {
     for (const node of this.childNodes) node.parent = null;
@@ -99,13 +99,17 @@ class Element {
   set value(text) {
     if (this.tag === "textarea") this.textContent = String(text);
     else if (this.tag !== "select") this.setAttribute("value", text);
-    else for (const one of this.options) one.selected = one.getAttribute("value") === text;
+    else for (const option of this.options) option.selected = option.getAttribute("value") === text;
   }
-  // A tag, a class, or both.
+  /** Find descendants by a tag, a class, or both: "svg", ".still", "svg.still". */
   querySelectorAll(selector) {
     const [tag, name] = selector.split(".");
-    const is = (one) => (!tag || one.tag === tag) && (!name || one.classList.contains(name));
-    return this.children.flatMap((one) => [...(is(one) ? [one] : []), ...one.querySelectorAll(selector)]);
+    const matches = (node) =>
+      (!tag || node.tag === tag) && (!name || node.classList.contains(name));
+    return this.children.flatMap((node) => [
+      ...(matches(node) ? [node] : []),
+      ...node.querySelectorAll(selector),
+    ]);
   }
   querySelector(selector) {
     return this.querySelectorAll(selector)[0] ?? null;
@@ -122,12 +126,19 @@ class Element {
     return false;
   }
   get innerHTML() {
-    return this.childNodes.map((node) => (this.tag === "style" ? node.textContent : node.outerHTML)).join("");
+    return this.childNodes
+      .map((node) => (this.tag === "style" ? node.textContent : node.outerHTML))
+      .join("");
   }
   get outerHTML() {
-    const style = Object.entries(this.style).map(([name, value]) => `${kebab(name)}:${value}`);
-    const all = [...this.attributes, ...(style.length ? [["style", style.join(";")]] : [])];
-    const start = [this.tag, ...all.map(([name, value]) => (value ? `${name}="${safe(value)}"` : name))];
+    const style = Object.entries(this.style).map(
+      ([name, value]) => `${toKebabCase(name)}:${value}`,
+    );
+    const pairs = [...this.attributes, ...(style.length ? [["style", style.join(";")]] : [])];
+    const start = [
+      this.tag,
+      ...pairs.map(([name, value]) => (value ? `${name}="${escapeHtml(value)}"` : name)),
+    ];
     const end = this.tag === "input" ? "" : `${this.innerHTML}</${this.tag}>`;
     return `<${start.join(" ")}>${end}`;
   }
@@ -154,7 +165,8 @@ for (const name of ["className", "tabIndex", "id", "type", "title", "href", "pla
     },
   });
 }
-for (const name of ["addEventListener", "scrollIntoView", "focus"]) Element.prototype[name] = nothing;
+for (const name of ["addEventListener", "scrollIntoView", "focus"])
+  Element.prototype[name] = doNothing;
 
 Object.assign(globalThis, {
   document: {
@@ -164,13 +176,13 @@ Object.assign(globalThis, {
     createElementNS: (_, tag) => new Element(tag),
   },
   location: { hash: "", href: "" },
-  console: { error: nothing, warn: nothing, log: nothing },
-  matchMedia: () => ({ matches: false, addEventListener: nothing }),
+  console: { error: doNothing, warn: doNothing, log: doNothing },
+  matchMedia: () => ({ matches: false, addEventListener: doNothing }),
   MutationObserver: class {
     observe() {}
   },
   AbortController: class {
-    signal = { aborted: false, addEventListener: nothing };
+    signal = { aborted: false, addEventListener: doNothing };
   },
   URL: class {
     constructor(path) {
@@ -185,9 +197,9 @@ Object.assign(globalThis, {
       return this.fields.map((pair) => pair.map(encodeURIComponent).join("=")).join("&");
     }
   },
-  addEventListener: nothing,
-  setTimeout: nothing,
-  clearTimeout: nothing,
-  requestAnimationFrame: nothing,
-  cancelAnimationFrame: nothing,
+  addEventListener: doNothing,
+  setTimeout: doNothing,
+  clearTimeout: doNothing,
+  requestAnimationFrame: doNothing,
+  cancelAnimationFrame: doNothing,
 });

@@ -1,8 +1,8 @@
 """Print the built book into one PDF: `python -m tools.pdf`.
 
-All pages become one document, in the order of the contents, so that Chromium tags it for screen
-readers as a whole, numbers its pages through, and links lead from page to page. A reference says to
-which page it leads: the book is printed twice, first with room for these numbers.
+All pages become one document in the order of the contents. Chromium then tags it for screen readers
+as a whole, numbers its pages from 1 on, and keeps links between pages. Each reference names the
+page it leads to, so the book is printed twice: the first print leaves room for these page numbers.
 """
 
 import re
@@ -14,66 +14,67 @@ from pathlib import Path
 from playwright.sync_api import Browser, Page, sync_playwright
 from pypdf import PdfReader
 
-from tools.browser import NoBrowser, launched
+from tools.browser import NoBrowser, launch_browser
 
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
-ALONE = {"explorer"}  # an instrument, which is nothing on paper
-PAPER = {"top": "18mm", "bottom": "20mm", "left": "17mm", "right": "17mm"}
-SHEET = {"width": 770, "height": 1100}  # what is left of A4 between the margins, at the scale below
-FOOT = (
+LEFT_OUT = {"explorer"}  # an interactive page, of no use on paper
+MARGINS = {"top": "18mm", "bottom": "20mm", "left": "17mm", "right": "17mm"}
+SCALE = 0.86
+VIEWPORT = {"width": 770, "height": 1100}  # A4 without the margins, in pixels at SCALE
+FOOTER = (
     '<div style="font: 8px serif; width: 100%; text-align: center; color: #555">'
     'Robot homework companion · <span class="pageNumber"></span></div>'
 )
-PLACE, LINK = "<!-- link to the PDF -->", '<p><a href="book.pdf">The whole book as one PDF</a></p>'
+LINK_PLACEHOLDER = "<!-- link to the PDF -->"
+LINK = '<p><a href="book.pdf">The whole book as one PDF</a></p>'
 
 SCRIPT = (Path(__file__).parent / "pdf.js").read_text(encoding="utf-8").strip()
 
 
-def names() -> list[str]:
-    """The pages in the order of the table of contents."""
-    contents = (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
-    found = re.findall(r"(?:file|root): (\S+)", contents)
-    return [name for name in found if name not in ALONE]
+def list_pages() -> list[str]:
+    """Return the names of the pages in the order of the table of contents."""
+    toc = (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
+    names = re.findall(r"(?:file|root): (\S+)", toc)
+    return [name for name in names if name not in LEFT_OUT]
 
 
-def reader(browser: Browser) -> Page:
-    """A page of paper's width on which no arm comes to life."""
-    page = browser.new_page(viewport=SHEET)
-    page.add_init_script("localStorage.mode = 'light'")
-    page.emulate_media(media="print", color_scheme="light")
-    page.route(re.compile(r"_static/(explorer|judge)\.js$"), lambda route: route.abort())
-    return page
+def open_print_tab(browser: Browser) -> Page:
+    """Open a tab as wide as the paper, in which live figures keep their still form."""
+    tab = browser.new_page(viewport=VIEWPORT)
+    tab.add_init_script("localStorage.mode = 'light'")
+    tab.emulate_media(media="print", color_scheme="light")
+    tab.route(re.compile(r"_static/(explorer|judge)\.js$"), lambda route: route.abort())
+    return tab
 
 
-def part(page: Page, name: str) -> tuple[str, list[str], str]:
-    """A page of the book as a part of the whole, the style sheets that it made for itself, and its
-    title."""
-    page.goto((HTML / f"{name}.html").as_uri())
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    return tuple(page.evaluate(f"(name) => {SCRIPT}.take(name)", name))
+def extract_article(tab: Page, name: str) -> tuple[str, list[str], str]:
+    """Return a page's article as HTML, the rules of its own style elements, and its title."""
+    tab.goto((HTML / f"{name}.html").as_uri())
+    tab.evaluate("dispatchEvent(new Event('beforeprint'))")
+    return tuple(tab.evaluate(f"(name) => {SCRIPT}.extractArticle(name)", name))
 
 
-def contents(titles: dict[str, str]) -> str:
-    """What comes after the first page; `number` in pdf.js says where."""
-    _, *rest = titles
+def contents_html(titles: dict[str, str]) -> str:
+    """Return the table of contents, of all pages but the first; pdf.js adds page numbers."""
+    _, *names = titles
     lines = (
         f'<li><a href="#{name.replace("/", "-")}--">{escape(titles[name])}</a></li>'
-        for name in rest
+        for name in names
     )
     return f"<section><h2>Contents</h2><ul>{''.join(lines)}</ul></section>"
 
 
-def whole(browser: Browser) -> str:
-    """All pages as one HTML document."""
+def join_pages(browser: Browser) -> str:
+    """Return all pages as one HTML document."""
     articles, styles, titles = [], {}, {}
-    page = reader(browser)
-    for name in names():
-        article, sheets, titles[name] = part(page, name)
+    tab = open_print_tab(browser)
+    for name in list_pages():
+        article, page_styles, titles[name] = extract_article(tab, name)
         articles.append(article)
-        styles |= dict.fromkeys(sheets)
-    page.close()
-    articles[0] = articles[0].removesuffix("</article>") + contents(titles) + "</article>"
+        styles |= dict.fromkeys(page_styles)
+    tab.close()
+    articles[0] = articles[0].removesuffix("</article>") + contents_html(titles) + "</article>"
     link = '<link rel="stylesheet" href="_static/book.css">'
     rules = "".join(f"<style>{style}</style>" for style in styles)
     return (
@@ -83,67 +84,74 @@ def whole(browser: Browser) -> str:
     )
 
 
-def places(data: bytes) -> dict[str, int]:
-    """The page, counted from 1, on which each place that a link leads to stands."""
-    reader = PdfReader(BytesIO(data))
-    found = reader.named_destinations.items()
-    return {name.lstrip("/"): reader.get_destination_page_number(at) + 1 for name, at in found}
+def target_pages(pdf: bytes) -> dict[str, int]:
+    """Return the page, counted from 1, of each link target in a PDF."""
+    reader = PdfReader(BytesIO(pdf))
+    targets = reader.named_destinations.items()
+    return {
+        name.lstrip("/"): reader.get_destination_page_number(target) + 1 for name, target in targets
+    }
 
 
-def printed(page: Page) -> bytes:
-    """The document with the page of each reference."""
+def print_with_page_numbers(tab: Page) -> bytes:
+    """Return a document as PDF, with the page number after each reference.
 
-    def once(pages: dict[str, int]) -> bytes:
-        page.evaluate(f"(pages) => {SCRIPT}.number(pages)", pages)
-        return page.pdf(
+    Raises:
+        RuntimeError: The page numbers moved a target to another page.
+    """
+
+    def print_once(pages: dict[str, int]) -> bytes:
+        tab.evaluate(f"(pages) => {SCRIPT}.addPageNumbers(pages)", pages)
+        return tab.pdf(
             format="A4",
-            scale=0.86,
-            margin=PAPER,
+            scale=SCALE,
+            margin=MARGINS,
             display_header_footer=True,
             header_template="<span></span>",
-            footer_template=FOOT,
+            footer_template=FOOTER,
             tagged=True,
             outline=True,
         )
 
-    known = places(once({}))
-    data = once(known)
-    moved = sorted(name for name, number in places(data).items() if known[name] != number)
-    if moved:  # a number takes the same room whatever it is
+    pages = target_pages(print_once({}))
+    pdf = print_once(pages)
+    moved = sorted(name for name, page in target_pages(pdf).items() if pages[name] != page)
+    if moved:  # cannot happen while every page number takes the same room
         raise RuntimeError(f"the second print moves {moved} to other pages")
-    return data
+    return pdf
 
 
-def link(path: Path) -> None:
-    """Link the PDF from the first page, now that there is one."""
+def link_pdf(path: Path) -> None:
+    """Link the PDF from the book's first page."""
     html = path.read_text(encoding="utf-8")
-    if html.count(PLACE) + html.count(LINK) != 1:
-        raise RuntimeError(f"{path.name} has no place for the PDF's link: {PLACE}")
-    path.write_text(html.replace(PLACE, LINK), encoding="utf-8")
+    if html.count(LINK_PLACEHOLDER) + html.count(LINK) != 1:
+        raise RuntimeError(f"{path.name} has no place for the PDF's link: {LINK_PLACEHOLDER}")
+    path.write_text(html.replace(LINK_PLACEHOLDER, LINK), encoding="utf-8")
 
 
 def main() -> None:
-    # Where the pages are, so that what they name is found, but only in the browser.
-    together, result = (HTML / "_whole.html").as_uri(), HTML / "book.pdf"
+    # The joined document gets an address beside the pages, so that its relative links to style
+    # sheets and images work. Playwright serves it there; no file is written.
+    address, result = (HTML / "_whole.html").as_uri(), HTML / "book.pdf"
     with sync_playwright() as playwright:
         try:
-            browser = launched(playwright)
+            browser = launch_browser(playwright)
         except NoBrowser as error:
             sys.exit(str(error))
-        document = whole(browser)
-        page = browser.new_page(viewport=SHEET)
-        page.route(
-            together, lambda route: route.fulfill(body="", content_type="text/html; charset=utf-8")
+        document = join_pages(browser)
+        tab = browser.new_page(viewport=VIEWPORT)
+        tab.route(
+            address, lambda route: route.fulfill(body="", content_type="text/html; charset=utf-8")
         )
-        page.goto(together)
-        page.set_content(document, timeout=0)
-        page.emulate_media(media="print")
-        page.evaluate("Promise.all([...document.images].map((i) => i.decode()))")
-        result.write_bytes(printed(page))
+        tab.goto(address)
+        tab.set_content(document, timeout=0)
+        tab.emulate_media(media="print")
+        tab.evaluate("Promise.all([...document.images].map((i) => i.decode()))")
+        result.write_bytes(print_with_page_numbers(tab))
         browser.close()
-    link(HTML / "intro.html")
-    pages = len(PdfReader(result).pages)
-    print(f"{result}: {pages} pages, {result.stat().st_size / 1e6:.1f} MB")
+    link_pdf(HTML / "intro.html")
+    count = len(PdfReader(result).pages)
+    print(f"{result}: {count} pages, {result.stat().st_size / 1e6:.1f} MB")
 
 
 if __name__ == "__main__":

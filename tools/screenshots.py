@@ -1,21 +1,21 @@
-"""Take the README's pictures anew from the built book: `python -m tools.screenshots`."""
+"""Take the README's screenshots from the built book: `python -m tools.screenshots`."""
 
 from pathlib import Path
 
 from playwright.sync_api import Browser, sync_playwright
 
-from tools.browser import launched
+from tools.browser import launch_browser
 
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
 DOCS = ROOT / "docs"
 
-# What has changed is drawn in the next frame.
-DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+# The first frame applies the change, the second shows it.
+WAIT_TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
 
-def chapter(browser: Browser) -> None:
-    """The Panda's table with its picture."""
+def capture_chapter(browser: Browser) -> None:
+    """Capture the Panda's table with its figure in chapter 1."""
     page = browser.new_page(viewport={"width": 1280, "height": 1000}, color_scheme="light")
     page.goto((HTML / "01_dh_tables.html").as_uri())
     page.evaluate("document.querySelector('#fig-panda-home').scrollIntoView()")
@@ -24,26 +24,26 @@ def chapter(browser: Browser) -> None:
     page.close()
 
 
-def explorer(browser: Browser) -> None:
-    """All ways to one pose, in the last chapter's instrument."""
+def capture_explorer(browser: Browser) -> None:
+    """Capture an explorer in chapter 5 that lists all joint vectors of one pose."""
     page = browser.new_page(viewport={"width": 720, "height": 1000}, color_scheme="light")
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
-    stub = page.locator(".cell .arm-explorer:not([data-figure])").first
-    stub.evaluate("(place) => place.scrollIntoView()")
-    card = stub.locator("section.explorer")
-    card.locator(".labels:not([hidden])").wait_for()  # the picture is there
+    explorer = page.locator(".cell .arm-explorer:not([data-figure])").first
+    explorer.evaluate("(element) => element.scrollIntoView()")
+    card = explorer.locator("section.explorer")
+    card.locator(".labels:not([hidden])").wait_for()  # WebGL has drawn the arm
     card.get_by_role("button", name="Find the ways to this pose").click()
     card.get_by_text("ways to this pose.").wait_for()
-    page.evaluate(DRAWN)
+    page.evaluate(WAIT_TWO_FRAMES)
     card.screenshot(path=DOCS / "explorer.png")
     page.close()
 
 
 def main() -> None:
     with sync_playwright() as playwright:
-        browser = launched(playwright)
-        chapter(browser)
-        explorer(browser)
+        browser = launch_browser(playwright)
+        capture_chapter(browser)
+        capture_explorer(browser)
         browser.close()
 
 

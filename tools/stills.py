@@ -1,8 +1,12 @@
-"""What the live parts of a page look like before their scripts have come: as the same scripts build
-them, in a document that only writes HTML (paper.js). Without a script and on paper it stays so."""
+"""Write the still form of live figures and answer forms into the book's pages.
+
+The page's own scripts build each of them here, in a document that only writes HTML (paper.js). The
+page shows this HTML until its scripts have loaded, without JavaScript, and on paper.
+"""
 
 import json
 import re
+from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
 
@@ -12,79 +16,93 @@ from sphinx.application import Sphinx
 
 ROOT = Path(__file__).parents[1]
 PAPER = Path(__file__).with_name("paper.js")
-PLACE = re.compile(r'<div class="arm-explorer[^>]*>')
-FIGURE = re.compile(r'data-figure="(\w+)"')
+EXPLORER_START = re.compile(r'<div class="arm-explorer[^>]*>')
+FIGURE_KIND = re.compile(r'data-figure="(\w+)"')
 STYLE = re.compile(r"<style>(.*?)</style>", re.S)
-DATA = re.compile(r'<script type="application/json">(.*)</script>', re.S)
+JSON_DATA = re.compile(r'<script type="application/json">(.*)</script>', re.S)
 
-# A live part, by the JSON that stands in its place, and its HTML once its long work is done.
-BUILT = """(figure, data, number) => {
-    globalThis.place = document.createElement("div");
-    place.append(Object.assign(document.createElement("script"), { textContent: data }));
-    if (figure) place.dataset.figure = figure;
-    if (globalThis.ArmExplorer) ArmExplorer.mount(place);
-    else ArmJudge.mount(place, "", `still-${number}`);
+# Builds a live figure, or an answer form if the judge's bundle is loaded. READ_HTML reads its HTML
+# once all promises are settled.
+BUILD = """(figureKind, data, number) => {
+    globalThis.container = document.createElement("div");
+    container.append(Object.assign(document.createElement("script"), { textContent: data }));
+    if (figureKind) container.dataset.figure = figureKind;
+    if (globalThis.ArmExplorer) ArmExplorer.mount(container);
+    else ArmJudge.mount(container, "", `still-${number}`);
 }"""
-WRITTEN = "JSON.stringify(place.shadowRoot?.outerHTML ?? place.innerHTML)"
+READ_HTML = "JSON.stringify(container.shadowRoot?.outerHTML ?? container.innerHTML)"
+STACK_BYTES = 8 << 20  # the judge's search for pairs of mistakes exceeds QuickJS' own 256 KiB
+
+BuildHtml = Callable[[str, str, int], str]
 
 
-class Scripts:
-    """The scripts of one page, whose parts are numbered from 1; `root` leads to the book's top."""
+class PageScripts:
+    """The scripts of one page, and the style sheets that its figures share.
+
+    Args:
+        root: Path from the page to the top folder of the book, as "../".
+    """
 
     def __init__(self, root: str = "") -> None:
-        self.root, self.count = root, 0
-        self.styles: dict[str, str] = {}  # of explorers, by the name of their sheet
+        self.root = root
+        self.form_count = 0
+        self.styles: dict[str, str] = {}  # style sheets by name: "figure", "panel"
 
     @cached_property
-    def explorer(self):
-        return self._started(ROOT / "helpers/explorer/static/explorer.js")
+    def build_explorer(self) -> BuildHtml:
+        return load_script(ROOT / "helpers/explorer/static/explorer.js")
 
     @cached_property
-    def judge(self):
-        return self._started(ROOT / "helpers/checks/judge.js")
+    def build_form(self) -> BuildHtml:
+        return load_script(ROOT / "helpers/checks/judge.js")
 
-    @staticmethod
-    def _started(script: Path):
-        context = quickjs.Context()
-        context.set_max_stack_size(8 << 20)
-        for path in (PAPER, script):
-            context.eval(path.read_text(encoding="utf-8"))
-        build = context.eval(BUILT)
-
-        def html(*given: object) -> str:
-            build(*given)
-            while context.execute_pending_job():
-                pass
-            return json.loads(context.eval(WRITTEN))
-
-        return html
-
-    def drawn(self, html: str) -> str:
-        """An arm's place, with what it looks like in it."""
-        place = PLACE.search(html)
-        if place is None:
+    def add_still_figure(self, html: str) -> str:
+        """Return the HTML of a live figure with its still form inside."""
+        start = EXPLORER_START.search(html)
+        if start is None:
             return html
-        figure = FIGURE.search(place[0])
-        still = self.explorer(figure[1] if figure else "", DATA.search(html)[1], 0)
-        styles = "figure" if figure else "panel"
-        self.styles[styles] = STYLE.search(still)[1]
-        link = f'<link rel="stylesheet" href="{self.root}_static/{styles}.css">'
-        return html[: place.end()] + STYLE.sub(link, still, count=1) + html[place.end() :]
+        kind = FIGURE_KIND.search(start[0])
+        still = self.build_explorer(kind[1] if kind else "", JSON_DATA.search(html)[1], 0)
+        style_name = "figure" if kind else "panel"
+        self.styles[style_name] = STYLE.search(still)[1]
+        link = f'<link rel="stylesheet" href="{self.root}_static/{style_name}.css">'
+        return html[: start.end()] + STYLE.sub(link, still, count=1) + html[start.end() :]
 
-    def form(self, html: str) -> str:
-        """The end of a judge's place, with its form before it."""
-        self.count += 1
-        return self.judge("", DATA.search(html)[1], self.count) + html
+    def add_form(self, html: str) -> str:
+        """Return the end of a judge's HTML with the answer form before it."""
+        self.form_count += 1
+        return self.build_form("", JSON_DATA.search(html)[1], self.form_count) + html
 
 
-def draw(app: Sphinx, doctree: nodes.document, name: str) -> None:
-    """Draw every live part of a page; the styles of all stand in a sheet each."""
-    scripts = Scripts("../" * name.count("/"))
+def load_script(script: Path) -> BuildHtml:
+    """Load a bundle, and return the function that builds the HTML of one of its parts.
+
+    The function takes the kind of figure ("" for an explorer or a form), the part's data as JSON,
+    and its number on the page.
+    """
+    context = quickjs.Context()
+    context.set_max_stack_size(STACK_BYTES)
+    for path in (PAPER, script):
+        context.eval(path.read_text(encoding="utf-8"))
+    build = context.eval(BUILD)
+
+    def build_html(figure_kind: str, data: str, number: int) -> str:
+        build(figure_kind, data, number)
+        while context.execute_pending_job():
+            pass
+        return json.loads(context.eval(READ_HTML))
+
+    return build_html
+
+
+def add_stills(app: Sphinx, doctree: nodes.document, page_name: str) -> None:
+    """Add the still form of each live part to a page, and write the style sheets they share."""
+    scripts = PageScripts("../" * page_name.count("/"))
     for raw in list(doctree.findall(nodes.raw)):
         if raw.get("format") == "html":
-            make = scripts.form if "judge" in raw else scripts.drawn
-            raw.replace_self(nodes.raw("", make(raw.astext()), format="html"))
-    for styles, text in scripts.styles.items():
-        sheet = Path(app.outdir, "_static", f"{styles}.css")
+            add_still = scripts.add_form if "judge" in raw else scripts.add_still_figure
+            raw.replace_self(nodes.raw("", add_still(raw.astext()), format="html"))
+    for style_name, rules in scripts.styles.items():
+        sheet = Path(app.outdir, "_static", f"{style_name}.css")
         sheet.parent.mkdir(exist_ok=True)
-        sheet.write_text(text, "utf-8")
+        sheet.write_text(rules, "utf-8")

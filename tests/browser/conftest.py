@@ -1,4 +1,4 @@
-"""A Chromium with no network. Where none is found tests are skipped; in CI that is a failure."""
+"""Share one Chromium without network; without it tests are skipped, and fail in CI."""
 
 import os
 
@@ -6,9 +6,9 @@ import pytest
 from playwright.sync_api import expect, sync_playwright
 
 from tests.test_book import wait_until_built
-from tools.browser import NoBrowser, launched
+from tools.browser import NoBrowser, launch_browser
 
-expect.set_options(timeout=30_000)  # as long as Playwright waits for a button
+expect.set_options(timeout=30_000)  # the time that Playwright also waits for a button
 
 
 @pytest.fixture(scope="session")
@@ -16,8 +16,8 @@ def browser():
     wait_until_built()
     with sync_playwright() as playwright:
         try:
-            # Smooth edges are drawn by the processor, and are half of what it draws.
-            chromium = launched(playwright, "--webgl-antialiasing-mode=none")
+            # Antialiasing would double the time of drawing, which the processor does here.
+            chromium = launch_browser(playwright, "--webgl-antialiasing-mode=none")
         except NoBrowser as error:
             if os.environ.get("CI"):
                 raise

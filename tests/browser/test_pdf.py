@@ -1,4 +1,4 @@
-"""What goes on paper asks for nothing that paper cannot do."""
+"""Test the pages of the PDF: their text, their links and their number."""
 
 import re
 
@@ -15,21 +15,21 @@ SCREEN = re.compile(
 
 @pytest.fixture(scope="module")
 def paper(browser):
-    page = pdf.reader(browser)
+    page = pdf.open_print_tab(browser)
     yield page
     page.close()
 
 
-@pytest.mark.parametrize("name", pdf.names())
+@pytest.mark.parametrize("name", pdf.list_pages())
 def test_pdf_mentions_no_mouse_or_script(paper, name):
-    pdf.part(paper, name)
+    pdf.extract_article(paper, name)
     text = paper.inner_text("article")
     assert len(text) > 500
-    assert [found[0].strip() for found in SCREEN.finditer(text)] == []
+    assert [match[0].strip() for match in SCREEN.finditer(text)] == []
 
 
 def test_pdf_reference_leads_to_its_title(browser):
-    """A title that is moved to the next page leaves the beginning of its section behind."""
+    """A title can move to the next page while its section starts on the page before."""
     page = browser.new_page()
     page.set_content(
         "<article><p style='height: 900px'></p><section id='a'><span id='b'></span>"
@@ -38,13 +38,13 @@ def test_pdf_reference_leads_to_its_title(browser):
         "<a href='#t--a'>one</a> <a href='#t--b'>two</a></article><h1>T</h1>"
     )
     page.evaluate("document.querySelector('article').append(document.querySelector('h1'))")
-    page.evaluate(f"(name) => {pdf.SCRIPT}.take(name)", "t")
-    assert pdf.places(page.pdf(format="A4")) == {"t--a": 2, "t--b": 2}
+    page.evaluate(f"(name) => {pdf.SCRIPT}.extractArticle(name)", "t")
+    assert pdf.target_pages(page.pdf(format="A4")) == {"t--a": 2, "t--b": 2}
     page.close()
 
 
 def test_pdf_has_the_pages_of_the_book():
-    assert {*pdf.names(), *pdf.ALONE} == {
+    assert {*pdf.list_pages(), *pdf.LEFT_OUT} == {
         str(path.relative_to(HTML).with_suffix(""))
         for path in HTML.rglob("*.html")
         if path.stem not in {"index", "search", "genindex"}

@@ -1,37 +1,51 @@
-"""Another processor's last digit: with this folder on PYTHONPATH, each Python starts with seeded
-noise of up to two units in the last place on what OpenBLAS does not compute.
+"""Imitate the round-off of another processor: add noise to NumPy's and Python's functions.
 
-What it does compute, `OPENBLAS_CORETYPE` moves; `make elsewhere` does both.
+Python runs this file at its start if its folder is on PYTHONPATH. The noise is up to two units in
+the last place. It leaves out the functions that OpenBLAS computes: `OPENBLAS_CORETYPE` changes
+those, and `make elsewhere` does both.
 """
 
 import math
 
 import numpy as np
 
-NAMES = ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "arctan2", "exp", "hypot", "einsum"]
-OF_MATH = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "hypot"]
+NUMPY_NAMES = [
+    "sin",
+    "cos",
+    "tan",
+    "arcsin",
+    "arccos",
+    "arctan",
+    "arctan2",
+    "exp",
+    "hypot",
+    "einsum",
+]
+MATH_NAMES = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "hypot"]
 FACTORS = 1 + np.finfo(float).eps * np.array([-1, -0.5, 0, 1])
-GOLDEN = np.uint64(0x9E3779B97F4A7C15)  # 2**64 over the golden ratio
+HASH_FACTOR = np.uint64(0x9E3779B97F4A7C15)  # 2**64 / golden ratio: spreads bits evenly
 
 
-def noisy(function):
-    """The function with each of its numbers off by a factor that the number's own bits draw: the
-    same computation gives the same twice."""
+def add_noise(function):
+    """Return a function whose results are multiplied by a factor of `FACTORS`.
 
-    def moved(*args, **options):
-        found = function(*args, **options)
-        values = np.atleast_1d(found)
+    The bits of each result choose its factor, so equal computations give equal results.
+    """
+
+    def noisy_function(*args, **options):
+        result = function(*args, **options)
+        values = np.atleast_1d(result)
         if values.dtype != float:
-            return found
-        off = values * FACTORS[values.view(np.uint64) * GOLDEN >> np.uint64(62)]
+            return result
+        noisy = values * FACTORS[values.view(np.uint64) * HASH_FACTOR >> np.uint64(62)]
         if "out" in options:
-            np.copyto(found, off)
-            return found
-        return off if np.ndim(found) else type(found)(off[0])
+            np.copyto(result, noisy)
+            return result
+        return noisy if np.ndim(result) else type(result)(noisy[0])
 
-    return moved
+    return noisy_function
 
 
-for module, names in ((np, NAMES), (math, OF_MATH)):
+for module, names in ((np, NUMPY_NAMES), (math, MATH_NAMES)):
     for name in names:
-        setattr(module, name, noisy(getattr(module, name)))
+        setattr(module, name, add_noise(getattr(module, name)))
