@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from answers.command_line import read_arm
-from course import gradescope, making, sandbox, sheets, store
+from course import gradescope, making, sheets, store
 from course.collect import collect
 from course.grading import grade
 from course.roster import read_roster
@@ -75,16 +75,8 @@ def _collect(given: argparse.Namespace) -> None:
 
 
 def _grade(given: argparse.Namespace) -> None:
-    refusal = sandbox.refusal()
-    for path in (given.course, given.out):
-        if not refusal and sandbox.exposed(path):
-            raise ArmError(
-                f"{path} lies where notebooks can read, beside Python; move it elsewhere"
-            )
-    rows = grade(given.course, given.out, given.jobs, 0 if refusal else sandbox.SECONDS)
+    rows = grade(given.course, given.out, given.jobs)
     print(f"{len(rows)} students marked: {given.out / 'grades.csv'}")
-    if any(sandbox.NOT_RUN in row["note"] for row in rows):
-        print(f"notebooks were not run: {refusal}")
 
 
 def _gradescope(given: argparse.Namespace) -> None:

@@ -1,47 +1,103 @@
-"""What a student's notebook writes: every answer as it was typed, in one JSON file beside it."""
+"""Print the answers of a sheet, write them to answers.json, and find them in a saved notebook.
+
+Nobody runs a student's notebook again. Its last cell prints one marked line of JSON when the
+student runs it, and that line, or answers.json, is marked.
+"""
 
 import inspect
+import json
 from collections.abc import Mapping
 from typing import Any
 
-FILE = "answers.json"
-NOTEBOOK = "homework.ipynb"
-PREFIX = "answer_"
-SHEET = "sheet"  # the answer that says whose sheet it is
+ANSWERS_FILE = "answers.json"
+NOTEBOOK_FILE = "homework.ipynb"
+PREFIX = "answer_"  # of the variables that hold answers
+SHEET = "sheet"  # the answer that names the sheet, as "course/student"
+MARKED_LINE = "Answers of this sheet: "
 
 
-def as_typed(value: Any) -> Any:
-    """A value as JSON keeps it: numbers, texts and lists; anything else as Python prints it."""
+def to_json_value(value: Any) -> Any:
+    """Convert a value to numbers, texts and lists; convert anything else to the text of it."""
     if hasattr(value, "tolist"):
-        value = value.tolist()  # arrays of NumPy and matrices of SymPy alike
+        value = value.tolist()  # arrays of NumPy and matrices of SymPy
     if isinstance(value, dict):
-        return {str(key): as_typed(entry) for key, entry in value.items()}
+        return {str(key): to_json_value(entry) for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
-        return [as_typed(entry) for entry in value]
+        return [to_json_value(entry) for entry in value]
     return value if isinstance(value, (str, bool, int, float)) else str(value)
 
 
-def collected(names: Mapping[str, Any]) -> dict[str, Any]:
-    """The answers among a notebook's names; those without a value are left out."""
+def collect_answers(variables: Mapping[str, Any]) -> dict[str, Any]:
+    """Collect the answers among a notebook's variables; leave out those without a value."""
     return {
-        name[len("answer_") :]: as_typed(value)
-        for name, value in names.items()
+        name[len("answer_") :]: to_json_value(value)
+        for name, value in variables.items()
         if name.startswith("answer_") and value is not None and value is not ...
     }
 
 
-def last_cell() -> str:
-    """A sheet's last cell, which needs nothing but Python: it writes the answers into the file."""
-    functions = "\n\n\n".join(inspect.getsource(f).rstrip() for f in (as_typed, collected))
+def write_last_cell() -> str:
+    """Return the code of a sheet's last cell, which needs nothing but Python."""
+    functions = (to_json_value, collect_answers)
+    sources = "\n\n\n".join(inspect.getsource(function).rstrip() for function in functions)
     return f"""import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 
-{functions}
+{sources}
 
 
-answers = collected(globals())
-_ = Path("{FILE}").write_text(json.dumps(answers) + "\\n", encoding="utf-8")
-print("{FILE} holds:", ", ".join(answers))"""
+text = json.dumps(collect_answers(globals()))
+_ = Path("{ANSWERS_FILE}").write_text(text + "\\n", encoding="utf-8")
+print("{MARKED_LINE}" + text)"""
+
+
+def find_printed_answers(notebook: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Return the answers in the last marked line of a notebook's outputs, or None.
+
+    A line counts only in the output of a cell that itself contains the marker.
+    """
+    for cell in reversed(list_code_cells(notebook)):
+        if MARKED_LINE not in read_source(cell):
+            continue
+        printed = "".join(map(_read_printed_text, cell.get("outputs") or ()))
+        for line in reversed(printed.splitlines()):
+            if line.startswith(MARKED_LINE):
+                return parse_answers(line.removeprefix(MARKED_LINE))
+    return None
+
+
+def parse_answers(text: str | bytes) -> dict[str, Any] | None:
+    """Return the answers in a JSON text, without prefixes; None if it is no JSON object."""
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(data, dict):
+        return None
+    return {name.removeprefix(PREFIX): answer for name, answer in data.items()}
+
+
+def list_code_cells(notebook: Any) -> list[Mapping[str, Any]]:
+    """List the code cells of a notebook; the list is empty if the data are no notebook."""
+    cells = notebook.get("cells") if isinstance(notebook, Mapping) else None
+    cells = cells if isinstance(cells, list) else []
+    return [c for c in cells if isinstance(c, Mapping) and c.get("cell_type") == "code"]
+
+
+def read_source(cell: Mapping[str, Any]) -> str:
+    """Return the source of a cell, which notebooks keep as one text or as lines."""
+    return _join_lines(cell.get("source"))
+
+
+def _read_printed_text(output: Any) -> str:
+    is_printed = isinstance(output, Mapping) and output.get("name") == "stdout"
+    return _join_lines(output.get("text")) if is_printed else ""
+
+
+def _join_lines(text: Any) -> str:
+    if isinstance(text, list):
+        text = "".join(filter(lambda line: isinstance(line, str), text))
+    return text if isinstance(text, str) else ""

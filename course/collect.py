@@ -11,9 +11,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from pathlib import Path, PurePosixPath
 
-from course.answers import SHEET
-from course.files import Found, within
-from course.handed_in import of_another, whose
+from course.files import HandedFile, read_files
+from course.handed_in import compare_sheet_names, find_sheet_name
 from course.roster import People
 from helpers.inputs import ArmError
 
@@ -28,7 +27,7 @@ Words = tuple[str, ...]
 
 def collect(
     download: Path, names: Mapping[str, str], course: Path
-) -> tuple[dict[str, list[Found]], Words]:
+) -> tuple[dict[str, list[HandedFile]], Words]:
     """Put the files of a whole class, a zip or a folder, into the students' folders of a course, in
     place of an earlier collection; the files by student, and what could not be placed, with why.
 
@@ -37,7 +36,7 @@ def collect(
     """
     if not download.exists():
         raise ArmError(f"{download} is not there; expected a download")
-    found = within(download, most=20_000, size=2_000_000_000)
+    found = read_files(download, max_files=20_000, max_bytes=2_000_000_000)
     placed, doubtful = sort(found, names)
     for student, group in placed.items():
         folder, beside = course / student / FOLDER, course / student / f".{FOLDER}"
@@ -52,16 +51,18 @@ def collect(
     return placed, doubtful
 
 
-def sort(found: Iterable[Found], names: Mapping[str, str]) -> tuple[dict[str, list[Found]], Words]:
+def sort(
+    found: Iterable[HandedFile], names: Mapping[str, str]
+) -> tuple[dict[str, list[HandedFile]], Words]:
     """The files by the student they belong to, and what belongs to none for sure, with why."""
     files = [file for file in found if not _NOISE & {*PurePosixPath(file.name).parts}]
     told = [file for file in files if file.name.endswith(_GRADESCOPE)]
     submitters = {folder: words for file in told for folder, words in _submitters(file).items()}
-    people, groups = People(names), defaultdict[tuple[str, Words], list[Found]](list)
+    people, groups = People(names), defaultdict[tuple[str, Words], list[HandedFile]](list)
     for file in files:
         if file not in told:
             groups[_owner(file, people, submitters)].append(file)
-    placed, doubtful = defaultdict[str, list[Found]](list), list[str]()
+    placed, doubtful = defaultdict[str, list[HandedFile]](list), list[str]()
     for (_, words), group in groups.items():
         student, why = _whose(words, group, people)
         if student:
@@ -70,15 +71,15 @@ def sort(found: Iterable[Found], names: Mapping[str, str]) -> tuple[dict[str, li
     return placed, tuple(doubtful)
 
 
-def _doubt(file: Found, student: str, why: str) -> str:
+def _doubt(file: HandedFile, student: str, why: str) -> str:
     """What is to be looked at by hand, in words; "" for a file that is surely the student's."""
     if why or file.trouble:
         return f"not placed: {file}: {why}".removesuffix(": ")
-    other = of_another({SHEET: whose(file) or student}, student)
+    other = compare_sheet_names(find_sheet_name(file) or None, student)
     return f"placed with {student}, but look at it: {file}: {other}" if other else ""
 
 
-def _owner(file: Found, people: People, submitters: Mapping[str, Words]) -> tuple[str, Words]:
+def _owner(file: HandedFile, people: People, submitters: Mapping[str, Words]) -> tuple[str, Words]:
     """What a platform's names of one owner's files share, and the words that mean the owner."""
     parts = PurePosixPath(file.name).parts
     for part in parts:
@@ -91,12 +92,12 @@ def _owner(file: Found, people: People, submitters: Mapping[str, Words]) -> tupl
     return "", tuple([word for word in words if people.called([word])][:1] or parts[:1])
 
 
-def _whose(words: Words, group: Iterable[Found], people: People) -> tuple[str, str]:
+def _whose(words: Words, group: Iterable[HandedFile], people: People) -> tuple[str, str]:
     """The one student whom these words mean, or "" and why it is not clear."""
     meant = people.called(words)
     if len(meant) == 1:
         return meant.pop(), ""
-    sheets = people.called({whose(file) for file in group})
+    sheets = people.called({find_sheet_name(file) for file in group})
     if len(sheets) == 1 and (not meant or sheets <= meant):
         return sheets.pop(), ""
     who = " / ".join(words)
@@ -105,7 +106,7 @@ def _whose(words: Words, group: Iterable[Found], people: People) -> tuple[str, s
     return "", f"{who} may be {' or '.join(sorted(meant))}; the sheet in it does not tell"
 
 
-def _submitters(file: Found) -> dict[str, Words]:
+def _submitters(file: HandedFile) -> dict[str, Words]:
     """Who handed in each folder of an export of Gradescope: ids, mail addresses and names."""
     import yaml  # of the extra [course]
 

@@ -1,7 +1,7 @@
-"""Files that strangers made, read so that none of them can stop the reader.
+"""Read files of strangers so that none of them can stop the reader.
 
-Links are not followed, devices and pipes not opened; what is too large or too much is told instead
-of read. A zip counts as a folder, one in a zip as well, and no deeper.
+Links are not followed, devices and pipes are not opened. A file that is too large is reported
+instead of read. A zip counts as a folder, a zip inside a zip as well, and no deeper.
 """
 
 import io
@@ -12,12 +12,18 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-FILE = 5_000_000  # bytes of one file; larger ones are not read
+MAX_BYTES = 5_000_000  # of one file; a sheet with all its outputs has less than 100 000
 
 
 @dataclass(frozen=True)
-class Found:
-    """A file by its path from where the search began, and what it holds or why it was not read."""
+class HandedFile:
+    """A file of a hand-in.
+
+    Attributes:
+        name: Path from the folder where the search began.
+        content: Bytes of the file; empty if it was not read.
+        trouble: Why the file was not read, or "".
+    """
 
     name: str
     content: bytes = b""
@@ -25,80 +31,91 @@ class Found:
 
     @property
     def kind(self) -> str:
-        """The ending in small letters, such as ".ipynb"; "" of a file that was not read."""
-        return "" if self.trouble else Path(self.name).suffix.lower()
+        """Ending in small letters, such as ".ipynb"; "" for a file that was not read.
+
+        Windows hides endings, so `answers.json.txt` is a JSON file too.
+        """
+        name = self.name.lower().removesuffix(".txt")
+        known = name.endswith((".json", ".ipynb"))
+        return "" if self.trouble else Path(name if known else self.name.lower()).suffix
 
     def __str__(self) -> str:
-        words = f"{self.name} ({self.trouble})" if self.trouble else self.name
-        return words.encode(errors="backslashreplace").decode()  # a name need not be text
+        text = f"{self.name} ({self.trouble})" if self.trouble else self.name
+        return text.encode(errors="backslashreplace").decode()  # a name need not be text
 
 
-def within(place: Path, most: int = 200, size: int = 50_000_000) -> tuple[Found, ...]:
-    """The files below a folder, or in a zip, in order of their names, those in zips too; what is
-    beyond so many, or so many bytes, is told.
+def read_files(
+    path: Path, max_files: int = 200, max_bytes: int = 50_000_000
+) -> tuple[HandedFile, ...]:
+    """Read the files below a folder or in a zip, in order of their names.
+
+    After `max_files` files or `max_bytes` bytes the last item says that more was not read.
     """
-    kept, left = list[Found](), size
-    for found in _in_zip(place) if place.is_file() else _unpacked(_walked(place)):
-        left -= len(found.content)
-        if len(kept) == most or left < 0:
-            told = f"not read: there are more than {most} files or {size:,} bytes"
-            return (*kept, Found(found.name, trouble=told))
-        kept.append(found)
-    return tuple(kept)
+    files, left = list[HandedFile](), max_bytes
+    for file in _read_zip(path) if path.is_file() else _unpack_zips(_walk(path)):
+        left -= len(file.content)
+        if len(files) == max_files or left < 0:
+            trouble = f"not read: there are more than {max_files} files or {max_bytes:,} bytes"
+            return (*files, HandedFile(file.name, trouble=trouble))
+        files.append(file)
+    return tuple(files)
 
 
-def _walked(place: Path) -> Iterator[Found]:
-    troubles: list[OSError] = []
-    for folder, inside, names in os.walk(place, onerror=troubles.append):
-        inside.sort()
-        links = [name for name in inside if os.path.islink(os.path.join(folder, name))]
+def _walk(root: Path) -> Iterator[HandedFile]:
+    """Read every file below a folder; report links and what cannot be opened."""
+    errors: list[OSError] = []
+    for folder, subfolders, names in os.walk(root, onerror=errors.append):
+        subfolders.sort()
+        links = [name for name in subfolders if os.path.islink(os.path.join(folder, name))]
         for path in (Path(folder, name) for name in sorted([*names, *links])):
-            yield _read(path, path.relative_to(place).as_posix())
-    for error in troubles:
-        name = os.path.relpath(error.filename, place.parent)
-        yield Found(name, trouble=f"cannot be read: {error.strerror}")
+            yield _read_file(path, path.relative_to(root).as_posix())
+    for error in errors:
+        name = os.path.relpath(error.filename, root.parent)
+        yield HandedFile(name, trouble=f"cannot be read: {error.strerror}")
 
 
-def _read(path: Path, name: str) -> Found:
-    careful = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+def _read_file(path: Path, name: str) -> HandedFile:
+    """Read an ordinary file of at most `MAX_BYTES` bytes."""
+    safe_flags = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
     try:
         status = path.lstat()
         if not stat.S_ISREG(status.st_mode):
-            return Found(name, trouble="no ordinary file")
-        if status.st_size > FILE:
-            return Found(name, trouble=f"larger than {FILE:,} bytes")
-        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | careful)) as file:
-            return Found(name, file.read(FILE))
+            return HandedFile(name, trouble="no ordinary file")
+        if status.st_size > MAX_BYTES:
+            return HandedFile(name, trouble=f"larger than {MAX_BYTES:,} bytes")
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | safe_flags)) as file:
+            return HandedFile(name, file.read(MAX_BYTES))
     except OSError as error:
-        return Found(name, trouble=f"cannot be read: {error.strerror}")
+        return HandedFile(name, trouble=f"cannot be read: {error.strerror}")
 
 
-def _unpacked(files: Iterable[Found], depth: int = 2) -> Iterator[Found]:
-    """The files, and in place of a zip what it holds."""
-    for found in files:
-        if found.kind != ".zip":
-            yield found
+def _unpack_zips(files: Iterable[HandedFile], depth: int = 2) -> Iterator[HandedFile]:
+    """Replace every zip by the files inside it."""
+    for file in files:
+        if file.kind != ".zip":
+            yield file
         elif not depth:
-            yield replace(found, content=b"", trouble="lies too deep")
+            yield replace(file, content=b"", trouble="lies too deep")
         else:
-            for inside in _in_zip(io.BytesIO(found.content), depth - 1):
-                yield replace(inside, name=f"{found.name}/{inside.name}")
+            for inner in _read_zip(io.BytesIO(file.content), depth - 1):
+                yield replace(inner, name=f"{file.name}/{inner.name}")
 
 
-def _in_zip(file: Path | io.BytesIO, depth: int = 2) -> Iterator[Found]:
-    """The files in a zip, however often packed; one that is broken is told."""
+def _read_zip(file: Path | io.BytesIO, depth: int = 2) -> Iterator[HandedFile]:
+    """Read the files in a zip; report a zip that is broken."""
     try:
         with zipfile.ZipFile(file) as archive:
-            entries = (_entry(archive, e) for e in archive.infolist() if not e.is_dir())
-            yield from _unpacked(entries, depth)
-    except Exception as error:  # a broken zip raises what it likes
-        yield Found("", trouble=f"no zip that can be read: {error}")
+            members = [member for member in archive.infolist() if not member.is_dir()]
+            yield from _unpack_zips((_read_member(archive, m) for m in members), depth)
+    except Exception as error:  # zipfile raises many kinds for a broken zip
+        yield HandedFile("", trouble=f"no zip that can be read: {error}")
 
 
-def _entry(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> Found:
-    if entry.file_size > FILE:  # of which zipfile reads no more than it says
-        return Found(entry.filename, trouble=f"larger than {FILE:,} bytes")
+def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> HandedFile:
+    """Read one file of a zip; zipfile never reads more bytes than `file_size` says."""
+    if member.file_size > MAX_BYTES:
+        return HandedFile(member.filename, trouble=f"larger than {MAX_BYTES:,} bytes")
     try:
-        return Found(entry.filename, archive.read(entry))
-    except Exception as error:  # so does what it holds
-        return Found(entry.filename, trouble=str(error))
+        return HandedFile(member.filename, archive.read(member))
+    except Exception as error:  # broken data raises many kinds, too
+        return HandedFile(member.filename, trouble=str(error))

@@ -11,8 +11,9 @@ from typing import Any
 
 import helpers
 from course import store
-from course.files import within
-from course.handed_in import of_another, read_hand_in
+from course.answers import SHEET
+from course.files import read_files
+from course.handed_in import compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
 from course.roster import People
 from course.store import Course
@@ -44,8 +45,7 @@ exec /autograder/env/bin/python -m course.gradescope /autograder
 def pack(course: Course, path: Path) -> None:
     """Gradescope's autograder: the course without its secret, the helpers, set-up and start.
 
-    Only answers.json is read there, so no student's program runs where the course lies. Raises
-    ModuleNotFoundError where the helpers are not installed, so that nothing says what they need.
+    Raises ModuleNotFoundError where the helpers are not installed.
     """
     needs = requires("manipulator-homework-helpers") or ()
     needed = [need for need in needs if "extra ==" not in need]
@@ -83,13 +83,15 @@ def _results(root: Path) -> dict[str, Any]:
         return {"score": 0, "output": f"{words}; tell your instructor.", "tests": []}
     student = meant.pop()
     sheet = course.sheet(student)
-    handed = read_hand_in(within(root / "submission"), sheet.parts)
+    handed = read_hand_in(read_files(root / "submission"), sheet.parts)
     marks = mark_sheet(sheet, handed.answers)
     tests = [
         {"name": m.part, "score": round(m.credit, 4), "max_score": 1.0, "output": m.words}
         for m in marks
     ]
-    trouble = "; ".join(filter(None, [of_another(handed.answers, student), handed.trouble]))
+    trouble = "; ".join(
+        filter(None, [compare_sheet_names(handed.answers.get(SHEET), student), handed.trouble])
+    )
     words = f"Marked as the sheet of {student}: {trouble or 'every part is judged below'}."
     score = round(sum(m.credit for m in marks), 4)
     return {"score": score, "output": words, "tests": tests}

@@ -15,25 +15,25 @@ from pathlib import Path
 from typing import Any
 
 from course import store
-from course.files import within
-from course.handed_in import HandIn, of_another, read_hand_in
+from course.answers import SHEET
+from course.files import read_files
+from course.handed_in import HandIn, compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
 from course.store import Course
 from helpers.inputs import whole_number
 
-_PATIENCE = 600  # seconds for a student beyond those of the notebook: then something hangs
+_PATIENCE = 600  # seconds for a student: then something hangs
 _HOW = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
 _STOPPED = "marking it stopped; please look at it by hand"
 # A spreadsheet runs a cell that begins with one of these (OWASP, CSV injection).
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 
 
-def grade(folder: Path, out: Path, jobs: int = 1, seconds: int = 0) -> list[dict[str, Any]]:
+def grade(folder: Path, out: Path, jobs: int = 1) -> list[dict[str, Any]]:
     """Mark what every student of a course handed in; the rows of grades.csv, in the course's order.
 
     Writes `out/grades.csv`, and for each student `feedback.txt` and `mark.json`, by which nobody is
-    marked twice: who handed in the same files as when it was written keeps the mark. Notebooks are
-    run for so many seconds, and not at all for 0.
+    marked twice: who handed in the same files as when it was written keeps the mark.
     """
     whole_number(jobs, "jobs", least=1)
     course = store.load(folder)
@@ -44,51 +44,50 @@ def grade(folder: Path, out: Path, jobs: int = 1, seconds: int = 0) -> list[dict
     if _HOW == "forkserver":
         multiprocessing.set_forkserver_preload([__name__])  # NumPy and all are read once
     with ThreadPoolExecutor(jobs) as threads:
-        rows = list(threads.map(partial(_marked, folder, out, seconds), alone))
+        rows = list(threads.map(partial(_marked, folder, out), alone))
     store.write(out / "grades.csv", table(rows))
     return rows
 
 
-def _marked(folder: Path, out: Path, seconds: int, course: Course) -> dict[str, Any]:
+def _marked(folder: Path, out: Path, course: Course) -> dict[str, Any]:
     """The row of a course's only student, as it was or marked anew."""
     (student,) = course.sheets
-    kept, now = out / student / "mark.json", _as_it_is(folder / student, seconds, course)
+    kept, now = out / student / "mark.json", _as_it_is(folder / student, course)
     try:
         before = json.loads(kept.read_bytes())
         if before["of"] == now:
             return dict(before["row"])
     except (OSError, ValueError, KeyError, TypeError):
         pass  # there is none yet
-    row = _apart(folder, out, seconds, course)
+    row = _apart(folder, out, course)
     store.write(kept, store.as_json({"of": now, "row": row}))
     return row
 
 
-def _as_it_is(folder: Path, seconds: int, course: Course) -> str:
-    """What a mark depends on, in a word: the sheet, the files as the disk knows them, and whether
-    notebooks are run."""
+def _as_it_is(folder: Path, course: Course) -> str:
+    """What a mark depends on, in a word: the sheet, the files as the disk knows them."""
     paths = sorted(Path(place, name) for place, _, names in os.walk(folder) for name in names)
     told = [(str(path), (s := path.lstat()).st_size, s.st_mtime_ns, s.st_mode) for path in paths]
-    words = repr((told, seconds > 0, store.text(course)))
+    words = repr((told, store.text(course)))
     return hashlib.sha256(words.encode(errors="surrogateescape")).hexdigest()
 
 
-def _apart(folder: Path, out: Path, seconds: int, course: Course) -> dict[str, Any]:
+def _apart(folder: Path, out: Path, course: Course) -> dict[str, Any]:
     """The row of a course's only student, from a process of its own that is ended when it hangs."""
     context: Any = multiprocessing.get_context(_HOW)
     ours, theirs = context.Pipe(duplex=False)
-    process = context.Process(target=_alone, args=(theirs, folder, out, seconds, course))
+    process = context.Process(target=_alone, args=(theirs, folder, out, course))
     process.start()
     theirs.close()
     try:
-        if ours.poll(_PATIENCE + seconds):
+        if ours.poll(_PATIENCE):
             return dict(ours.recv())
     except EOFError:
         pass  # it ended without a word
     finally:
         process.kill()
         process.join()
-    return _written(course, out, HandIn({}, _STOPPED))
+    return _written(course, out, HandIn(trouble=_STOPPED))
 
 
 def _alone(answer: Any, *work: Any) -> None:
@@ -103,14 +102,14 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def mark_one(folder: Path, out: Path, seconds: int, course: Course) -> dict[str, Any]:
+def mark_one(folder: Path, out: Path, course: Course) -> dict[str, Any]:
     """The row of a course's only student."""
     (student,) = course.sheets
     try:
-        handed = read_hand_in(within(folder / student), course.sheet(student).parts, seconds)
+        handed = read_hand_in(read_files(folder / student), course.sheet(student).parts)
         return _written(course, out, handed)
     except Exception as error:  # a hand-in may break what reads it in ways nobody thought of
-        return _written(course, out, HandIn({}, f"{_STOPPED} ({type(error).__name__})"))
+        return _written(course, out, HandIn(trouble=f"{_STOPPED} ({type(error).__name__})"))
 
 
 def _written(course: Course, out: Path, handed: HandIn) -> dict[str, Any]:
@@ -120,7 +119,9 @@ def _written(course: Course, out: Path, handed: HandIn) -> dict[str, Any]:
     ((student, name),) = course.names.items()
     sheet = course.sheet(student)
     marks = mark_sheet(sheet, handed.answers)
-    trouble = "; ".join(filter(None, [of_another(handed.answers, student), handed.trouble]))
+    trouble = "; ".join(
+        filter(None, [compare_sheet_names(handed.answers.get(SHEET), student), handed.trouble])
+    )
     credits = {mark.part: round(mark.credit, 4) for mark in marks}
     total = round(sum(credits.values()), 4)
     lines = [f"{course.title}, {name} ({student}): {total:.4g} of {len(marks)}"]

@@ -1,100 +1,136 @@
-"""What lies in a student's folder: which file is the hand-in, and the answers in it.
+"""Find the answers in the files of one student.
 
-An answers file counts before a notebook, since nothing is run for it. Names do not matter: learning
-platforms rename. Nothing is raised for what a student may have done; it is told in `trouble`.
+An answers file counts before a notebook. Names do not matter, since learning platforms rename
+files. Nothing is raised for what a student may have done: `HandIn.trouble` reports it.
 """
 
 import json
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from course import sandbox
-from course.answers import PREFIX, SHEET
-from course.files import Found
+from course.answers import (
+    PREFIX,
+    SHEET,
+    find_printed_answers,
+    list_code_cells,
+    parse_answers,
+    read_source,
+)
+from course.files import HandedFile
 
-_WHOSE = re.compile(rf"^\s*{PREFIX}{SHEET}\s*=\s*['\"]([^'\"]+)", re.M)
-_LINE = re.compile(rf"^\s*{PREFIX}(\w+)(.*)$", re.M)
+_SHEET_LINE = re.compile(rf"^\s*{PREFIX}{SHEET}\s*=\s*['\"]([^'\"]+)", re.M)
+_ANSWER_LINE = re.compile(rf"^\s*{PREFIX}(\w+)(.*)$", re.M)
+_MAX_NAMES = 5  # file names in a message
 
 
 @dataclass(frozen=True)
 class HandIn:
-    """The answers that were found, by name, and what went wrong on the way."""
+    """The answers by name, and what went wrong while they were read."""
 
-    answers: Mapping[str, Any]
+    answers: Mapping[str, Any] = field(default_factory=dict)
     trouble: str = ""
 
 
-def read_hand_in(files: Sequence[Found], parts: Collection[str], seconds: int = 0) -> HandIn:
-    """The answers in a student's files; a notebook is run for so many seconds, not at all for 0."""
-    # What could not be read at all comes first, then what is no JSON.
-    files = sorted(map(_checked, sorted(files, key=_is_read)), key=_is_read)
-    read = {file.name: _json(file) for file in files if file.kind in (".json", ".ipynb")}
-    written = {name: named for name, data in read.items() if (named := _answers(data, parts))}
-    if written:
-        first, *others = written.values()
-        different = any(other != first for other in others)
-        return _several("answers files", written) if different else HandIn(first)
-    books = {name: code for name, data in read.items() if (code := _code(data)) is not None}
-    blank = {name for name, code in books.items() if _untouched(code)}
-    begun = {"\n".join(code): name for name, code in books.items() if name not in blank}
-    if len(begun) > 1:
-        return _several("notebooks", begun.values())
-    if not begun:
-        return HandIn({}, _nothing(files, blank))
-    (name,) = begun.values()
-    if not seconds:
-        return HandIn({}, f"{name}: {sandbox.NOT_RUN}")
-    answers, trouble = sandbox.run(books[name], seconds)
-    none = "" if answers else f"{name} answers nothing"
-    return HandIn(_named(answers), trouble or none)
+def read_hand_in(files: Sequence[HandedFile], parts: Collection[str]) -> HandIn:
+    """Return the answers in a student's files: those of answers.json, or else those printed."""
+    # In messages files that could not be read come first, then those that are no JSON.
+    files = [_check_json(file) for file in sorted(files, key=_is_readable)]
+    files.sort(key=_is_readable)
+    json_files = [file for file in files if file.kind in (".json", ".ipynb")]
+    notebooks = {f.name: data for f in json_files if list_code_cells(data := _load(f))}
+    written = {f.name: parse_answers(f.content) for f in json_files if f.name not in notebooks}
+    written = {name: a for name, a in written.items() if a and _answers_some_part(a, parts)}
+    printed = {name: find_printed_answers(book) for name, book in notebooks.items()}
+    printed = {name: a for name, a in printed.items() if a and _answers_some_part(a, parts)}
+    for kind, candidates in (("answers files", written), ("notebooks", printed)):
+        if candidates:
+            hand_in = _choose(kind, candidates)
+            others = [name for name, a in printed.items() if a != hand_in.answers]
+            if kind == "answers files" and others and not hand_in.trouble:
+                words = f"{others[0]} printed other answers; those of the answers file are marked"
+                return replace(hand_in, trouble=words)
+            return hand_in
+    return HandIn(trouble=_explain_no_answers(files, notebooks))
 
 
-def whose(file: Found) -> str:
-    """The id on the sheet that a file answers, "" where it does not say."""
-    data = _json(file)
-    if (code := _code(data)) is not None:
-        said = _WHOSE.search("\n".join(code))
-        return said[1] if said else ""
-    return str(_named(data).get(SHEET, "")) if isinstance(data, dict) else ""
+def find_sheet_name(file: HandedFile) -> str:
+    """Return the name of the sheet that a file answers, or "" if the file does not say."""
+    data = _load(file)
+    cells = list_code_cells(data)
+    if cells:
+        match = _SHEET_LINE.search("\n".join(map(read_source, cells)))
+        return match[1] if match else ""
+    answers = parse_answers(file.content) or {}
+    return str(answers.get(SHEET, ""))
 
 
-def of_another(answers: Mapping[str, Any], student: str) -> str:
-    """In words that answers belong to another's sheet; "" where they do not say so."""
-    other = str(answers.get(SHEET, student))
-    return (
-        "" if other == student else f"this answers the sheet of {other[:64]!r}, not of {student!r}"
-    )
+def compare_sheet_names(found: object, expected: str) -> str:
+    """Say that answers belong to another sheet; return "" if they do not say so."""
+    if found is None or str(found) == expected:
+        return ""
+    found = str(found)[:64]
+    course, _, student = expected.rpartition("/")
+    other_course, _, other_student = found.rpartition("/")
+    if course and other_course and other_course != course:
+        return f"this answers a sheet of another course ({found!r})"
+    if other_student.partition("#")[0] == student.partition("#")[0]:
+        return f"this answers {found!r}, another sheet of the same student; {expected!r} is valid"
+    return f"this answers the sheet of {other_student!r}, not of {student!r}"
 
 
-def _is_read(file: Found) -> bool:
+def _is_readable(file: HandedFile) -> bool:
     return not file.trouble
 
 
-def _several(what: str, names: Collection[str]) -> HandIn:
-    return HandIn({}, f"there are {len(names)} different {what} ({', '.join(names)}); hand in one")
+def _choose(kind: str, candidates: Mapping[str, Mapping[str, Any]]) -> HandIn:
+    """Return the only answers among candidates, or none and the names if they differ."""
+    first, *others = candidates.values()
+    if any(other != first for other in others):
+        names = ", ".join(candidates)
+        return HandIn(
+            trouble=f"there are {len(candidates)} different {kind} ({names}); hand in one"
+        )
+    return HandIn(first)
 
 
-def _nothing(files: Sequence[Found], blank: Collection[str]) -> str:
-    """What else was seen than notebooks as they were given out."""
-    seen = [str(file) for file in files if file.name not in blank]
-    words = "nothing was answered" if blank else "nothing was handed in"
+def _answers_some_part(answers: Mapping[str, Any], parts: Collection[str]) -> bool:
+    return any(answers.get(part) is not None for part in parts)
+
+
+def _explain_no_answers(files: Sequence[HandedFile], notebooks: Mapping[str, Any]) -> str:
+    """Say why there are no answers: an untouched sheet, one that was never run, other files."""
+    untouched = {name for name, book in notebooks.items() if _is_untouched(book)}
+    begun = [name for name in notebooks if name not in untouched]
+    if begun and not any(cell.get("outputs") for cell in list_code_cells(notebooks[begun[0]])):
+        return f"{begun[0]} was never run: choose Restart and run all, save it, hand it in again"
+    if begun:
+        return f"{begun[0]} answers nothing: its last cell was not run after it was answered"
+    seen = [str(file) for file in files if file.name not in untouched]
+    result = "nothing was answered" if untouched else "nothing was handed in"
     if not seen:
-        return words
-    more = f" and {len(seen) - 5} more" if len(seen) > 5 else ""
-    return f"{words} that can be marked; seen: {', '.join(seen[:5])}{more}"
+        return result
+    more = f" and {len(seen) - _MAX_NAMES} more" if len(seen) > _MAX_NAMES else ""
+    return f"{result} that can be marked; seen: {', '.join(seen[:_MAX_NAMES])}{more}"
 
 
-def _json(file: Found) -> Any:
+def _is_untouched(notebook: Any) -> bool:
+    """Return whether every answer cell still has the dots that the sheet came with."""
+    sources = "\n".join(map(read_source, list_code_cells(notebook)))
+    lines = _ANSWER_LINE.findall(sources)
+    return {rest.replace(" ", "") for name, rest in lines if name != SHEET} == {"=..."}
+
+
+def _load(file: HandedFile) -> Any:
     try:
         return json.loads(file.content)
     except (ValueError, RecursionError):
         return None
 
 
-def _checked(file: Found) -> Found:
-    """The file, with why it cannot be read where it should be JSON and is not."""
+def _check_json(file: HandedFile) -> HandedFile:
+    """Add to a file that should be JSON why it is none."""
     if file.trouble or file.kind not in (".json", ".ipynb"):
         return file
     try:
@@ -104,27 +140,3 @@ def _checked(file: Found) -> Found:
     except (ValueError, RecursionError) as error:
         return replace(file, trouble=f"this is no JSON: {error}"[:100])
     return file
-
-
-def _answers(data: Any, parts: Collection[str]) -> dict[str, Any]:
-    """The answers in data by the names of parts; empty for what is something else."""
-    named = _named(data) if isinstance(data, dict) else {}
-    return named if any(named.get(part) is not None for part in parts) else {}
-
-
-def _named(found: Mapping[str, Any]) -> dict[str, Any]:
-    return {name.removeprefix(PREFIX): answer for name, answer in found.items()}
-
-
-def _code(data: Any) -> list[str] | None:
-    """The sources of a notebook's cells of code; None where data are no notebook."""
-    try:
-        return ["".join(c["source"]) for c in data["cells"] if c["cell_type"] == "code"]
-    except (KeyError, TypeError):
-        return None
-
-
-def _untouched(code: Sequence[str]) -> bool:
-    """Whether every answer cell still holds the dots that the sheet came with."""
-    lines = _LINE.findall("\n".join(code))
-    return {rest.replace(" ", "") for name, rest in lines if name != SHEET} == {"=..."}

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from course import sheets, store
-from course.answers import NOTEBOOK, PREFIX, SHEET, as_typed, last_cell
+from course.answers import NOTEBOOK_FILE as NOTEBOOK
+from course.answers import PREFIX, SHEET, to_json_value, write_last_cell
 from course.arms import to_python
 from course.marking import mark_sheet
 from course.roster import Student
@@ -32,9 +33,9 @@ _HOW = (
     " mistake earns, so rounding never pays. Write 0 for what you do not have: it costs nothing."
 )
 _LAST = (
-    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook, and needs nothing but"
-    " Python. Hand in both files. Run *Restart and run all* first, so that what is written is what"
-    " the notebook says."
+    "## Hand in\n\nChoose *Restart and run all*, save the notebook, and hand it in. The last cell prints"
+    " your answers: what it printed is marked, and nobody runs the notebook again. It also writes them"
+    " into `answers.json`; you may hand in that file instead, or both."
 )
 _HELPERS = (
     "The first cell of code imports `helpers`, which compute with this arm. Where it says that"
@@ -108,7 +109,7 @@ def _proved(course: Course, student: str) -> dict[str, Any]:
 def right_work(sheet: sheets.Sheet) -> dict[str, Any]:
     """The key as a student would hand it in: four decimals, a table's rows, formulas."""
     values = {name: part.value for name, part in sheet.parts.items()}
-    return {name: as_typed(_typed(value)) for name, value in values.items()}
+    return {name: to_json_value(_typed(value)) for name, value in values.items()}
 
 
 def _typed(value: Any) -> Any:
@@ -140,7 +141,7 @@ def notebook(course: Course, student: str) -> dict[str, Any]:
             code = f"# {part.what}\n{PREFIX}{part.name} = ..."
             cells.append(code_cell(f"answer-{part.name}", code))
     cells.append(_text("hand-in", _LAST))
-    cells.append(code_cell("write", last_cell()))
+    cells.append(code_cell("write", write_last_cell()))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     return {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
 

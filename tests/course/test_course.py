@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from course import __main__ as commands
-from course import arms, grading, making, sandbox, store
+from course import arms, grading, making, store
 from course.grading import grade, mark_one
 from course.making import right_work
 from course.marking import Mark
@@ -162,18 +162,6 @@ def test_what_goes_wrong_is_told_on_stderr(here, capsys, line, words):
     assert not Path("hw").exists()
 
 
-@pytest.mark.skipif(bool(sandbox.refusal()), reason="notebooks are not run here")
-def test_a_course_that_notebooks_could_read_is_refused(here, capsys, monkeypatch):
-    making.new([Student("ab", "A")], ELBOW, Path("lib/hw"), topics=POSES)
-    making.new([Student("ab", "A")], ELBOW, Path("hw"), topics=POSES)
-    monkeypatch.setattr(
-        sandbox, "_mounted", lambda real=sandbox._mounted: [*real(), str(here / "lib")]
-    )
-    for line in ("grade lib/hw --out o", "grade hw --out lib/o"):
-        assert "lies where notebooks can read, beside Python" in typed(line, capsys, 2)
-    assert typed("grade hw --out o", capsys).startswith("1 students marked")
-
-
 def test_jobs_are_one_or_more(here):
     making.new([Student("ab", "A")], ELBOW, Path("hw"), topics=POSES)
     with pytest.raises(ArmError, match="jobs is 0; expected a whole number of 1 or more"):
@@ -272,7 +260,7 @@ def test_marking_again_marks_what_is_there_then_and_nobody_twice(here, monkeypat
 
 
 def test_a_reader_that_breaks_is_told(here, monkeypatch):
-    work = Path("hw"), Path("out"), 0, grown("ab")
+    work = Path("hw"), Path("out"), grown("ab")
     monkeypatch.setattr("course.grading.read_hand_in", lambda *_: 1 / 0)
     row = mark_one(*work)
     assert row["note"] == "marking it stopped; please look at it by hand (ZeroDivisionError)"
@@ -283,7 +271,7 @@ def test_a_reader_that_breaks_is_told(here, monkeypatch):
 
 @pytest.mark.parametrize("alone", [os._exit, lambda *_: time.sleep(900)], ids=["ends", "hangs"])
 def test_a_process_without_a_word_costs_its_author_only(here, monkeypatch, alone):
-    work = Path("hw"), Path("out"), 0, grown("ab")
+    work = Path("hw"), Path("out"), grown("ab")
     for name, value in (("_alone", alone), ("_HOW", "fork"), ("_PATIENCE", 0.1)):
         monkeypatch.setattr(grading, name, value)
     row = grading._marked(*work)

@@ -14,7 +14,7 @@ import yaml
 import helpers
 from course import __main__ as commands
 from course import collect, gradescope, grading, making
-from course.files import Found
+from course.files import HandedFile
 from course.making import right_work
 from course.roster import Student
 from helpers.arm import ArmError
@@ -92,7 +92,7 @@ def test_a_class_of_120_is_sorted_whatever_the_platform_called_it(tmp_path, plat
 
 def sort(**files):
     names = {"ab": "Ada Twin", "cd": "Ada Twin", "ef": "Bo Berg", "gh": "Li Na"}
-    placed, doubtful = collect.sort([Found(n, c.encode()) for n, c in files.items()], names)
+    placed, doubtful = collect.sort([HandedFile(n, c.encode()) for n, c in files.items()], names)
     return {s: [f.name for f in group] for s, group in placed.items()}, doubtful
 
 
@@ -115,14 +115,6 @@ def test_what_is_not_certain_is_listed_and_not_placed():
     ]  # fmt: skip
     assert doubtful[1].endswith("answers the sheet of 'gh', not of 'ef'")
     assert "twinada may be ab or cd; the sheet in it does not tell" in doubtful[0]
-
-
-def test_the_sheet_speaks_from_a_notebook_too():
-    """As it was given out, and as JupyterLab saves it: in lines."""
-    source = "import numpy\nanswer_sheet = 'ab'  # whose"
-    for kept in (source, source.splitlines(keepends=True)):
-        text = json.dumps({"cells": [{"cell_type": "code", "source": kept}]})
-        assert sort(**{"anon_x_9_homework.ipynb": text})[0] == {"ab": ["anon_x_9_homework.ipynb"]}
 
 
 def test_collecting_is_told_on_one_screen(tmp_path, capsys):
