@@ -40,10 +40,12 @@ def read_hand_in(files: Sequence[HandedFile], parts: Collection[str]) -> HandIn:
     files.sort(key=_is_readable)
     json_files = [file for file in files if file.kind in (".json", ".ipynb")]
     notebooks = {f.name: data for f in json_files if list_code_cells(data := _load(f))}
-    written = {f.name: parse_answers(f.content) for f in json_files if f.name not in notebooks}
-    written = {name: a for name, a in written.items() if a and _answers_some_part(a, parts)}
-    printed = {name: find_printed_answers(book) for name, book in notebooks.items()}
-    printed = {name: a for name, a in printed.items() if a and _answers_some_part(a, parts)}
+    texts = {f.name: parse_answers(f.content) for f in json_files if f.name not in notebooks}
+    lines = {name: find_printed_answers(book) for name, book in notebooks.items()}
+    written, printed = (
+        {name: a for name, a in found.items() if a and _answers_some_part(a, parts)}
+        for found in (texts, lines)
+    )
     for kind, candidates in (("answers files", written), ("notebooks", printed)):
         if candidates:
             hand_in = _choose(kind, candidates)

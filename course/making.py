@@ -33,9 +33,9 @@ _HOW = (
     " mistake earns, so rounding never pays. Write 0 for what you do not have: it costs nothing."
 )
 _LAST = (
-    "## Hand in\n\nChoose *Restart and run all*, save the notebook, and hand it in. The last cell prints"
-    " your answers: what it printed is marked, and nobody runs the notebook again. It also writes them"
-    " into `answers.json`; you may hand in that file instead, or both."
+    "## Hand in\n\nChoose *Restart and run all*, save the notebook, and hand it in. The last cell"
+    " prints your answers: what it printed is marked, and nobody runs the notebook again. It also"
+    " writes them into `answers.json`; you may hand in that file instead, or both."
 )
 _HELPERS = (
     "The first cell of code imports `helpers`, which compute with this arm. Where it says that"
