@@ -6,7 +6,8 @@
  * @typedef {object} Advice
  * @property {string} field an option of the judge (angles, angularFirst, convention, frame,
  *   lengths), or "locked" (the number of a joint to lock), "arm" (the name of another arm),
- *   "values" (a symbol that needs a number), "ownJoints" (the arm in the joints of a right table)
+ *   "values" (a symbol that needs a number), "ownJoints" (rows of a right table whose joints count
+ *   otherwise, as text)
  * @property {string | number | boolean} value
  */
 

@@ -1,6 +1,7 @@
 // What the digits of an answer promise: every entry is held to its own last place.
 
 export const [RIGHT, SO_FAR, ROUNDED, WRONG] = ["right", "so far", "rounded", "wrong"];
+export const RIGHT_BY_MAP = "right by map"; // a table of the same arm whose joints count otherwise
 
 const HALF = 0.5; // units: the truth, rounded to the last place
 const ONE_OFF = 1.5; // units: that, and one more in the last place

@@ -1,11 +1,17 @@
 // The verdict: what a judge of any topic returns, and how it reads as text.
 
 import { adviseOnCauses } from "./advice.js";
-import { RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
+import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR, WRONG } from "./digits.js";
 import { formatMessage, tryOrNull } from "./sentences.js";
 
 /** The mark that is shown beside each grade. */
-export const GRADE_MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", [WRONG]: "✘" };
+export const GRADE_MARKS = {
+  [RIGHT]: "✔",
+  [RIGHT_BY_MAP]: "✔",
+  [SO_FAR]: "◐",
+  [ROUNDED]: "≈",
+  [WRONG]: "✘",
+};
 
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
 /** @typedef {import("./geometry/arm.js").Row} Row */
@@ -24,11 +30,22 @@ export const GRADE_MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", 
  * @typedef {{ what: string, where: string, words: string }} Finding
  */
 /**
+ * How the joints of a right table count beside the reference's.
+ * @typedef {object} JointReport
+ * @property {number[]} signs joint k of the reference is signs[k] times the student's joint plus
+ *   offsets[k]
+ * @property {number[]} offsets rad or m
+ * @property {number[]} start the student's joint values where the homework starts; [] if unknown
+ * @property {string} message the joints that count otherwise, in one sentence
+ * @property {{ headers: string[], rows: string[][] }} table a row for each joint
+ * @property {Arm} arm the reference in the student's joints
+ */
+/**
  * What a judge says about an answer.
  * @typedef {object} Verdict
  * @property {string} topic
  * @property {string} arm its name
- * @property {string} grade "right", "so far", "rounded" or "wrong"
+ * @property {string} grade "right", "right by map", "so far", "rounded" or "wrong"
  * @property {string} headline
  * @property {string} [mark] the grade whose mark is shown, if it is not `grade`
  * @property {Finding[]} findings
@@ -42,8 +59,7 @@ export const GRADE_MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", 
  * @property {string[]} [left] lines of the text that were not used
  * @property {boolean[]} [wrong] which of the numbers are wrong
  * @property {ReadTable} [table]
- * @property {import("./geometry/joint_map.js").JointMap & { rows: Row[] }} [map] from the joints of
- *   the student's table to those of the reference
+ * @property {JointReport} [map] from the joints of the student's table to those of the reference
  * @property {Record<string, any>} [figures] measured numbers by name
  */
 
@@ -129,5 +145,8 @@ export const listDetails = ({ headline, findings, taken, notes }) => [
 ];
 
 /** Format a verdict as text, as str(report) does in Python. @param {Verdict} verdict */
-export const formatVerdict = (verdict) =>
-  [verdict.headline, ...listDetails(verdict).map((line) => `- ${line}`)].join("\n");
+export function formatVerdict(verdict) {
+  const details = listDetails(verdict);
+  const lines = verdict.map ? [verdict.map.message, ...details] : details;
+  return [verdict.headline, ...lines.map((line) => `- ${line}`)].join("\n");
+}

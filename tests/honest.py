@@ -3,8 +3,9 @@
     python -m tests.honest FILE.jsonl ... [--kind jacobian] [--show refused]
 
 Each line of a file is a work: its kind, arm, question and text, whether it is right, and else its
-slips by name. `honest_slips.json` holds for each slip the causes that name it ("so far" where
-asking for more is the right answer).
+slips by name. A table is "right by map" if its slips only choose other zeros or directions of the
+joints. `honest_slips.json` holds for each slip the causes that name it ("so far" where asking for
+more is the right answer).
 """
 
 import argparse
@@ -67,7 +68,9 @@ def verdict(work: Mapping) -> tuple[str, str]:
     except ArmError as refusal:
         return "refused", str(refusal)
     words = f"{report.grade}: {report.headline} {list(report.causes)}"
-    if work["truth"] == "right":
+    if work["truth"] != "wrong":
+        if report.grade == work["truth"]:
+            return "right", words
         told = {"rounded": "so far", "wrong": "called wrong"}
         return told.get(report.grade, report.grade), words
     names = {name for slip in work["slips"] for name in NAMES.get(slip, ())}
@@ -103,7 +106,7 @@ def main() -> None:
             if options.show and f"{work['truth']} {found}" in options.show:
                 print(f"--- {work['id']} {work['kind']} {work['arm']} {work['slips']} {found}")
                 print(f"{work['text'][:1500]}\n=> {words}\n")
-    for truth, verdicts in (("right", RIGHT), ("wrong", WRONG)):
+    for truth, verdicts in (("right", RIGHT), ("right by map", RIGHT), ("wrong", WRONG)):
         print(f"| {truth} | " + " | ".join(verdicts) + " |\n|:--" + "|--:" * len(verdicts) + "|")
         for kind in [*dict.fromkeys(work["kind"] for work in works), "all"]:
             held = {key: n for key, n in counts.items() if kind in (key[0], "all")}

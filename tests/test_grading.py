@@ -62,11 +62,12 @@ def test_a_report_in_lines_and_in_markdown():
 
 
 @pytest.mark.parametrize(
-    ("grade", "mark"), [("right", "✔"), ("so far", "◐"), ("rounded", "≈"), ("wrong", "✘")]
+    ("grade", "mark"),
+    [("right", "✔"), ("right by map", "✔"), ("so far", "◐"), ("rounded", "≈"), ("wrong", "✘")],
 )
 def test_the_mark_of_a_grade(grade, mark):
     report = Verdict("pose", "Panda", grade, "So it is.")
-    assert report.agrees == (grade == "right")
+    assert report.agrees == grade.startswith("right")
     assert report._repr_markdown_() == f"{mark} **So it is.**\n"
     assert (report.findings, report.causes, report.taken, report.notes) == ((), (), (), ())
     assert report.figures == {}

@@ -15,7 +15,7 @@ from helpers.checks.arms import judge_data
 from helpers.checks.engine import ask_judge, format_sentence
 from helpers.checks.functions import call_student_function
 from helpers.checks.plain_data import to_plain_data
-from helpers.checks.student_arm import express_in_student_joints
+from helpers.checks.student_arm import make_joint_map
 from helpers.checks.tables import check_reading_options, format_table
 from helpers.checks.verdict import Verdict, make_verdict
 from helpers.inputs import ArmError, must_be, named, number, one_of, shown, whole
@@ -92,6 +92,7 @@ def compare_tables(
     convention: str | None = None,
     values: Mapping[str, float] | None = None,
     tolerance: float | None = None,
+    start_pose: ArrayLike | None = None,
 ) -> Verdict:
     """Judge whether two DH tables describe the same arm.
 
@@ -101,8 +102,9 @@ def compare_tables(
     twist between neighbouring axes, the offset along each axis (along parallel axes only the sum),
     and where the tip is on the last link. The student may choose the directions of the axes, the
     positions of common normals between parallel axes, the zeros of the joints, the position of a
-    sliding axis and the number of fixed rows. If a right table counts its joints otherwise, the
-    verdict prints the map, and ``verdict.figures["arm"]`` is the arm in your joints.
+    sliding axis and the number of fixed rows. The base frame, the tip and the direction of the last
+    axis are the reference's. The grade of a right table whose joints count otherwise is "right by
+    map": the verdict shows the map, and ``verdict.joint_map.arm`` is the arm in your joints.
 
     Args:
         mine: an `Arm`, or rows in a list, text, `Link(...)` lines or 4 x 4 matrices, as
@@ -112,6 +114,8 @@ def compare_tables(
             the verdict says what was guessed.
         tolerance: the largest deviation of a length (m); inferred from the digits typed unless
             given.
+        start_pose: joint values (rad or m) at which the question says where the tool is. A table
+            that takes it elsewhere is wrong, though another choice of zeros would explain it.
 
     Raises ArmError where an arm has no joint or `mine` is no table. Source: Siciliano et al.,
     Robotics, section 2.8.2, on the free choices.
@@ -128,17 +132,14 @@ def compare_tables(
         raise ArmError(
             format_sentence("arm is read", given=", ".join(map(shown, reading_options.values())))
         )
+    if start_pose is not None:
+        options["startPose"] = reference.joint_vector(start_pose, "start_pose", many=False).tolist()
     table = _arm_table(mine) if isinstance(mine, Arm) else format_table(mine)
     found = ask_judge(
         "table", mine=table, arm=judge_data(reference), options=options | reading_options
     )
-    if "map" not in found:
-        return make_verdict(found)
-    both = found["map"]["signs"], found["map"]["offsets"]
-    own = express_in_student_joints(
-        reference, found["map"], format_sentence("own joints", arm=reference.name)
-    )
-    return make_verdict(found, joint_map=tuple(zip(*both, strict=True)), arm=own)
+    joint_map = make_joint_map(found["map"], reference) if "map" in found else None
+    return make_verdict(found, joint_map)
 
 
 def _arm_table(arm: Arm) -> dict[str, Any]:

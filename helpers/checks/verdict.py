@@ -5,8 +5,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-RIGHT, WRONG = "right", "wrong"
-_MARKS = {RIGHT: "✔", "so far": "◐", "rounded": "≈", WRONG: "✘"}
+from helpers.checks.student_arm import JointMap
+
+RIGHT, RIGHT_BY_MAP, WRONG = "right", "right by map", "wrong"
+_MARKS = {RIGHT: "✔", RIGHT_BY_MAP: "✔", "so far": "◐", "rounded": "≈", WRONG: "✘"}
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,8 @@ class Verdict:
 
     Attributes:
         topic: "table", "Jacobian", "torques", "trace", "branches" or "pose".
-        grade: "right", "so far", "rounded" or "wrong".
+        grade: "right", "so far", "rounded" or "wrong"; of a table also "right by map", if it
+            describes the arm and its joints count otherwise than the reference's.
         headline: the result in one sentence, with the cause if one was found.
         findings: the cause first, then where it shows.
         causes: the catalogue's keys of the named causes, the likeliest first, two joined by " + ".
@@ -74,8 +77,8 @@ class Verdict:
         notes: remarks that are not mistakes.
         figures: measured numbers, by name, such as worst or position_error.
         read: the numbers of the answer with their owners, the entries first, row by row.
-        mark: the grade whose mark is shown, if it differs: "so far" for a right table with other
-            zeros.
+        mark: the grade whose mark is shown, if it differs.
+        joint_map: how the joints of a table that is "right by map" count; else None.
     """
 
     topic: str
@@ -90,11 +93,12 @@ class Verdict:
     figures: Mapping[str, Any] = field(default_factory=dict, compare=False)
     read: tuple[NumberRead, ...] = field(default=(), compare=False)
     mark: str = ""
+    joint_map: JointMap | None = field(default=None, compare=False)
 
     @property
     def agrees(self) -> bool:
         """Whether the answer is right and has enough digits to show it."""
-        return self.grade == RIGHT
+        return self.grade in (RIGHT, RIGHT_BY_MAP)
 
     @property
     def lines(self) -> list[str]:
@@ -105,16 +109,20 @@ class Verdict:
         return [*symptoms, *(f"Taken as {t}" for t in self.taken), *notes, *self.advice]
 
     def __str__(self) -> str:
-        return "\n".join([self.headline, *(f"- {line}" for line in self.lines)])
+        moved = [self.joint_map.message] if self.joint_map else []
+        return "\n".join([self.headline, *(f"- {line}" for line in [*moved, *self.lines])])
 
     __repr__ = __str__
 
     def _repr_markdown_(self) -> str:
         head = f"{_MARKS[self.mark or self.grade]} **{self.headline}**"
-        return "\n".join([head, "", *(f"- {line}" for line in self.lines)])
+        text = "\n".join([head, "", *(f"- {line}" for line in self.lines)])
+        return f"{text}\n\n{self.joint_map.format_markdown()}" if self.joint_map else text
 
 
-def make_verdict(answer: Mapping[str, Any], **figures: Any) -> Verdict:
+def make_verdict(
+    answer: Mapping[str, Any], joint_map: JointMap | None = None, **figures: Any
+) -> Verdict:
     """Return the judge's answer as a verdict, with figures that Python computed."""
     return Verdict(
         answer["topic"],
@@ -129,6 +137,7 @@ def make_verdict(answer: Mapping[str, Any], **figures: Any) -> Verdict:
         {name: _as_tuple(x) for name, x in answer.get("figures", {}).items()} | figures,
         tuple(NumberRead(**number) for number in answer.get("read", ())),
         answer.get("mark", ""),
+        joint_map,
     )
 
 
@@ -136,7 +145,7 @@ def format_advice(advice: Mapping[str, Any]) -> str:
     """Return a piece of the judge's advice as a sentence that names Python's arguments."""
     field, value = advice["field"], advice["value"]
     if field == "ownJoints":
-        return 'The arm in your joints is report.figures["arm"]'
+        return "The arm in your joints is report.joint_map.arm"
     words = {
         "arm": f"compare with robots.find_arm({json.dumps(value)})",
         "locked": f"compare with arm.lock({value})",

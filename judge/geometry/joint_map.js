@@ -3,7 +3,7 @@
 
 import { cross, dot, movingRows, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { DEG } from "./angles.js";
-import { formatMessage, formatNumber } from "../sentences.js";
+import { formatNumber } from "../sentences.js";
 
 const SEEN = 1e-6; // m, or the sine of an angle: less than this fixes no direction
 const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times this
@@ -126,24 +126,42 @@ function confirmed(mine, reference, found, tolerance) {
   return { ...found, base: { ...found.base, o: plus(found.base.o, [0, 0, height]) } };
 }
 
-function wrap(angle) {
+/** Take whole turns off an angle: -pi < angle <= pi. @param {number} angle rad */
+export function wrap(angle) {
   const turn = 2 * Math.PI;
   const rest = angle % turn;
   const near = Math.abs(rest) > Math.PI ? rest - Math.sign(rest) * turn : rest;
   return near <= -Math.PI + 1e-9 ? Math.PI : near;
 }
 
-// The joints that count otherwise, one equation each; `mine` are the numbers of your joints.
-export function listMapEquations({ signs, offsets }, mine, reference) {
-  return signs.flatMap((s, k) => {
-    const [i, j] = [mine[k], reference.joints[k]];
-    const turns = reference.rows[j - 1].kind === "revolute";
-    const shift = Number((offsets[k] * (turns ? DEG : 1000)).toFixed(6));
-    const counted = Math.abs(shift) > 1e-3;
-    if (s > 0 && !counted) return [];
-    const tail = counted
-      ? ` ${shift < 0 ? "-" : "+"} ${formatNumber(Math.abs(shift), 5)}${turns ? "°" : " mm"}`
-      : "";
-    return [formatMessage(s < 0 ? "map back" : "map joint", { joint: j, mine: i, tail })];
+/**
+ * A joint of the reference beside the student's: whether it counts otherwise, and its value in
+ * terms of the student's joint, as "-q_2 + 90°".
+ * @typedef {{ number: number, isRevolute: boolean, countsOtherwise: boolean, sign: number,
+ *   ownNumber: number, shift: string }} MappedJoint
+ */
+
+/**
+ * List the joints of the reference with how each counts.
+ * @param {JointMap} map
+ * @param {number[]} ownNumbers of the student's joints
+ * @param {AxisWalk} reference
+ * @returns {MappedJoint[]}
+ */
+export function listMappedJoints({ signs, offsets }, ownNumbers, reference) {
+  return signs.map((sign, k) => {
+    const number = reference.joints[k];
+    const isRevolute = reference.rows[number - 1].kind === "revolute";
+    const shown = formatJointValue(Math.abs(offsets[k]), isRevolute);
+    const isShifted = !/^0 ?\D/.test(shown);
+    const shift = isShifted ? ` ${offsets[k] < 0 ? "-" : "+"} ${shown}` : "";
+    const countsOtherwise = sign < 0 || isShifted;
+    return { number, isRevolute, countsOtherwise, sign, ownNumber: ownNumbers[k], shift };
   });
+}
+
+/** Format a joint value in degrees or millimetres. @param {number} value rad or m */
+export function formatJointValue(value, isRevolute) {
+  const rounded = Number((value * (isRevolute ? DEG : 1000)).toFixed(2)) + 0;
+  return `${formatNumber(rounded, 5)}${isRevolute ? "°" : " mm"}`;
 }

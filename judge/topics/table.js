@@ -4,7 +4,7 @@ import { makeCause, causeName, hedgeMessage, joinCauseMessages } from "../causes
 import { findFewestMistakes } from "../causes/table.js";
 import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
-import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
+import { compareAxes, describeAxes } from "../geometry/axes.js";
 import {
   ANGLE_TOLERANCE,
   isAngleColumn,
@@ -17,7 +17,7 @@ import { ENTRIES } from "../reading/table_rows.js";
 import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import { NoLink } from "../reading/table_matrices.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
-import { noteBaseHeight, judgeSameArm, TIP_TOLERANCE, measureTipMiss } from "./table_same.js";
+import { judgeSameArm } from "./table_same.js";
 import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
@@ -25,8 +25,6 @@ const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
-/** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
-/** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("../verdict.js").Verdict} Verdict */
@@ -39,6 +37,7 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
  * @property {string} [angles] "rad" or "deg"
  * @property {string} [convention] "standard" or "craig"
  * @property {number} [tolerance] the largest deviation of a length (m)
+ * @property {number[]} [startPose] joint values whose pose the question fixes (rad or m)
  * @property {[string, number][]} [values] of symbols that the arm does not have
  */
 
@@ -77,7 +76,7 @@ function tablesCompared(mine, reference, options = {}) {
   if (typed instanceof NoLink) return noLink(typed, reference);
   const held = typed.map((one) => withLocked(one, kinds));
   const tables = isText ? held.map((one) => tableOf(one, meant(one, kinds))) : [ofArm(mine)];
-  const readings = tables.map((table) => judgedTable(table, reference, options.tolerance ?? null));
+  const readings = tables.map((table) => judgedTable(table, reference, options));
   const whole = (report, k) => {
     if (!isText)
       return { ...report, table: { rows: tables[k].rows, cells: [], trees: [], wrong: [] } };
@@ -89,8 +88,12 @@ function tablesCompared(mine, reference, options = {}) {
     };
   };
   const good = readings.map((one) => one.good());
-  const best = [good.findIndex((one) => one?.grade !== WRONG && one), good.findIndex(Boolean)];
-  const same = best.find((k) => k >= 0);
+  const isGood = [
+    (verdict) => verdict?.grade === RIGHT,
+    (verdict) => verdict && verdict.grade !== WRONG,
+    Boolean,
+  ];
+  const same = isGood.map((test) => good.findIndex(test)).find((k) => k >= 0);
   const astray = isText && same !== undefined ? outOfTurn(typed[same].rows) : null;
   if (astray) return whole(bad(tables[same], reference, [astray]), same);
   if (same !== undefined) return whole(good[same], same);
@@ -250,7 +253,7 @@ const meantRows = (table) =>
  * @param {Table} table
  * @returns {{ good: () => Verdict | null, bad: () => Verdict }}
  */
-function judgedTable(table, reference, tolerance) {
+function judgedTable(table, reference, { tolerance = null, startPose = null }) {
   const wanted = snapRows(reference.rows);
   const rows = meantRows(table);
   const [mine, ref] = [describeAxes(rows), describeAxes(wanted)];
@@ -258,31 +261,23 @@ function judgedTable(table, reference, tolerance) {
   const [length, angle] = [table.lengthUnit, table.angleUnit].map((unit) =>
     tolerance === null && unit <= COARSEST ? 0.51 * unit : 0,
   );
-  const found = compareAxes(mine, ref, exact);
-  const agrees = (grade, by) =>
-    table.exchanged
-      ? bad(table, reference, [makeCause("table.alpha and theta")])
-      : sameOrSlips(grade, by);
-  const sameOrSlips = (grade, by) => {
-    const last = table.lengthUnit || table.angleUnit * reach(rows);
-    const loose = grade === RIGHT ? LENGTH : 10 * last;
-    const far = Math.max(TIP_TOLERANCE, 2 * rows.length * Math.min(last, COARSEST));
-    const elsewhere = measureTipMiss(table, rows, reference, far);
-    const slips = elsewhere ? wrongEntries(table, rows, wanted, loose) : [];
-    const report = judgeSameArm({ grade, elsewhere }, [table, reference], [mine, ref], by, loose);
-    if (!slips.length) return report;
-    const cause = slips.map(({ words }) => inside(words)).join("; ");
-    const { findings, causes } = bad(table, reference, [], slips);
-    const headline = formatMessage("table other entries", { ...elsewhere, cause });
-    return { ...report, headline, findings: slips.length > 1 ? findings : [], causes };
+  // a turned axis meets the next one elsewhere
+  const wide = tolerance === null ? Math.max(exact, 2 * length, 2.5 * angle * reach(rows)) : exact;
+  const sides = { table, reference, rows, wanted, mine, ref };
+  const judgeSame = (comparison, grade) => {
+    if (table.exchanged) return bad(table, reference, [makeCause("table.alpha and theta")]);
+    const last = Math.min(table.lengthUnit || table.angleUnit * reach(rows), COARSEST);
+    const mapped = grade === RIGHT ? LENGTH : 10 * last;
+    return judgeSameArm(sides, comparison, grade, { length: wide, mapped, startPose });
   };
+  const comparison = compareAxes(mine, ref, exact);
   const good = () => {
-    if (!found.differences.length) return agrees(RIGHT, found);
+    const higher = Math.abs(comparison.baseHigher);
+    const isRounded = higher > exact && higher <= wide;
+    if (!comparison.differences.length) return judgeSame(comparison, isRounded ? ROUNDED : RIGHT);
     if (tolerance !== null) return null;
-    // a turned axis meets the next one elsewhere
-    const wide = Math.max(exact, 2 * length, 2.5 * angle * reach(rows));
     const near = compareAxes(mine, ref, wide, Math.max(ANGLE_TOLERANCE, 4 * angle));
-    return near.differences.length ? null : agrees(ROUNDED, near);
+    return near.differences.length ? null : judgeSame(near, ROUNDED);
   };
   return { good, bad: () => different(table, reference, rows, wanted, Math.max(exact, length)) };
 }
@@ -290,24 +285,6 @@ function judgedTable(table, reference, tolerance) {
 const reach = (rows) => Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
 
 // What differs, and why
-
-const FEW = 2; // entries off: slips; more are another choice of zeros or of the base
-
-// The entries that differ from the reference's, where they are few; none where the table is another
-// choice throughout.
-function wrongEntries(table, rows, wanted, length) {
-  if (rows.length !== wanted.length || table.modified) return [];
-  const off = ENTRIES.flatMap((column) =>
-    rows.flatMap((row, k) => (isOff(row, wanted[k], column, length) ? [[k, column]] : [])),
-  );
-  const t = { cause: null, rows, reference: wanted };
-  return off.length > FEW ? [] : off.map((at) => describeEntry(table, t, at, length));
-}
-
-const isOff = (row, wanted, column, length) =>
-  isAngleColumn(column)
-    ? angleDistance(row[column], wanted[column]) > ANGLE_TOLERANCE
-    : Math.abs(row[column] - wanted[column]) > length;
 
 // Why a table is another arm: by the fewest slips.
 /** @param {Table} table @returns {Verdict} */
@@ -321,20 +298,12 @@ function different(table, reference, rows, wanted, length) {
   const findings = t.left.map((at) =>
     Array.isArray(at) ? describeEntry(own, t, at, length) : describeDifference(own, at),
   );
-  const by = compareAxes(describeAxes(rows), describeAxes(wanted), length);
-  const free = !t.cause && !Array.isArray(t.left[0]) && by.signs.length;
-  return bad(
-    table,
-    reference,
-    causes,
-    findings,
-    free ? noteBaseHeight(table, describeAxes(rows), by) : [],
-  );
+  return bad(table, reference, causes, findings);
 }
 
 // `causes` explain the same; of the findings those with a cause of their own add to it.
 /** @param {Table} table @param {Cause[]} causes @param {Finding[]} findings @returns {Verdict} */
-function bad(table, reference, causes, findings = [], notes = []) {
+function bad(table, reference, causes, findings = []) {
   const own = findings.map(({ what }) => what).filter((what) => what.includes("."));
   const added = own.length === findings.length ? own : [];
   const names = causes.length
@@ -351,7 +320,7 @@ function bad(table, reference, causes, findings = [], notes = []) {
     findings,
     causes: names,
     taken: table.said,
-    notes,
+    notes: [],
   };
   if (causes.length) {
     const words = hedgeMessage(joinCauseMessages(causes), findings);

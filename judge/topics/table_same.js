@@ -1,128 +1,273 @@
-// What is said of a table that describes the same arm: its joints' zeros, its base, its tool.
+// The verdict on a table that describes the same arm. Zero and direction of each joint are the
+// student's choice. Base, tip and last axis are the question's, and where the question says so the
+// pose at some joint values.
 
-import { RIGHT, WRONG } from "../digits.js";
+import { makeCause, causeMessage } from "../causes/ranking.js";
+import { RIGHT, RIGHT_BY_MAP, ROUNDED, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleDistance, isBaseHeightGap } from "../geometry/axes.js";
-import { listMapEquations, findJointMap } from "../geometry/joint_map.js";
+import { findJointMap, formatJointValue, listMappedJoints, wrap } from "../geometry/joint_map.js";
 import { linkFrames, minus, norm, rotationBetween } from "../geometry/kinematics.js";
+import { expressInOwnJoints, formatRows, toOwnJoints } from "../geometry/own_joints.js";
 import { ANGLE_TOLERANCE, snapAngle } from "../geometry/rows.js";
-import { formatMessage, formatNumber } from "../sentences.js";
-import { entryUnit, roundTo, entryText, typedRowNumber } from "./table_words.js";
+import { formatMessage, formatNumber, uncapitalize } from "../sentences.js";
+import { makeVerdict } from "../verdict.js";
+import {
+  describeEntry,
+  entryText,
+  entryUnit,
+  listOffEntries,
+  roundTo,
+  typedRowNumber,
+} from "./table_words.js";
 
-const LENGTH = 1e-6; // m
-export const TIP_TOLERANCE = 1e-4; // m: a tip no farther away stands there
+const TIP_TOLERANCE = 1e-4; // m: a tip no farther away stands there
+const TURN_TOLERANCE = 1e-3; // rad, of a joint's zero
+const MAX_MISTAKES = 3; // entries: a table with more of them chose other zeros throughout
 
 /** @typedef {import("./table.js").Table} Table */
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+/** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
+/** @typedef {import("../geometry/axes.js").AxisWalk} AxisWalk */
+/** @typedef {import("../geometry/joint_map.js").JointMap} JointMap */
 /** @typedef {import("../verdict.js").Verdict} Verdict */
+/** @typedef {import("../verdict.js").Finding} Finding */
+/**
+ * The student's table and the reference, as typed, as rows with right angles, and by their axes.
+ * @typedef {object} Sides
+ * @property {Table} table
+ * @property {Arm} reference
+ * @property {TableRow[]} rows
+ * @property {TableRow[]} wanted
+ * @property {AxisWalk} mine
+ * @property {AxisWalk} ref
+ */
+/**
+ * What the question fixes and the table does not meet: a message without a full stop, the place in
+ * the table, and the entry to blame ("" for any).
+ * @typedef {{ message: string, where: string, entry: string }} Fault
+ */
+/**
+ * @typedef {object} Tolerances
+ * @property {number} length how much lengths may differ (m)
+ * @property {number} mapped how much lengths may differ in the search for a joint map (m)
+ * @property {number[] | null} startPose joint values whose pose the question fixes
+ */
 
 /**
- * The report on a table of the same arm: right if at the homework's start the tip is there too.
- * @param {{ grade: string, elsewhere: ReturnType<typeof measureTipMiss> }} verdict
- * @param {[Table, any]} tables typed, and the reference
- * @param {ReturnType<typeof import("../geometry/axes.js").describeAxes>[]} sides
- * @param {AxisComparison} found
- * @param {number} loose how much lengths may differ, in m
+ * Judge a table whose axes are those of the reference.
+ * @param {Sides} sides
+ * @param {AxisComparison} comparison
+ * @param {string} grade by the digits of the lengths: RIGHT or ROUNDED
+ * @param {Tolerances} tolerances
  * @returns {Verdict}
  */
-export function judgeSameArm({ grade, elsewhere }, [table, reference], [mine, ref], found, loose) {
-  const mapped = findJointMap(mine, ref, found, loose);
-  const told = zeros(table, mapped, mine, ref);
-  const key = grade === RIGHT ? "table same" : "table rounded";
-  return {
-    topic: "table",
-    arm: reference.name,
-    grade: elsewhere ? WRONG : grade,
-    headline: elsewhere
-      ? formatMessage("table other zeros", elsewhere)
-      : formatMessage(key, { mine: table.name, reference: reference.name }),
-    findings: [],
-    causes: [],
-    taken: table.said,
-    ...(mapped ? { map: { ...mapped, rows: mine.rows } } : {}),
-    figures: { "same machine": true },
-    advice: mapped && told.length ? [{ field: "ownJoints", value: true }] : [],
+export function judgeSameArm(sides, comparison, grade, tolerances) {
+  const { table, reference, mine, ref } = sides;
+  const map = findJointMap(mine, ref, comparison, tolerances.mapped);
+  const fault = findFault(sides, comparison, map, tolerances);
+  if (fault) return makeFaultVerdict(sides, fault, tolerances.mapped);
+  const joints = listMappedJoints(map, listOwnNumbers(table, mine), ref);
+  const names = { mine: table.name, reference: reference.name };
+  const shared = { taken: table.said, figures: { "same machine": true } };
+  const isToolReversed = angleDistance(...comparison.tilts) > 1;
+  if (isIdentity(map, ref, grade) && !isToolReversed) {
+    const headline = formatMessage(grade === RIGHT ? "table same" : "table rounded", names);
+    return makeVerdict("table", reference, grade, headline, {
+      ...shared,
+      notes: noteRightAngles(table),
+    });
+  }
+  const own = { arm: reference.name };
+  const arm = expressInOwnJoints(reference, mine, map, formatMessage("own joints", own));
+  return makeVerdict("table", reference, RIGHT_BY_MAP, formatMessage("table right by map", names), {
+    ...shared,
+    map: {
+      ...map,
+      start: wrapAngles(arm.home, joints),
+      arm,
+      ...describeMap(map, joints, reference),
+    },
+    advice: [{ field: "ownJoints", value: formatRows(mine.rows) }],
     notes: [
-      ...told,
-      ...noteBaseHeight(table, mine, found, mapped),
-      ...tool(found),
-      ...written(table),
+      ...(isToolReversed ? [formatMessage("tool reversed")] : []),
+      ...noteStart(wrapAngles(arm.home, joints), joints),
+      ...noteMistakes(sides, tolerances.mapped),
+      ...(grade === ROUNDED ? [formatMessage("map rounded")] : []),
+      ...noteRightAngles(table),
     ],
+  });
+}
+
+const listOwnNumbers = (table, mine) => mine.joints.map((i) => typedRowNumber(table, i, "d"));
+
+// What the question fixes
+
+/** @param {Sides} sides @param {JointMap | null} map @returns {Fault | null} */
+function findFault(sides, comparison, map, { length, startPose }) {
+  return (
+    findBaseFault(sides, comparison, map, length) ??
+    findToolFault(sides, comparison) ??
+    (map ? null : { message: formatMessage("no joint map"), where: "", entry: "" }) ??
+    (startPose ? findStartFault(sides, startPose, length) : null)
+  );
+}
+
+/** Whether the base's frame stands elsewhere on axis 1, or upside down. @returns {Fault | null} */
+function findBaseFault({ table, mine }, { upsideDown, baseHigher }, map, length) {
+  const gap = mine.gaps.find(isBaseHeightGap)?.bunch.at(-1) ?? 0;
+  const row = typedRowNumber(table, mine.joints[gap], "d");
+  const where = `row ${row}, d`;
+  if (upsideDown)
+    return { message: formatMessage("base upside down"), where: "row 1, alpha", entry: "" };
+  // Where axis 1 leans from z_0, the height counts along axis 1.
+  const higher = map && mine.foot[1] <= ANGLE_TOLERANCE ? map.base.o[2] : baseHigher;
+  if (Math.abs(higher) <= length) return null;
+  const height = formatNumber(roundTo(1000 * Math.abs(higher), 6), 4);
+  const way = formatMessage(higher > 0 ? "higher" : "lower");
+  return { message: formatMessage("base", { height, way, row }), where, entry: "d" };
+}
+
+// Whether the last frame leans otherwise. Which way its z axis points along the last joint axis is
+// the student's choice.
+/** @returns {Fault | null} */
+function findToolFault({ table, mine }, { tilts: [tilt, wanted] }) {
+  const off = Math.min(angleDistance(tilt, wanted), angleDistance(tilt, Math.PI - wanted));
+  if (off <= Math.max(ANGLE_TOLERANCE, 0.51 * table.angleUnit)) return null;
+  const [own, reference] = [tilt, wanted].map((x) => formatNumber(roundTo(x * DEG, 4), 4));
+  const row = typedRowNumber(table, mine.rows.length, "alpha");
+  const message = formatMessage("tool", { mine: own, reference, row });
+  return { message, where: `row ${row}, alpha`, entry: "alpha" };
+}
+
+/** Whether the joint values whose pose is fixed take the tool elsewhere. @returns {Fault | null} */
+function findStartFault({ rows, reference }, startPose, length) {
+  const [mine, ref] = [rows, reference.rows].map((arm) => linkFrames({ rows: arm }, startPose));
+  const away = norm(minus(mine.at(-1).o, ref.at(-1).o));
+  const turn = rotationBetween(mine.at(-1), ref.at(-1)) * DEG;
+  if (away <= Math.max(TIP_TOLERANCE, 2 * rows.length * length) && turn < 1) return null;
+  const fields = {
+    start: `(${startPose.map((x) => formatNumber(x, 4)).join(", ")})`,
+    away: formatNumber(away < TIP_TOLERANCE ? 0 : away, 3),
+    turned: turn < 1 ? "" : formatMessage("table tool turned", { degrees: formatNumber(turn, 3) }),
   };
+  return { message: formatMessage("start pose", fields), where: "", entry: "" };
+}
+
+/** @param {Sides} sides @param {Fault} fault @returns {Verdict} */
+function makeFaultVerdict(sides, fault, length) {
+  const { table, reference } = sides;
+  const entries = listMistakes(sides, length, fault.entry);
+  const cause = entries.map(({ words }) => toClause(words)).join("; ");
+  const fields = { mine: table.name, reference: reference.name, fault: fault.message, cause };
+  const headline = formatMessage(cause ? "table other base because" : "table other base", fields);
+  const { where } = fault;
+  return makeVerdict("table", reference, WRONG, headline, {
+    findings: entries.length
+      ? entries.map((entry) => (entries.length > 1 ? entry : { ...entry, what: "cause" }))
+      : [{ what: "cause", where, words: headline }],
+    causes: entries.length ? [entries.map(({ what }) => what).join(" + ")] : [],
+    taken: table.said,
+    figures: { "same machine": true },
+  });
+}
+
+// The joint map
+
+/** Whether all joints count as in the reference. @param {JointMap} map */
+function isIdentity({ signs, offsets }, ref, grade) {
+  // Rounded lengths turn a joint's zero a little.
+  const turn = grade === RIGHT ? TURN_TOLERANCE : 1 / DEG;
+  const isRevolute = (k) => ref.rows[ref.joints[k] - 1].kind === "revolute";
+  return (
+    signs.every((sign) => sign > 0) &&
+    offsets.every((offset, k) => Math.abs(offset) <= (isRevolute(k) ? turn : TIP_TOLERANCE))
+  );
+}
+
+/** @param {import("../geometry/joint_map.js").MappedJoint[]} joints */
+function describeMap(map, joints, { home = [] }) {
+  const equations = joints
+    .filter(({ countsOtherwise }) => countsOtherwise)
+    .map(({ number, ownNumber, sign, shift }) =>
+      formatMessage(sign < 0 ? "map back" : "map joint", {
+        joint: number,
+        mine: ownNumber,
+        tail: shift,
+      }),
+    );
+  const own = wrapAngles(toOwnJoints(map, home), joints);
+  const withStart = home.length === joints.length;
+  const rows = joints.map(({ number, ownNumber, sign, shift, isRevolute }, k) => [
+    `q_${number}`,
+    `${sign < 0 ? "-" : ""}q_${ownNumber}${shift}`,
+    ...(withStart ? [home[k], own[k]].map((x) => formatJointValue(x, isRevolute)) : []),
+  ]);
+  const headers = ["map table reference", "map table own"];
+  if (withStart) headers.push("map table start", "map table own start");
+  return {
+    message: formatMessage("map", { equations: equations.join("; ") }),
+    table: { headers: headers.map((key) => formatMessage(key)), rows },
+  };
+}
+
+// Take whole turns off the values of joints that turn.
+const wrapAngles = (q, joints) => q.map((x, k) => (joints[k].isRevolute ? wrap(x) : x));
+
+function noteStart(start, joints) {
+  if (start.length !== joints.length) return [];
+  const values = start.map((x, k) => formatJointValue(x, joints[k].isRevolute));
+  return [formatMessage("map start", { start: values.join(", ") })];
+}
+
+// The mistakes that would give this map, as a question to the student.
+/** @param {Sides} sides */
+function noteMistakes(sides, length) {
+  const { rows, wanted } = sides;
+  const off = listOffEntries(rows, wanted, length) ?? [];
+  const areOffsets = off.every(([k, column]) => column === "theta" && !rows[k].theta);
+  const cause =
+    off.length > 1 && areOffsets
+      ? causeMessage(makeCause("table.offsets"))
+      : listMistakes(sides, length)
+          .map(({ words }) => toClause(words))
+          .join("; ");
+  return cause ? [formatMessage("map mistake", { cause: uncapitalize(cause) })] : [];
 }
 
 /**
- * How far the same q, the reference's home, takes the tip from where it should be; null where it is
- * no more than `far`, in m, and 1°.
- * @param {Table} table
- * @returns {{ mine: string, reference: string, home: string, away: string, turned: string } | null}
+ * List the entries that differ from the reference's, if they are few, as findings.
+ * @param {Sides} sides @param {number} length tolerance (m) @param {string} [column] "" for all
+ * @returns {Finding[]}
  */
-export function measureTipMiss(table, rows, reference, far) {
-  if (!reference.home) return null;
-  const at = (arm) => linkFrames(arm, reference.home).at(-1);
-  const [mine, ref] = [at({ ...reference, rows }), at(reference)];
-  const away = norm(minus(mine.o, ref.o));
-  const turn = rotationBetween(mine, ref) * DEG;
-  if (away <= far && turn < 1) return null;
-  const turned =
-    turn < 1 ? "" : formatMessage("table tool turned", { degrees: formatNumber(turn, 3) });
-  return {
-    ...{ mine: table.name, reference: reference.name, turned },
-    home: `(${reference.home.map((x) => formatNumber(x, 4)).join(", ")})`,
-    away: formatNumber(away < TIP_TOLERANCE ? 0 : away, 3),
-  };
+function listMistakes({ table, rows, wanted }, length, column = "") {
+  const off = listOffEntries(rows, wanted, length) ?? [];
+  if (off.length > MAX_MISTAKES) return [];
+  const comparison = { cause: null, rows, reference: wanted };
+  return off
+    .filter(([, entry]) => !column || entry === column)
+    .map((entry) => describeEntry(table, comparison, entry, length));
 }
 
-function zeros(table, mapped, mine, ref) {
-  if (!mapped) return [formatMessage("map unknown")];
-  const own = mine.joints.map((i) => typedRowNumber(table, i, "d"));
-  const told = listMapEquations(mapped, own, ref);
-  return told.length ? [formatMessage("map", { equations: told.join("; ") })] : [];
-}
+// A sentence inside another.
+const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
 
-// A word on where the base's frame stands on axis 1, or where that leans from z_0, along it.
-export function noteBaseHeight(table, mine, found, mapped = null) {
-  if (found.upsideDown) return [formatMessage("base upside down")];
-  const [along, lean] = [found.baseHigher, mine.foot[1]];
-  const higher = mapped && lean <= ANGLE_TOLERANCE ? mapped.base.o[2] : along;
-  if (Math.abs(higher) <= LENGTH) return [];
-  const row = typedRowNumber(
-    table,
-    mine.joints[mine.gaps.find(isBaseHeightGap)?.bunch.at(-1) ?? 0],
-    "d",
-  );
-  const way = higher > 0 ? formatMessage("higher") : formatMessage("lower");
-  return [
-    formatMessage("base", {
-      height: formatNumber(roundTo(1000 * Math.abs(higher), 6), 4),
-      way,
-      row,
-    }),
-  ];
-}
+const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
 
-function tool({ tilts }) {
-  const [mine, reference] = tilts.map((tilt) => formatNumber(roundTo(tilt * DEG, 4), 4));
-  return angleDistance(...tilts) > ANGLE_TOLERANCE
-    ? [formatMessage("tool", { mine, reference })]
-    : [];
-}
-
-const NAMES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
-
-// A word on each angle that was taken as a multiple of a right angle though it is not quite one.
-const written = (table) =>
+// A note on each angle that was taken as a multiple of a right angle though it is not quite one.
+/** @param {Table} table */
+const noteRightAngles = (table) =>
   table.rows.flatMap((row, k) =>
     ["alpha", "theta"].flatMap((column) => {
       const right = snapAngle(row[column], entryUnit(table, k + 1, column));
       if (Math.abs(row[column] - right) <= 1e-9) return [];
       const turns = Math.round(right / (Math.PI / 2));
-      const wanted = NAMES[turns] ?? `${turns} pi/2`;
       const fields = {
         column,
         row: typedRowNumber(table, k + 1, column),
         typed: entryText(table, k + 1, column),
-        wanted,
+        wanted: RIGHT_ANGLES[turns] ?? `${turns} pi/2`,
       };
       return [formatMessage("write right angle", fields)];
     }),

@@ -5,12 +5,34 @@ import { DEG } from "../geometry/angles.js";
 import { formatMessage, formatNumber } from "../sentences.js";
 import { angleDistance } from "../geometry/axes.js";
 import { ANGLE_TOLERANCE, isAngleColumn } from "../geometry/rows.js";
+import { ENTRIES } from "../reading/table_rows.js";
 
 export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../verdict.js").Finding} Finding */
+
+/**
+ * List the entries, as index of the row and column, that differ from the reference's; null where
+ * the rows do not correspond.
+ * @param {import("../geometry/arm.js").TableRow[]} rows
+ * @param {import("../geometry/arm.js").TableRow[]} wanted
+ * @param {number} length tolerance (m)
+ * @returns {[number, string][] | null}
+ */
+export function listOffEntries(rows, wanted, length) {
+  if (rows.length !== wanted.length) return null;
+  const isOff = (k, column) => {
+    const [x, y] = [rows[k][column], wanted[k][column]];
+    return isAngleColumn(column) ? angleDistance(x, y) > ANGLE_TOLERANCE : Math.abs(x - y) > length;
+  };
+  return ENTRIES.flatMap((column) =>
+    rows.flatMap((_, k) =>
+      isOff(k, column) ? [/** @type {[number, string]} */ ([k, column])] : [],
+    ),
+  );
+}
 
 // One wrong entry in the student's numbers, in a row of theirs.
 /** @param {Table} table @returns {Finding} */
