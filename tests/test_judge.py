@@ -14,6 +14,7 @@ from helpers.arm import Arm
 from helpers.checks.compare import read_numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
+from helpers.kinematics import forward_kinematics
 from helpers.motion import circle_below, rest_to_rest
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.cases import QUESTIONS, questions_about, typed_fields
@@ -161,6 +162,38 @@ def test_page_examples_name_their_mistakes():
         ["ik.offset:q_4"],
         ["trace.backwards"],
     ]
+
+
+@needs_node
+def test_answers_are_judged_in_the_joint_angles_of_a_table():
+    """Axes 2 and 3 of this table point the other way; the Jacobian is that of the browser tests."""
+    joints = "R 0 -1.57079632679 0.5 0, R 0.4 0 0 0, R 0.3 0 0 0"
+    J = "-0.2841 0.3039 0.0778; 0.52 0.166 0.0425; 0 -0.5925 -0.2866; 0 -0.4794 -0.4794; "
+    J += "0 0.8776 0.8776; 1 0 0"
+    asked = {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, -0.7, 0.4", "answer": J}
+    other_arm = joints.replace("0.4", "0.41")
+    own, plain, other = in_page(
+        [{**asked, "joints": joints}, asked, {**asked, "joints": other_arm}]
+    )
+    assert (own["grade"], plain["grade"]) == ("right", "wrong")
+    assert "another arm: forget them" in other["error"]
+
+
+@needs_node
+def test_pose_in_own_joint_angles_reaches_the_given_tool_frame():
+    """The last frame of this table lies the other way round than the reference's."""
+    mine = PANDA.with_row(7, d=0.207).with_row(6, theta=0.4)
+    joints = ", ".join(
+        f"R {mine.number(row.a)} {mine.number(row.alpha)} {mine.number(row.d)} {row.theta}"
+        for row in mine.rows
+    )
+    joint_map = checks.compare_tables(mine, PANDA).joint_map
+    q = np.array([0.3, -0.4, 0.5, 1.2, -0.6, 0.7, 0.2])
+    own = np.array(joint_map.signs) * (q - joint_map.offsets)
+    target = forward_kinematics(PANDA, q)[:3].round(6).tolist()
+    asked = {"ask": "pose", "arm": "PANDA", "target": str(target), "joints": joints}
+    answers = [{**asked, "answer": ", ".join(map(str, x.round(6)))} for x in (own, q)]
+    assert [answer["grade"] for answer in in_page(answers)] == ["right", "wrong"]
 
 
 # What only a reader of Python knows: shapes, keywords, names and values. Not what is quoted or put

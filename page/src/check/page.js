@@ -14,6 +14,7 @@ import { adaptForm, buildForm, listNumberNames, makeOffer, showTableReading } fr
 import { addReportButton } from "./hand_in.js";
 import { makeMarkedText } from "./marked_text.js";
 import { AnswerMemory, clearAnswers } from "./memory.js";
+import { showOwnJoints } from "./own_joints.js";
 import { showPath } from "./path_picture.js";
 import { showReading, showVerdict } from "./shown.js";
 import { addToolButtons } from "./tools.js";
@@ -47,8 +48,8 @@ export function mount(stub, book, id) {
   addFileInput(check, stub);
   addReportButton(check);
   const { focusedKey, patch } = readStillForm(stub, Object.keys(form.fields));
-  const { verdict, report, path, taken, tools, said, privacy } = check.parts;
-  const result = h("div.told", {}, verdict, report, path, taken);
+  const { verdict, joints, report, path, taken, tools, said, privacy } = check.parts;
+  const result = h("div.told", {}, verdict, joints, report, path, taken);
   const desk = h("div.desk", {}, form.form, result, check.markedText.root);
   stub.replaceChildren(desk, tools, said, privacy);
   const isLinked = !given && readLinks(check, stub);
@@ -193,6 +194,8 @@ export class AnswerCheck {
   }
 
   showDetails() {
+    const { joints } = this.parts;
+    showOwnJoints(joints, this.question, this.outcome, (rows) => this.useJoints(rows));
     showPath(this.parts.path, this.question, this.outcome);
     showReading(this.parts.taken, this.question, this.outcome);
     this.markedText.update(this.question, this.outcome, this.isExample());
@@ -272,14 +275,27 @@ export class AnswerCheck {
   }
 
   // Change the question, arm or unit. The page's own defaults are replaced, and the reader's
-  // entries stay; another question brings back the answer that was kept for it.
+  // entries stay; another question brings back the answer that was kept for it, if it was given in
+  // the same joint angles. The joint angles of a table are those of one arm.
   changeQuestion(patch) {
     const { ask, arm, unit } = { ...this.question, ...patch };
-    if (ask !== this.question.ask && this.#restoreFrom(this.memory.load({ ask, arm }))) return;
+    const joints = arm === this.question.arm ? this.question.joints : "";
+    const kept = ask === this.question.ask ? null : this.memory.load({ ask, arm });
+    if (kept && (kept.joints ?? "") === joints && this.#restoreFrom(kept)) return;
     const typed = Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
     const entries = Object.fromEntries(typed);
-    this.start = { ...makeStartingQuestion({ ask, arm, unit }, this), ...this.given, arm };
-    this.update({ ...this.start, ...entries, ask, arm, unit, frame: "0" });
+    this.start = { ...makeStartingQuestion({ ask, arm, unit, joints }, this), ...this.given, arm };
+    this.update({ ...this.start, ...entries, ask, arm, unit, joints, frame: "0" });
+  }
+
+  // Ask in the joint angles of the reader's table from now on; "" for the arm's own. A pose that
+  // the page filled in is written in the new angles.
+  useJoints(joints) {
+    const { ask, arm, unit, q } = this.question;
+    const isHome = q === this.start.q;
+    const { q: home } = makeStartingQuestion({ ask, arm, unit, joints }, this);
+    this.start = { ...this.start, joints, ...(isHome ? { q: home } : {}) };
+    this.edit({ joints, ...(isHome ? { q: home } : {}) });
   }
 
   judgeAtOnce() {
@@ -305,6 +321,7 @@ export class AnswerCheck {
 
 const makeParts = () => ({
   verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
+  joints: h("div", { hidden: true }),
   report: h("div.report", { hidden: true }),
   path: h("div", { hidden: true }),
   taken: h("div.scroll.taken", {

@@ -6,7 +6,8 @@ import { formatEntry, isAngle } from "../text.js";
 import { pose as poseOf } from "../../../judge/reading/numbers.js";
 import { ownRows } from "../../../judge/reading/table.js";
 import { ownValues } from "../../../judge/reading/values.js";
-import { ArmError, capitalize } from "../../../judge/sentences.js";
+import { ArmError, capitalize, tryOrNull } from "../../../judge/sentences.js";
+import { applyOwnJoints } from "./own_joints.js";
 import { checkJacobian, checkTorques } from "./topics/jacobian.js";
 import { checkBranches, checkPose, checkTrace } from "./topics/motion.js";
 import { checkTable } from "./topics/table.js";
@@ -61,6 +62,7 @@ const MAX_FIELD_LENGTH = {
   values: 500,
   answer: 8000,
   target: 1000,
+  joints: 1500,
 };
 const MAX_ANSWER_LENGTH = 30_000; // characters
 const HEADER_ADVICE =
@@ -105,6 +107,8 @@ export const CHOICES = {
  * @property {string} period duration of the circle in s
  * @property {string} steps empty: as many as the answer has
  * @property {string} pace "even" or "rest" (from rest to rest)
+ * @property {string} joints rows of the student's table in whose joints q and the answer are; empty
+ *   for the arm's own
  */
 
 /** @type {Question} */
@@ -129,20 +133,24 @@ export const EMPTY = {
   period: "5",
   steps: "",
   pace: "even",
+  joints: "",
 };
 
 /**
  * Return what the page fills in for a question: its example, or the arm's home and no answer.
+ * @param {{ ask: string, arm: string, unit: string, joints?: string }} question
  * @returns {Question}
  */
-export function makeStartingQuestion({ ask, arm, unit }, { arms, examples }) {
-  const example = unit === EMPTY.unit && examples.find((one) => one.arm === arm && one.ask === ask);
+export function makeStartingQuestion({ ask, arm: key, unit, joints = "" }, { arms, examples }) {
+  const isPlain = unit === EMPTY.unit && !joints;
+  const example = isPlain && examples.find((one) => one.arm === key && one.ask === ask);
   if (example) return { ...EMPTY, ...example };
-  const own = arms.find(({ key }) => key === arm);
-  const home = own
-    ? movingRows(own).map((row, k) => formatEntry(own.home[k], isAngle(own.rows[row]), unit))
+  const catalogueArm = arms.find((one) => one.key === key);
+  const arm = catalogueArm && tryOrNull(() => applyOwnJoints(catalogueArm, { ask, joints }));
+  const home = arm
+    ? movingRows(arm).map((row, k) => formatEntry(arm.home[k], isAngle(arm.rows[row]), unit))
     : [];
-  return { ...EMPTY, ask, arm, unit, q: home.join(", ") };
+  return { ...EMPTY, ask, arm: key, unit, joints, q: home.join(", ") };
 }
 
 /** @param {Question} question */
@@ -232,7 +240,7 @@ export function findArm(question, arms) {
 export function judgeQuestion(question, arms) {
   let arm, q;
   try {
-    arm = findArm(question, arms);
+    arm = applyOwnJoints(findArm(question, arms), question);
     const missing = findMissingField(question, arm);
     if (missing) return { error: missing, arm };
     q = hasPose(question) ? poseOf(question.q, arm, question.unit).values : undefined;
