@@ -15,13 +15,16 @@ PACKAGE = "manipulator-homework-helpers[explorer]"
 IMPORT_COMMENT = "# No module helpers? The note above says how to get it.\n"
 
 
-def setup_note(page: str, book_address: str = "", repository: str = "") -> str:
+def setup_note(
+    page: str, book_address: str = "", repository: str = "", *, links_to_answers: bool = False
+) -> str:
     """Return the note of a notebook.
 
     Args:
         page: the notebook's name without its ending.
         book_address: where the book is published, with a slash at the end, if it is.
         repository: the address of the repository, if it has one.
+        links_to_answers: whether the notebook links to answer sheets, which a build makes.
     """
     book = "*Robot homework companion*"
     if book_address:
@@ -35,6 +38,7 @@ def setup_note(page: str, book_address: str = "", repository: str = "") -> str:
         " It needs the package `helpers`, which `make lab` in the repository installs. Elsewhere"
         f" (Colab, VS Code, a folder of your own) run this in a new cell first{hint}:\n>\n"
         f'> ```\n> %pip install "{source}"\n> ```'
+        + ("\n>\n> Its links to answer sheets work once the book is built." * links_to_answers)
     )
 
 
@@ -47,7 +51,9 @@ def read_addresses(config: Path = CONFIG) -> tuple[str, str]:
 def write_setup_note(notebook: nbformat.NotebookNode, page: str) -> None:
     """Write the note below the title, and a comment that points to it above the first import."""
     cells = [cell for cell in notebook.cells if cell.get("id") != CELL_ID]
-    note = nbformat.v4.new_markdown_cell(setup_note(page, *read_addresses()), id=CELL_ID)
+    links_to_answers = any("](answers/" in cell.source for cell in cells)
+    text = setup_note(page, *read_addresses(), links_to_answers=links_to_answers)
+    note = nbformat.v4.new_markdown_cell(text, id=CELL_ID)
     note.metadata["tags"] = ["remove-cell"]
     notebook.cells = [cells[0], note, *cells[1:]]
     code = next((cell for cell in cells if "from helpers" in cell.source), None)
