@@ -101,11 +101,14 @@ class Element {
     else if (this.tag !== "select") this.setAttribute("value", text);
     else for (const option of this.options) option.selected = option.getAttribute("value") === text;
   }
-  /** Find descendants by a tag, a class, or both: "svg", ".still", "svg.still". */
+  /** Find descendants by a tag, a class, or both ("svg.still"), or by an attribute ("[role=status]"). */
   querySelectorAll(selector) {
-    const [tag, name] = selector.split(".");
-    const matches = (node) =>
-      (!tag || node.tag === tag) && (!name || node.classList.contains(name));
+    const matches = (node) => {
+      const [, attribute, value] = selector.match(/^\[(\w+)=(\w+)\]$/) ?? [];
+      if (attribute) return node.getAttribute(attribute) === value;
+      const [tag, name] = selector.split(".");
+      return (!tag || node.tag === tag) && (!name || node.classList.contains(name));
+    };
     return this.children.flatMap((node) => [
       ...(matches(node) ? [node] : []),
       ...node.querySelectorAll(selector),
