@@ -29,6 +29,7 @@ __all__ = [
     "link_frames",
     "lost_directions",
     "manipulability",
+    "planar_jacobian",
     "tip",
 ]
 
@@ -164,6 +165,54 @@ def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
     return np.concatenate(
         [np.swapaxes(R, -1, -2) @ half for half in (J[..., :3, :], J[..., 3:, :])], axis=-2
     )
+
+
+def planar_jacobian(arm: Arm, q: ArrayLike) -> Array:
+    """Compute the tip's Jacobian of an arm that moves in one plane of the base.
+
+    The rows are those of (x, y, phi): the tip's velocity along the plane's two axes and the angular
+    velocity about the third. The other three rows of `jacobian` are 0. In the plane of x and z the
+    rows are (x, z, phi), in that of y and z (y, z, phi).
+
+    Args:
+        arm: The arm.
+        q: Joint values, shape (..., dof), in rad or m.
+
+    Returns:
+        Jacobians, shape (..., 3, dof).
+
+    Raises:
+        ArmError: The arm does not move in such a plane.
+
+    Example:
+        >>> from helpers.robots import TWO_LINK
+        >>> planar_jacobian(TWO_LINK, [0, 0])
+        array([[0. , 0. ],
+               [0.9, 0.4],
+               [1. , 1. ]])
+
+    Source: Siciliano et al., section 3.1.3.
+    """
+    require_type(arm, Arm, "arm")
+    return jacobian(arm, q)[..., _plane_rows(arm), :]
+
+
+# Rows of the motions in each plane of the base: two of the velocity, one of the angular velocity.
+_PLANES = ([0, 1, 5], [0, 2, 4], [1, 2, 3])
+
+
+def _plane_rows(arm: Arm) -> list[int]:
+    """Return the rows of the Jacobian that a planar arm has."""
+    generic_poses = np.random.default_rng(3).uniform(-1, 1, (2, arm.dof))
+    sizes = np.abs(jacobian(arm, generic_poses)).max(axis=(0, 2), initial=0)
+    # 1e-12 m or rad: some 1000 times the round-off of a row that is 0 at every pose.
+    moving = np.flatnonzero(sizes > 1e-12).tolist()
+    if moving not in _PLANES:
+        raise ArmError(
+            f"{arm.name} does not move in one plane of the base; expected joints that turn about"
+            " one axis of the base or slide across it"
+        )
+    return moving
 
 
 def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:

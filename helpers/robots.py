@@ -16,7 +16,10 @@ __all__ = [
     "ELBOW",
     "PANDA",
     "PANDA_HOMEWORK",
+    "PLANAR_ARMS",
     "STANFORD",
+    "THREE_LINK",
+    "TWO_LINK",
     "UR10E",
     "UR10E_HOMEWORK",
     "find_arm",
@@ -139,7 +142,30 @@ ELBOW = Arm(
     " are ours",
 )
 
-#: All arms of the catalogue.
+#: A planar arm of two links, the first example of most textbooks.
+TWO_LINK = Arm(
+    name="Two links",
+    rows=(revolute(a="a_1"), revolute(a="a_2")),
+    values=dict(a_1=0.5, a_2=0.4),
+    home=(pi / 6, pi / 4),
+    source="Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, example 3.1; the"
+    " lengths are ours",
+)
+
+#: A planar arm of three links, which reaches a point of its plane at any angle phi.
+THREE_LINK = Arm(
+    name="Three links",
+    rows=(revolute(a="a_1"), revolute(a="a_2"), revolute(a="a_3")),
+    values=dict(a_1=0.5, a_2=0.4, a_3=0.2),
+    home=(pi / 6, pi / 4, -pi / 3),
+    source="Siciliano et al., Robotics: Modelling, Planning and Control, section 2.9.1; the lengths"
+    " are ours",
+)
+
+#: Arms that move in one plane.
+PLANAR_ARMS = (TWO_LINK, THREE_LINK)
+
+#: All arms of the catalogue, which have an answer sheet each.
 ARMS = (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
 
 
@@ -153,10 +179,11 @@ def find_arm(name: str) -> Arm:
         >>> find_arm("stanford arm")
         <Arm Stanford arm: 6 rows, RRPRRR>
     """
-    for arm in ARMS:
+    arms = (*ARMS, *PLANAR_ARMS)
+    for arm in arms:
         if arm.name.casefold() == str(name).casefold():
             return arm
-    raise ArmError(f"no arm is called {name!r}; expected one of {', '.join(a.name for a in ARMS)}")
+    raise ArmError(f"no arm is called {name!r}; expected one of {', '.join(a.name for a in arms)}")
 
 
 __getattr__ = deprecated_names(__name__, named="find_arm")

@@ -9,15 +9,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helpers.arm import Arm, revolute
+from helpers.arm import Arm, fixed, prismatic, revolute
+from helpers.inputs import ArmError
 from helpers.kinematics import (
     forward_kinematics,
     jacobian,
     jacobian_in_frame,
     link_frames,
     manipulability,
+    planar_jacobian,
 )
-from helpers.robots import ELBOW, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, THREE_LINK, UR10E_HOMEWORK
 from tests.laws import (
     ALL_ARMS,
     SHAPES,
@@ -128,3 +130,38 @@ def test_import_does_not_load_sympy_or_matplotlib():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]", "these modules were imported"
+
+
+def test_planar_jacobian_is_the_textbook_formula():
+    """Siciliano et al., (3.35): a_i in the order of the links, angles added up."""
+    q = joint_vectors(THREE_LINK, (20,))
+    a_1, a_2, a_3 = 0.5, 0.4, 0.2
+    q_1, q_12, q_123 = np.cumsum(q, axis=-1).T
+    x_3, y_3 = -a_3 * np.sin(q_123), a_3 * np.cos(q_123)
+    x_2, y_2 = x_3 - a_2 * np.sin(q_12), y_3 + a_2 * np.cos(q_12)
+    x_1, y_1 = x_2 - a_1 * np.sin(q_1), y_2 + a_1 * np.cos(q_1)
+    expected = [[x_1, x_2, x_3], [y_1, y_2, y_3], np.ones((3, 20))]
+    np.testing.assert_allclose(
+        planar_jacobian(THREE_LINK, q), np.moveaxis(expected, -1, 0), atol=1e-15
+    )
+
+
+@pytest.mark.parametrize(
+    ("first_row", "rows"),
+    [(fixed(alpha="pi/2"), [0, 2, 4]), (fixed(theta="pi/2", alpha="pi/2"), [1, 2, 3])],
+    ids=["plane xz", "plane yz"],
+)
+def test_planar_jacobian_follows_the_plane(first_row, rows):
+    arm = Arm("upright", [first_row, revolute(a=0.5), revolute(a=0.4), revolute(a=0.2)])
+    q = joint_vectors(arm, (5,))
+    np.testing.assert_array_equal(planar_jacobian(arm, q), jacobian(arm, q)[:, rows])
+
+
+@pytest.mark.parametrize(
+    "arm",
+    [ELBOW, PANDA, Arm("lift", [prismatic(a=0.3), revolute(a=0.2)])],
+    ids=lambda arm: arm.name,
+)
+def test_planar_jacobian_rejects_arm_that_leaves_its_plane(arm):
+    with pytest.raises(ArmError, match="does not move in one plane of the base"):
+        planar_jacobian(arm, np.zeros(arm.dof))

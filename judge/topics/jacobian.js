@@ -12,11 +12,14 @@ import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
 import { norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
+import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task_rows.js";
 import { lookup, numbers, pose } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
+const ALL_ROWS = [0, 1, 2, 3, 4, 5];
+const PLANE_NAMES = ["x", "y", "z", "φ", "φ", "φ"]; // of a planar arm's rows
 const NAMES = /^(?:j|ans$)/i;
 const HALVES = ["linear", "angular"];
 
@@ -38,7 +41,8 @@ function jacobianCompared(mine, arm, q, options = {}) {
 function compared(typed, asked, said) {
   const { arm, at, angularFirst = false } = asked;
   const [rows, width] = typed.shape;
-  if (width !== at.values.length || ![3, 6].includes(rows)) return misshapen(typed, asked, said);
+  const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
+  if (width !== at.values.length || !isJudged) return misshapen(typed, asked, said);
   if (!typed.values.some(Boolean)) {
     const headline = formatMessage("J wrong", {
       arm: arm.name,
@@ -47,7 +51,7 @@ function compared(typed, asked, said) {
     const wrong = typed.values.map(() => true);
     return { ...reported(arm, WRONG, headline, { taken: said }), wrong };
   }
-  if (!angularFirst || rows === 3) return judged(typed, asked, said);
+  if (!angularFirst || rows < 6) return judged(typed, asked, said);
   const report = judged(halvesExchanged(typed), asked, [
     ...said,
     formatMessage("taken: angular first"),
@@ -69,7 +73,7 @@ const halvesExchanged = (typed) => ({
 /** @param {any} mine @param {any} known @param {any} arm @param {any} asked */
 function matrix(mine, known, arm, { at, which, generic = false, computed = false }) {
   const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
-  const wants = shapes(dof, arm.rows.length);
+  const wants = [...shapes(dof, arm.rows.length), ...reducedShapes(arm, dof)];
   const asked = { wants, names: NAMES, given: [at.values], which };
   const read = inMetres(numbers(mine, what, known, undefined, asked));
   const symbolic = read.symbolic || computed;
@@ -94,6 +98,12 @@ const shapes = (dof, all) => [
   { rows: 1, columns: 6 * dof },
   { rows: 6 * dof, columns: 1 },
 ];
+
+// The shapes of an arm that moves in fewer than six ways, such as 2x2 or 3x3 for a planar arm.
+function reducedShapes(arm, columns) {
+  const counts = [movableRows(arm).length, movableLinearRows(arm).length];
+  return counts.flatMap((rows) => (rows > 1 && rows < 6 ? [{ rows, columns, by: "row" }] : []));
+}
 
 // The linear rows in metres, where the text says that they are in mm.
 function inMetres(typed) {
@@ -132,24 +142,31 @@ const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
 function judged(typed, { arm, at, frame, tolerance = null }, said) {
   const slips = listJacobianSteps(arm, at.values, frame);
   const whole = makeJacobian(arm, frame);
-  const half = typed.shape[0] === 3 ? rowsMeant(typed.values, whole(at.values)) : null;
+  const selection = selectRows(typed, arm, whole(at.values));
+  const { half } = selection;
   const part = (mistake) =>
-    half === null ? mistake : { ...mistake, make: (q) => rowsOfHalf(mistake.make(q), half) };
-  const right = (q) => rowsOfHalf(whole(q), half);
+    selection.rows.length === 6
+      ? mistake
+      : { ...mistake, make: (q) => rowsOf(mistake.make(q), selection) };
+  const right = (q) => rowsOf(whole(q), selection);
   const singles = singleMistakes(arm, frame, slips).map(part);
   const of = (make) => () => Array.from(make(arm, frame, slips), part);
   const asked = { mine: typed, q: at, dof: at.values.length, right, slips: singles, tolerance };
   const verdict = judgeEntries({ ...asked, further: [of(copiedColumns), of(mistakePairs)] });
-  const taken =
-    half === null ? said : [...said, formatMessage("taken: half", { half: HALVES[half] })];
+  const taken = [...said, ...describeSelection(selection, arm)];
   const truth = right(at.values);
   if (verdict.grade !== WRONG) {
-    const notes = typed.symbolic || half !== null ? [] : hidden(slips, singles, at.values, truth);
+    const isPartial = selection.rows.length < 6;
+    const notes = typed.symbolic || isPartial ? [] : hidden(slips, singles, at.values, truth);
     const told = good(verdict, typed, arm, half);
     return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong };
   }
-  const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOfHalf(J, half)]);
-  const where = () => places(typed, columns, verdict.wrong, arm, half === 1 ? 3 : 0);
+  const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOf(J, selection)]);
+  const names = pick(
+    half === null && selection.rows.length < 6 ? PLANE_NAMES : ROWS,
+    selection.rows,
+  );
+  const where = () => places(typed, columns, verdict.wrong, arm, names);
   return {
     ...bad(
       verdict.slips.map((slip) => slip.cause),
@@ -161,16 +178,42 @@ function judged(typed, { arm, at, frame, tolerance = null }, said) {
   };
 }
 
-// All rows, or the half of them that three rows are.
-const rowsOfHalf = (J, half) =>
-  half === null ? J : J.slice((half * J.length) / 2, ((half + 1) * J.length) / 2);
+/**
+ * Some rows of a Jacobian, by their indices. `half` is 0 or 1 where they are its linear or angular
+ * half, and the other half is missing; null where they are all that the arm can move.
+ * @typedef {{ rows: number[], half: number | null }} RowSelection
+ */
 
-// Which half three rows are: the one they are nearer to.
-function rowsMeant(M, right) {
-  const [linear, angular] = [0, 1].map((half) =>
-    norm(rowsOfHalf(right, half).map((x, i) => x - M[i])),
-  );
-  return angular < linear ? 1 : 0;
+const rowsOf = (J, { rows }) =>
+  rows.flatMap((i) => J.slice((i * J.length) / 6, ((i + 1) * J.length) / 6));
+
+// The selections that so many rows of a Jacobian may be; those of a planar arm come first.
+/** @returns {RowSelection[]} */
+function listRowSelections(arm, count) {
+  const [movable, linear] = [movableRows(arm), movableLinearRows(arm)];
+  const reduced = [movable, ...(linear.length < 3 ? [linear] : [])];
+  const halves = [ALL_ROWS.slice(0, 3), ALL_ROWS.slice(3)];
+  const selections = [
+    ...(movable.length < 6 ? reduced.map((rows) => ({ rows, half: null })) : []),
+    ...halves.map((rows, half) => ({ rows, half })),
+  ];
+  return selections.filter(({ rows }) => rows.length === count);
+}
+
+// Which rows were typed: of those that fit, the nearest to the right ones.
+/** @returns {RowSelection} */
+function selectRows({ values, shape }, arm, right) {
+  if (shape[0] === 6) return { rows: ALL_ROWS, half: null };
+  const gap = (selection) => norm(rowsOf(right, selection).map((x, i) => x - values[i]));
+  const selections = listRowSelections(arm, shape[0]);
+  return selections.reduce((best, one) => (gap(one) < gap(best) ? one : best));
+}
+
+function describeSelection({ rows, half }, arm) {
+  if (half !== null) return [formatMessage("taken: half", { half: HALVES[half] })];
+  if (rows.length === 6) return [];
+  const names = joinList(pick(PLANE_NAMES, rows));
+  return [formatMessage(isPlanar(arm) ? "taken: planar rows" : "taken: movable rows", { names })];
 }
 
 // A word on the mistakes that this pose does not show.
@@ -242,7 +285,7 @@ function bad(causes, where, arm) {
 const column = (list, k, width) => list.filter((_, i) => i % width === k);
 
 // The wrong columns: turned over, another joint's, or wrong in some rows.
-function places({ values, units, shape }, columns, wrong, arm, from) {
+function places({ values, units, shape }, columns, wrong, arm, names) {
   const width = shape[1];
   return jointNumbers(arm).flatMap((joint, k) => {
     const [off, own, places] = [wrong, values, units].map((list) => column(list, k, width));
@@ -250,7 +293,7 @@ function places({ values, units, shape }, columns, wrong, arm, from) {
     const is = (other) => agrees({ values: own, units: places }, other);
     const [, truth] = columns.find(([one]) => one === joint);
     const others = columns.filter(([one, other]) => one !== joint && is(other));
-    const rows = joinList(ROWS.slice(from).filter((_, i) => off[i]));
+    const rows = joinList(names.filter((_, i) => off[i]));
     const negative = truth.map((x, i) => (off[i] ? -x : x));
     const [what, said] =
       others.length === 1

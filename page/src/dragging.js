@@ -15,6 +15,7 @@ import {
   scaled,
 } from "../../judge/geometry/kinematics.js";
 import { nullSpace, decomposeSingular } from "../../judge/geometry/linear.js";
+import { pick } from "../../judge/geometry/task_rows.js";
 import {
   solveDamped,
   dotProduct,
@@ -185,21 +186,24 @@ const FADING_SHARE = 0.1;
  * Find the directions in which the tip hardly moves, however fast the joints turn.
  * @param {number[][]} columns of the Jacobian
  * @param {boolean} turns whether the tool must keep its direction meanwhile
+ * @param {number[]} rows the axes, of x, y and z, along which the tip can move at some pose
  * @returns {{ direction: number[], share: number }[]} each direction and its speed, as a share of
  *   the fastest
  */
-export function findFadingDirections(columns, turns = false) {
+export function findFadingDirections(columns, turns = false, rows = [0, 1, 2]) {
   const moves = turns
     ? nullSpace(columns.map((c) => c.slice(3))).map((rates) =>
         rates.reduce((sum, rate, k) => plus(sum, scaled(rate, columns[k])), [0, 0, 0]),
       )
     : columns.map((c) => c.slice(0, 3));
-  // With fewer than three joints the tip never moves in every direction.
-  if (moves.length < 3) return [];
-  const { values, vectors } = decomposeSingular(moves, 3);
+  // With fewer joints than axes the tip never moves in every direction.
+  if (moves.length < rows.length) return [];
+  const picked = moves.map((move) => pick(move, rows));
+  const { values, vectors } = decomposeSingular(picked, rows.length);
   const shares = values.map((value) => value / values[0]);
-  return vectors.flatMap((direction, i) =>
-    shares[i] < FADING_SHARE ? [{ direction, share: shares[i] }] : [],
+  const toAxes = (vector) => [0, 1, 2].map((i) => vector[rows.indexOf(i)] ?? 0);
+  return vectors.flatMap((vector, i) =>
+    shares[i] < FADING_SHARE ? [{ direction: toAxes(vector), share: shares[i] }] : [],
   );
 }
 
@@ -248,7 +252,8 @@ export function swingElbow(arm, q, grab, pinnedPose, { turns = true } = {}) {
     free = still.length;
     if (!free) break;
     const moved = add(next, findElbowStep(arm, frames, still, grab));
-    const { q: solution, error } = solvePose(arm, moved, pinnedPose, { rows: turns ? 6 : 3 });
+    const rows = turns ? [0, 1, 2, 3, 4, 5] : [0, 1, 2];
+    const { q: solution, error } = solvePose(arm, moved, pinnedPose, { rows });
     if (!solution.every(within) || error > 1e-4) break;
     next = solution;
   }

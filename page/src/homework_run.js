@@ -15,7 +15,7 @@ import {
 import { gravityTorque, wrenchTorque } from "../../judge/geometry/kinematics.js";
 import { decomposeSingular } from "../../judge/geometry/linear.js";
 import { dotProduct, getCirclePoint, getPoseError, solvePoseFromSingular } from "./motion.js";
-import { countTaskRows } from "./verdicts.js";
+import { pick, taskRows } from "../../judge/geometry/task_rows.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /**
@@ -157,7 +157,7 @@ class CircleSimulation {
     const tilt = Math.atan2(norm(cross(tip.z, first.z)), dot(tip.z, first.z));
     worst.largestTilt = Math.max(worst.largestTilt, tilt);
     worst.largestError = Math.max(worst.largestError, distance);
-    const missed = norm(getPoseError(tip, wanted).slice(0, countTaskRows(arm)));
+    const missed = norm(pick(getPoseError(tip, wanted), taskRows(arm)));
     // Beyond this pose the joints would jump.
     if (run.method === "exact" && missed > REACH_TOLERANCE) return false;
     if ((n + 1) % this.every === 0 || n + 1 === run.steps) {

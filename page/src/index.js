@@ -2,8 +2,8 @@
 
 import { isJointVector, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { linkFrames } from "../../judge/geometry/kinematics.js";
+import { hasTaskOrientation } from "../../judge/geometry/task_rows.js";
 import { syncWithAddress } from "./link.js";
-import { countTaskRows } from "./verdicts.js";
 import { FIGURES } from "./more/kinds.js";
 import { buildPanel } from "./panel.js";
 import { inUse, loseContext } from "./renderer.js";
@@ -17,7 +17,7 @@ function makeBranchSet(arm, branches) {
   if (!branches) return null;
   const list = branches.filter(({ q }) => isJointVector(arm, q));
   const target = linkFrames(arm, list[0]?.q ?? arm.rows.map(() => 0)).at(-1);
-  return { list, families: [], lockedJoint: -1, target, hasOrientation: countTaskRows(arm) === 6 };
+  return { list, families: [], lockedJoint: -1, target, hasOrientation: hasTaskOrientation(arm) };
 }
 
 /** @returns {import("./state.js").State} */

@@ -15,11 +15,11 @@ import {
 import { findClosedForm, needsPose, solveInverse } from "../../judge/geometry/inverse.js";
 import { nullSpace, decomposeSingular, solveLinear } from "../../judge/geometry/linear.js";
 import { circlePath } from "../../judge/geometry/path.js";
+import { hasTaskOrientation, pick, taskRows } from "../../judge/geometry/task_rows.js";
 import { replaceAt } from "./text.js";
-import { countTaskRows } from "./verdicts.js";
 
 // Count the joints beyond those that the task needs.
-const countSpareJoints = (arm) => Math.max(0, movingRows(arm).length - countTaskRows(arm));
+const countSpareJoints = (arm) => Math.max(0, movingRows(arm).length - taskRows(arm).length);
 
 // Return the small motion (v, then ω) from the tip to a frame.
 export function getPoseError(tip, wanted) {
@@ -40,23 +40,23 @@ export const solveDamped = (columns, pull, damping) =>
     pull,
   );
 
-// Solve for joint values that bring the tip to the frame `wanted`, or match its first `rows`
-// entries, by steps damped by the error (Sugihara 2011). `lockedJoint` is the index in q of a joint
-// that must not move.
+// Solve for joint values that bring the tip to the frame `wanted`, as far as the entries `rows` of
+// a motion (v, ω) go, by steps damped by the error (Sugihara 2011). `lockedJoint` is the index in q
+// of a joint that must not move.
 export function solvePose(
   arm,
   start,
   wanted,
-  { lockedJoint = -1, rows = countTaskRows(arm), steps = 60 } = {},
+  { lockedJoint = -1, rows = taskRows(arm), steps = 60 } = {},
 ) {
   let q = [...start];
   for (let step = 0; ; step++) {
     const frames = linkFrames(arm, q);
-    const error = getPoseError(frames.at(-1), wanted).slice(0, rows);
+    const error = pick(getPoseError(frames.at(-1), wanted), rows);
     const size = norm(error);
     if (size < 1e-11 || step === steps || !q.length) return { q, error: size };
     const columns = jacobianColumns(arm, frames).map((c, i) =>
-      c.slice(0, rows).map((v) => (i === lockedJoint ? 0 : v)),
+      pick(c, rows).map((v) => (i === lockedJoint ? 0 : v)),
     );
     const pull = columns.map((c) => dotProduct(c, error));
     const move = solveDamped(columns, pull, 0.02 * size * size + 1e-12);
@@ -126,7 +126,7 @@ const MAX_BRANCHES = 16;
  */
 export function findBranches(arm, q, tries = 300) {
   const target = linkFrames(arm, q).at(-1);
-  const hasOrientation = countTaskRows(arm) === 6;
+  const hasOrientation = hasTaskOrientation(arm);
   if (!isJointVector(arm, q) || !q.length)
     return { list: [], families: [], lockedJoint: -1, target, hasOrientation };
   const lockedJoint = countSpareJoints(arm) ? 2 : -1;
@@ -167,13 +167,13 @@ const NULL_SPACE_STEP = 0.1;
 // Find the joints that can move while the tip stays: those of a null direction that leads to
 // another solution.
 function findFreeJoints(arm, q, target, lockedJoint = -1) {
-  const rows = countTaskRows(arm);
+  const rows = taskRows(arm);
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
-    c.slice(0, rows).map((v) => (i === lockedJoint ? 0 : v)),
+    pick(c, rows).map((v) => (i === lockedJoint ? 0 : v)),
   );
-  const { values } = decomposeSingular(columns, rows);
+  const { values } = decomposeSingular(columns, rows.length);
   const free = movingRows(arm).length - (lockedJoint < 0 ? 0 : 1);
-  if (values.filter((v) => v > 1e-5 * values[0]).length >= Math.min(rows, free)) return [];
+  if (values.filter((v) => v > 1e-5 * values[0]).length >= Math.min(rows.length, free)) return [];
   const moving = new Set();
   for (const direction of nullSpace(columns, lockedJoint)) {
     const start = q.map((v, i) => v + NULL_SPACE_STEP * direction[i]);

@@ -10,6 +10,7 @@ import {
   minus,
   norm,
 } from "../../judge/geometry/kinematics.js";
+import { movableLinearRows } from "../../judge/geometry/task_rows.js";
 import { beforeDrawing, cancelStep } from "./renderer.js";
 import {
   dragLink,
@@ -229,7 +230,8 @@ function followTip(store, { arm, q, keepOrientation }, target, { rest, gesture }
   const still = next.every((v, i) => Math.abs(v - q[i]) < 1e-5);
   const done = arrived || still;
   const why = done ? findStopReasons(arm, next, target.o) : { stops: [], short: 0 };
-  const fading = findFadingDirections(jacobianColumns(arm, linkFrames(arm, next)), keepOrientation);
+  const columns = jacobianColumns(arm, linkFrames(arm, next));
+  const fading = findFadingDirections(columns, keepOrientation, movableLinearRows(arm));
   const hold = { kind: "tip", target: target.o, moving: !done, fading, ...why };
   store.dispatch({ type: "moveJoints", q: next, hold, gesture });
   return done;

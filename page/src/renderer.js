@@ -103,8 +103,8 @@ const visibilityObserver =
 const scratchVector = new Vector3();
 const raycaster = new Raycaster();
 
-// Initial direction of the camera from the arm; the still picture uses the same.
-const INITIAL_VIEW = new Vector3(0.687, -0.639, 0.344);
+// Direction of the camera from an arm; the still picture uses the same.
+export const INITIAL_VIEW = [0.687, -0.639, 0.344];
 
 /**
  * A 3D picture in a host element: scene, lights, camera and pointer positions in pixels.
@@ -121,6 +121,7 @@ export class Figure {
     this.visible = true;
     this.abort = new AbortController();
     this.points = null;
+    this.view = INITIAL_VIEW;
     this.width = 0; // size of the host, stored because reading it forces a layout
     this.height = 0;
     this.foot = () => 0; // height in CSS pixels of the buttons at the bottom of the picture
@@ -223,16 +224,18 @@ export class Figure {
     this.onDraw(this);
   }
 
-  // Move the camera until all points are in view, above the buttons at the bottom.
-  fit(points) {
+  // Move the camera until all points are in view, above the buttons at the bottom. `view` is the
+  // direction from the arm to the camera.
+  fit(points, view = this.view) {
     this.points = points;
+    this.view = view;
     if (!this.height) return; // the host has no size yet
     const { camera, controls, size } = this;
     this.fitted = camera.aspect;
     const foot = Math.min(0.3, this.foot() / this.height);
     const vectors = points.map((p) => new Vector3(...p));
     new Box3().setFromPoints(vectors).getCenter(controls.target);
-    camera.position.copy(controls.target).addScaledVector(INITIAL_VIEW, 3 * size);
+    camera.position.copy(controls.target).addScaledVector(new Vector3(...view), 3 * size);
     Object.assign(camera, { near: size / 50, far: size * 40 });
     camera.updateProjectionMatrix();
     for (let step = 0; step < 4; step++) {

@@ -19,11 +19,12 @@ import {
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
+import { getPlaneView } from "../../judge/geometry/task_rows.js";
 import { AxisLabels } from "./labels.js";
 import { isAtPose } from "./motion.js";
 import { getBranchColour, PALETTES } from "./look.js";
 import { findNearestSegment, getLinkSegments } from "./picking.js";
-import { disposeChildren, Figure, removeAndDispose } from "./renderer.js";
+import { disposeChildren, Figure, INITIAL_VIEW, removeAndDispose } from "./renderer.js";
 import {
   placeRod,
   ArmShape,
@@ -315,7 +316,9 @@ export class ArmPicture {
     const seen = [this.handle, this.spot]
       .filter((one) => one.visible)
       .map((one) => one.position.toArray());
-    this.figure.fit([...ends, ...ghosts, ...seen, [0, 0, 0], [0, 0, 0.3 * this.size]]);
+    const view = getPlaneView(this.arm);
+    const above = view ? [] : [[0, 0, 0.3 * this.size]];
+    this.figure.fit([...ends, ...ghosts, ...seen, [0, 0, 0], ...above], view ?? INITIAL_VIEW);
   }
 
   // Return the camera's axes in the world: right, up, and towards the viewer.

@@ -20,7 +20,8 @@ import {
   wrenchTorque,
 } from "../../judge/geometry/kinematics.js";
 import { determinant, simplifyBasis, decomposeSingular } from "../../judge/geometry/linear.js";
-import { countTaskRows, countRank } from "./verdicts.js";
+import { pick, taskRows } from "../../judge/geometry/task_rows.js";
+import { countRank } from "./verdicts.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /**
@@ -267,18 +268,19 @@ class Derived {
   get columns() {
     return this.#once("columns", () => jacobianColumns(this.arm, this.frames));
   }
-  // Return the first `count` entries of each Jacobian column.
-  rows(count) {
-    return this.columns.map((column) => column.slice(0, count));
-  }
-  // Singular values and left singular vectors of the task rows: all six, or only v for an arm with
-  // fewer than six joints.
+  // Singular values of the task rows and the left singular vectors, as motions (v, ω).
   get task() {
-    const rows = countTaskRows(this.arm);
-    return this.#once("task", () => decomposeSingular(this.rows(rows), rows));
+    return this.#once("task", () => {
+      const rows = taskRows(this.arm);
+      const picked = this.columns.map((column) => pick(column, rows));
+      const { values, vectors } = decomposeSingular(picked, rows.length);
+      const asMotion = (vector) => [0, 1, 2, 3, 4, 5].map((i) => vector[rows.indexOf(i)] ?? 0);
+      return { values, vectors: vectors.map(asMotion) };
+    });
   }
   get linear() {
-    return this.#once("linear", () => decomposeSingular(this.rows(3), 3));
+    const linear = () => this.columns.map((column) => column.slice(0, 3));
+    return this.#once("linear", () => decomposeSingular(linear(), 3));
   }
   get values() {
     return this.task.values;
@@ -288,13 +290,12 @@ class Derived {
   }
   // Tip motions that no joint rates produce, in the basis with the most zeros.
   get lost() {
-    return this.#once("lost", () =>
-      simplifyBasis(this.task.vectors.slice(this.rank).map((v) => [...v, 0, 0, 0].slice(0, 6))),
-    );
+    return this.#once("lost", () => simplifyBasis(this.task.vectors.slice(this.rank)));
   }
   get determinant() {
-    const rows = countTaskRows(this.arm);
-    return this.#once("determinant", () => determinant(this.rows(rows)));
+    const rows = taskRows(this.arm);
+    const picked = () => this.columns.map((column) => pick(column, rows));
+    return this.#once("determinant", () => determinant(picked()));
   }
   get manipulability() {
     const { values, columns } = this;

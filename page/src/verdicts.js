@@ -4,32 +4,34 @@
 import { hasLimits, isOutsideLimits } from "../../judge/geometry/arm.js";
 import { isSameMachine } from "../../judge/geometry/axes.js";
 import { dot, movingRows, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
+import {
+  hasTaskOrientation,
+  isPlanar,
+  movableRows,
+  taskRows,
+} from "../../judge/geometry/task_rows.js";
 import { formatFixed, describeMotion } from "./text.js";
 import { joinList, capitalize } from "../../judge/sentences.js";
 
 const RANK_TOLERANCE = 1e-6; // singular values below this share of the largest count as zero
 
-// Return how many rows of the Jacobian the task has. With fewer than six joints only the position
-// counts.
-export const countTaskRows = (arm) => (movingRows(arm).length < 6 ? 3 : 6);
-
 // Return what the joints are solved for.
-export const describeTarget = (arm) => (countTaskRows(arm) < 6 ? "place" : "pose");
+export const describeTarget = (arm) => (hasTaskOrientation(arm) ? "pose" : "place");
 
 export const countRank = (values) =>
   values.filter((value) => value > RANK_TOLERANCE * values[0]).length;
 
 // Return the rank of the arm at a regular pose.
-export const getFullRank = (arm) => Math.min(countTaskRows(arm), movingRows(arm).length);
+export const getFullRank = (arm) => Math.min(taskRows(arm).length, movingRows(arm).length);
 
 /**
  * Describe the rank and, at a singular pose, the motions that are lost.
  * @param {{ arm: Arm, rank: number, lost: number[][] }} derived
  */
 export function describeRank({ arm, rank, lost }) {
-  const [full, rows] = [getFullRank(arm), countTaskRows(arm)];
+  const [full, rows] = [getFullRank(arm), taskRows(arm).length];
   const singular = rank < full;
-  if (!singular) return { singular, text: describeReach(rank, full, movingRows(arm).length) };
+  if (!singular) return { singular, text: describeReach(arm, rank, full) };
   return {
     singular,
     text: `Singular: rank ${rank} of ${full}. ${describeLostMotions(lost, full < rows)}`,
@@ -37,13 +39,22 @@ export function describeRank({ arm, rank, lost }) {
 }
 
 // Describe where a tip of this rank can move.
-function describeReach(rank, full, dof) {
+function describeReach(arm, rank, full) {
+  const dof = movingRows(arm).length;
   if (!dof) return "No joint moves this arm.";
   if (full === 6) return "Rank 6: the tip can move along and turn about every direction.";
+  if (isPlanar(arm) && full > 1) return describePlanarReach(arm, rank);
+  if (movableRows(arm).length <= dof)
+    return `Rank ${rank}: the tip can make every motion that these joints allow.`;
   if (full < 3)
     return `Rank ${rank}, the most that ${dof > 1 ? `${dof} joints` : "one joint"} can have.`;
   const turns = "with fewer than six joints it cannot be turned at will as well";
   return `Rank 3: the tip can move along every direction; ${turns}.`;
+}
+
+function describePlanarReach(arm, rank) {
+  const turn = hasTaskOrientation(arm) ? " and turn in it" : ", but not turn at will as well";
+  return `Rank ${rank}: the tip can move along every direction of its plane${turn}.`;
 }
 
 const countLargeEntries = (direction) => direction.filter((v) => Math.abs(v) > 0.02).length;

@@ -57,7 +57,12 @@ KNOWN = {
 _PANDA_HOMEWORK = [
     (kind, math.copysign(0.088, a) if abs(a) == 0.0825 else a, *rest) for kind, a, *rest in _PANDA
 ]
-CATALOGUE = KNOWN | {"PANDA_HOMEWORK": Machine(_PANDA_HOMEWORK, "PANDA_HOMEWORK")}
+_TWO_LINK = [("R", 0.5, 0, 0, 0), ("R", 0.4, 0, 0, 0)]
+CATALOGUE = KNOWN | {
+    "PANDA_HOMEWORK": Machine(_PANDA_HOMEWORK, "PANDA_HOMEWORK"),
+    "TWO_LINK": Machine(_TWO_LINK, "TWO_LINK"),
+    "THREE_LINK": Machine([*_TWO_LINK, ("R", 0.2, 0, 0, 0)], "THREE_LINK"),
+}
 
 
 def random_machine(rng, rows=None):

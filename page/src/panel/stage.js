@@ -3,7 +3,8 @@
 
 import { updateAttribute, h, setText } from "../dom.js";
 import { enableGrabbing, moveTipByKey } from "../pointers.js";
-import { countTaskRows, describeHold } from "../verdicts.js";
+import { describeHold } from "../verdicts.js";
+import { movableRows, pick } from "../../../judge/geometry/task_rows.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { nullSpace } from "../../../judge/geometry/linear.js";
 import { solvePose } from "../motion.js";
@@ -155,7 +156,7 @@ function makeTipBar(store, shown) {
   function update({ keepOrientation, hold, arm }) {
     const pinned = Boolean(hold?.pinned);
     updateAttribute(keep, "aria-pressed", String(keepOrientation));
-    keep.hidden = countTaskRows(arm) < 6;
+    keep.hidden = !canTurnFreely(arm);
     updateAttribute(pin, "aria-pressed", String(pinned));
     setText(pin, pinned ? describePin(hold) : "Pin the tip");
     swing.forEach((button) => (button.hidden = !pinned || !hold.free));
@@ -163,10 +164,13 @@ function makeTipBar(store, shown) {
   return { root, update };
 }
 
+// Whether the arm has the joints to hold the tool's direction while the tip moves anywhere.
+const canTurnFreely = (arm) => movingRows(arm).length >= 6 && movableRows(arm).length === 6;
+
 function togglePin(store) {
   const { state, derived } = store;
   const turns =
-    movingRows(state.arm).length > 6 || (state.keepOrientation && countTaskRows(state.arm) === 6);
+    movingRows(state.arm).length > 6 || (state.keepOrientation && canTurnFreely(state.arm));
   const pinned = { pinned: derived.frames.at(-1), turns, free: countFreedom(store, turns) };
   store.dispatch({ type: "setFields", hold: state.hold?.pinned ? null : pinned });
 }
@@ -176,8 +180,9 @@ const describePin = ({ free, turns }) => {
   return free ? `Tip pinned (${what}): drag the elbow` : `Tip pinned (${what}): nothing is free`;
 };
 
+const listPinnedRows = (turns) => (turns ? [0, 1, 2, 3, 4, 5] : [0, 1, 2]);
 const getPinnedColumns = ({ derived }, turns) =>
-  derived.columns.map((c) => c.slice(0, turns ? 6 : 3));
+  derived.columns.map((column) => pick(column, listPinnedRows(turns)));
 const countFreedom = (store, turns) => nullSpace(getPinnedColumns(store, turns)).length;
 
 // Move one step through the null space, as dragging the elbow does.
@@ -189,6 +194,6 @@ function swingElbowBy(store, sense) {
   const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
   const sign = sense * Math.sign(lead);
   const moved = q.map((v, k) => v + sign * SWING_STEP * direction[k]);
-  const solution = solvePose(arm, moved, hold.pinned, { rows: hold.turns ? 6 : 3 });
+  const solution = solvePose(arm, moved, hold.pinned, { rows: listPinnedRows(hold.turns) });
   store.dispatch({ type: "moveJoints", q: solution.q, hold, gesture: "swing" });
 }

@@ -3,7 +3,8 @@
 import { updateAttribute, h, makeIndexedSymbol, makeScrollRegion, setText } from "../dom.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { formatFixed, formatScientific, formatSparse } from "../text.js";
-import { countTaskRows, getFullRank, describeRank } from "../verdicts.js";
+import { isPlanar, movableRows, taskRows } from "../../../judge/geometry/task_rows.js";
+import { getFullRank, describeRank } from "../verdicts.js";
 
 export const title = "Jacobian";
 
@@ -38,7 +39,7 @@ export function makeHeatTable(point) {
   const body = h("tbody");
   const name = { "aria-label": "Jacobian of the tip: one column for each joint" };
   const table = h("table.heat", name, h("thead", {}, head), body);
-  let [buttons, cells, shown] = [[], [], null];
+  let [buttons, cells, rows, shown] = [[], [], [], null];
 
   function rebuild(arm) {
     shown = arm;
@@ -48,8 +49,9 @@ export function makeHeatTable(point) {
     );
     const heads = buttons.map((button) => h("th", { scope: "col" }, button));
     head.replaceChildren(h("th", {}, h("span.hidden", {}, "row")), ...heads);
-    cells = ROW_SYMBOLS.map(() => moving.map((row) => h("td", makePointHandlers(row, point))));
-    body.replaceChildren(...cells.map(makeMatrixRow));
+    rows = isPlanar(arm) ? movableRows(arm) : ROW_SYMBOLS.map((_, i) => i);
+    cells = rows.map(() => moving.map((row) => h("td", makePointHandlers(row, point))));
+    body.replaceChildren(...cells.map((row, k) => makeMatrixRow(row, rows[k], rows.length)));
   }
 
   function update({ arm, highlightedRow }, columns) {
@@ -60,15 +62,18 @@ export function makeHeatTable(point) {
       Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
     );
     cells.forEach((row, i) =>
-      row.forEach((cell, j) => tintCell(cell, columns[j][i], largest[i < 3 ? 0 : 1])),
+      row.forEach((cell, j) => tintCell(cell, columns[j][rows[i]], largest[rows[i] < 3 ? 0 : 1])),
     );
   }
   return { root: makeScrollRegion("Jacobian", table), update };
 }
 
-function makeMatrixRow(cells, i) {
-  const symbol = h("th", { scope: "row" }, makeIndexedSymbol(...ROW_SYMBOLS[i]));
-  return h(i === 3 ? "tr.second" : "tr", {}, symbol, cells);
+// Make the line of row i of the Jacobian; the turn of a planar arm is φ.
+function makeMatrixRow(cells, i, count) {
+  const isPlanarTurn = count < 6 && i >= 3;
+  const symbol = isPlanarTurn ? h("i", {}, "φ") : makeIndexedSymbol(...ROW_SYMBOLS[i]);
+  const isFirstTurn = i === 3 || isPlanarTurn;
+  return h(isFirstTurn ? "tr.second" : "tr", {}, h("th", { scope: "row" }, symbol), cells);
 }
 
 function tintCell(cell, value, largest) {
@@ -90,8 +95,8 @@ function makeFacts(derived) {
     return Math.abs(v) < 1e-3 ? formatScientific(v, 2) : formatFixed(v, 5);
   };
   const fact = (name, value) => [h("dt", {}, name), h("dd", {}, value)];
-  const three = countTaskRows(arm) === 3;
-  const name = ["det ", h("i", {}, "J"), ...(three ? [h("sub", {}, "v")] : [])];
+  const isPosition = taskRows(arm).every((i) => i < 3);
+  const name = ["det ", h("i", {}, "J"), ...(isPosition ? [h("sub", {}, "v")] : [])];
   const square = determinant === null ? [] : fact(name, small(determinant));
   const least = getFullRank(arm) ? fact("smallest σ", small(values[getFullRank(arm) - 1])) : [];
   return [
