@@ -109,7 +109,7 @@ export function buildForm(id, arms, given) {
   const boxes = Object.fromEntries(
     entries.map(([key, field]) => [key, makeBox(field, `${id}-${key}`, fields[key])]),
   );
-  boxes.table.append(h("p.about", { role: "status" }));
+  boxes.table.append(h("p.about.reading", { role: "status" }));
   const grids = addGrids(boxes);
   for (const key of given ? listGivenFields(given, arms) : []) boxes[key]?.classList.add("given");
   const asked = given ? describeQuestion(given, arms) : "";
@@ -141,7 +141,7 @@ export function showTableReading(box, arm) {
   const count = arm ? movingRows(arm).length : 0;
   const joints = count === 1 ? "1 joint" : `${count} joints`;
   setText(
-    box.querySelector("[role=status]"),
+    box.querySelector("p.reading"),
     arm?.reading ? `Read as ${joints}, with ${arm.reading}.` : "",
   );
 }
