@@ -25,12 +25,19 @@ def main(arguments: list[str] | None = None) -> None:
         help="axes of a robot description closer than this (m, or sine of an angle) meet or are"
         " parallel; a warning says where it must be larger",
     )
+    pose = "as x,y,z,roll,pitch,yaw in m and rad, angles such as pi/2 too"
+    parser.add_argument("--base-pose", help=f"pose of the arm's base in the world, {pose}")
+    parser.add_argument("--tool-pose", help=f"pose of the tool's tip in the last frame, {pose}")
     parser.add_argument(
         "--out", type=Path, help="the file to write; named after the arm unless given"
     )
     options = parser.parse_args(arguments)
     try:
         arm = read_arm(options.arm, options.base, options.tip, options.tolerance)
+        if options.base_pose:
+            arm = arm.with_base(options.base_pose.split(","))
+        if options.tool_pose:
+            arm = arm.with_tool(options.tool_pose.split(","))
         out = options.out or Path(f"{file_stem(arm.name)}_answers.html")
         out.write_text(document(arm), encoding="utf-8")
     except (ArmError, OSError) as error:

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import ArrayLike, NDArray
 
+from helpers.base_and_tool import split_pose
 from helpers.expressions import Entry, check_entry, entry_latex, evaluate, symbol_names
 from helpers.inputs import (
     LARGEST,
@@ -337,6 +338,65 @@ class Arm:
         """
         bodies = tuple_of_items(bodies, f"{self.name}: bodies", "one Body for each row")
         return replace(self, name=self.name if name is None else name, bodies=bodies)
+
+    def with_base(self, pose: ArrayLike) -> "Arm":
+        """Return the arm on a base: the pose of its frame 0 in the world.
+
+        The base becomes a fixed row before the others, unless it only turns about z and shifts
+        along z. Joints are numbered by their rows, so joint 1 is then joint 2.
+
+        Args:
+            pose: A transform (4, 4), or (x, y, z, roll, pitch, yaw) in m and rad, where
+                R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll).
+
+        Raises:
+            ArmError: `pose` is neither.
+
+        Example:
+            >>> from helpers.robots import ELBOW
+            >>> ELBOW.with_base((0, 0, 0.8, 0, 0, "pi/2")).rows[0].entries
+            (0, 'pi/2', 'd_1 + 0.8', 'pi/2')
+            >>> ELBOW.with_base((0, 0, 2.5, "pi", 0, 0)).variables
+            ('q_2', 'q_3', 'q_4')
+        """
+        a, alpha, d, theta, last_d, last_theta = split_pose(pose, f"{self.name}: the base")
+        if a == 0 and alpha == 0:
+            first, last_d, last_theta = [], _add_entries(d, last_d), _add_entries(theta, last_theta)
+        else:
+            first = [fixed(a, alpha, d, theta)]
+        row = self.rows[0]
+        moved = replace(
+            row, d=_add_entries(row.d, last_d), theta=_add_entries(row.theta, last_theta)
+        )
+        bodies = [Body(0, (0, 0, 0))] * len(first) if self.bodies else []
+        return replace(self, rows=(*first, moved, *self.rows[1:]), bodies=(*bodies, *self.bodies))
+
+    def with_tool(self, pose: ArrayLike) -> "Arm":
+        """Return the arm with a tool: the pose of the tool's tip in the arm's last frame.
+
+        The tool becomes one or two fixed rows behind the others, without mass.
+
+        Args:
+            pose: A transform (4, 4), or (x, y, z, roll, pitch, yaw) in m and rad, where
+                R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll).
+
+        Raises:
+            ArmError: `pose` is neither.
+
+        Example:
+            >>> from helpers.robots import ELBOW
+            >>> ELBOW.with_tool((0, 0, 0.1, 0, 0, 0)).rows[-1].entries
+            (0, 0, 0.1, 0)
+        """
+        a, alpha, d, theta, last_d, last_theta = split_pose(pose, f"{self.name}: the tool")
+        if a == 0 and alpha == 0:
+            tool = [fixed(0, 0, _add_entries(d, last_d), _add_entries(theta, last_theta))]
+        else:
+            tool = [fixed(a, alpha, d, theta)]
+            if (last_d, last_theta) != (0, 0):
+                tool.append(fixed(0, 0, last_d, last_theta))
+        bodies = [Body(0, (0, 0, 0))] * len(tool) if self.bodies else []
+        return replace(self, rows=(*self.rows, *tool), bodies=(*self.bodies, *bodies))
 
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
         """Return the arm with one joint locked at a value; its row becomes a fixed one.

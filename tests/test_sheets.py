@@ -324,6 +324,21 @@ def test_command_takes_base_tip_and_out(tmp_path, capsys):
     assert from_urdf(file, "b", "d") not in (from_urdf(file, "b"), from_urdf(file, None, "d"))
 
 
+def test_command_puts_arm_on_base_with_tool(tmp_path):
+    out = tmp_path / "sheet.html"
+    main(
+        [
+            "two links",
+            "--base-pose=0,0,0.75,0,0,0",
+            "--tool-pose=0,0,-0.125,0,pi/2,0",
+            f"--out={out}",
+        ]
+    )
+    text = out.read_text(encoding="utf-8")
+    assert "0.75" in text
+    assert "0.125" in text
+
+
 def test_command_reads_arm_from_file_or_explains(tmp_path):
     path = tmp_path / "arm.py"
     path.write_text("from helpers.robots import UR10E\nOTHER = 3\n", encoding="utf-8")

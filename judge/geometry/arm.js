@@ -101,19 +101,25 @@ const withLimits = (
 export const isSameRow = (p, q) =>
   p.kind === q.kind && ENTRIES.every(([key]) => Math.abs(p[key] - q[key]) < 1e-12);
 
-// Whether two tables differ in lengths only, so that each joint keeps its zero and its sign. The
-// zero of a joint that slides is a length too.
-const differInLengthsOnly = (rows, others) =>
-  rows.length === others.length &&
-  rows.every((row, i) => {
-    const other = others[i];
-    const d = row.kind === "prismatic" ? row.d : other.d;
-    return isSameRow({ ...row, a: other.a, d }, other);
-  });
+// Whether two rows differ in lengths only, so that the joint keeps its zero and its sign. The zero
+// of a joint that slides is a length too.
+const differsInLengthsOnly = (row, other) =>
+  other && isSameRow({ ...row, a: other.a, d: row.kind === "prismatic" ? row.d : other.d }, other);
+
+// Return how many fixed rows, such as a base, come before the rows of `base` in a table that
+// differs from it in lengths and in fixed rows before and behind only; -1 for another table.
+function countRowsBefore(rows, base) {
+  for (let before = 0; before <= rows.length - base.length; before++) {
+    const isKept = (row, i) =>
+      differsInLengthsOnly(row, base[i - before]) || (!base[i - before] && row.kind === "fixed");
+    if (rows.every(isKept)) return before;
+  }
+  return -1;
+}
 
 /**
  * Return the arm that a typed table describes: `base` itself if no entry was changed. It keeps the
- * limits of `base` if only lengths were changed.
+ * limits of `base` if only lengths were changed, and fixed rows added at the ends.
  * @param {Row[]} rows
  * @param {Arm} base the arm whose table the reader began with
  * @returns {Arm}
@@ -121,10 +127,14 @@ const differInLengthsOnly = (rows, others) =>
 export function makeTypedArm(rows, base) {
   if (rows.length === base.rows.length && rows.every((row, i) => isSameRow(row, base.rows[i])))
     return base;
-  const keepsLimits = differInLengthsOnly(rows, base.rows);
-  const typedRows = rows.map((row, i) => withLimits(row, keepsLimits ? base.rows[i] : NO_LIMITS));
+  const before = countRowsBefore(rows, base.rows);
+  const limitsOf = (i) => (before < 0 ? NO_LIMITS : (base.rows[i - before] ?? NO_LIMITS));
+  const typedRows = rows.map((row, i) => withLimits(row, limitsOf(i)));
   const typed = { name: TYPED_ARM_NAME, home: [], rows: typedRows };
-  return { ...typed, home: carryOverJoints(base, base.home, typed, (row) => row) };
+  return {
+    ...typed,
+    home: carryOverJoints(base, base.home, typed, (row) => row - Math.max(0, before)),
+  };
 }
 
 /**

@@ -149,7 +149,7 @@ export function describeTable(state, { frames }) {
 // Say whether a typed arm keeps the limits of the arm whose table was edited.
 function describeKeptLimits(arm, base) {
   if (arm === base || !hasLimits(base)) return "";
-  if (hasLimits(arm)) return `Only lengths differ: the joints keep the limits of the ${base.name}.`;
+  if (hasLimits(arm)) return `Its joints keep the limits of the ${base.name}.`;
   return `The limits of the ${base.name} are not those of this table: its joints move freely.`;
 }
 

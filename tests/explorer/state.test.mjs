@@ -100,7 +100,7 @@ test("a changed length keeps the limits, not the masses", () => {
     for (const key of LIMITS) assert.equal(row[key], PANDA.rows[i][key]);
     assert.equal(row.body, undefined);
   });
-  assert.match(describeTable(store.state, store.derived), /Only lengths differ: the joints keep the limits of the Panda\.$/);
+  assert.match(describeTable(store.state, store.derived), /Its joints keep the limits of the Panda\.$/);
 });
 
 test("a changed angle drops the limits and says so", () => {

@@ -10,6 +10,7 @@ import {
   setText,
 } from "../dom.js";
 import { readField, makeTextField } from "../entry.js";
+import { makePoseRows, readPose } from "../mounting.js";
 import { readPastedTable } from "../paste.js";
 import { formatEntry, replaceAt, formatTable } from "../text.js";
 import { describeTable } from "../verdicts.js";
@@ -46,7 +47,8 @@ export function build(store, { announce, fit }) {
   const add = button("Add a row", () => change([...store.state.arm.rows, NEW_ROW]));
   const back = button("Back to the first table", () => change(store.state.base.rows));
   const row = h("div.row", {}, add, back, makeCopyButton(store, announce));
-  const root = h("div.dh", {}, grid.root, error, reading.root, row, verdict);
+  const mounts = makeMountFields(store, { change, complain, fit });
+  const root = h("div.dh", {}, grid.root, error, reading.root, row, mounts, verdict);
   const update = (state, derived) => {
     grid.update(state);
     reading.update(state);
@@ -56,6 +58,38 @@ export function build(store, { announce, fit }) {
   const summary = () =>
     error.textContent || [reading.root.textContent, verdict.textContent].filter(Boolean).join(" ");
   return { root, update, summary };
+}
+
+// Make the fields for a base and a tool; each becomes fixed rows of the table.
+function makeMountFields(store, { change, complain, fit }) {
+  const mount = (label, input, place) => {
+    const result = readPose(input.value, store.state.unit);
+    complain("error" in result ? `${label}: this ${result.error}.` : "");
+    if ("error" in result) return;
+    place(makePoseRows(result.pose));
+    fit();
+  };
+  const putBefore = (rows) =>
+    change([...rows, ...store.state.arm.rows], (row) => row - rows.length);
+  const putBehind = (rows) => change([...store.state.arm.rows, ...rows]);
+  const lines = [
+    makeMountField("Base", "Base: its pose in the world", putBefore, mount),
+    makeMountField("Tool", "Tool: its pose in the last frame", putBehind, mount),
+  ];
+  return h("details.mounts", {}, h("summary", {}, "Base and tool"), ...lines);
+}
+
+function makeMountField(label, description, place, mount) {
+  const input = h("input", {
+    type: "text",
+    spellcheck: "false",
+    autocomplete: "off",
+    "aria-label": description,
+    placeholder: "x, y, z, roll, pitch, yaw, or a 4 x 4 matrix",
+    onkeydown: (event) => event.key === "Enter" && mount(label, input, place),
+  });
+  const button = h("button", { onclick: () => mount(label, input, place) }, "Add as rows");
+  return h("div.row", {}, h("span", {}, description), input, button);
 }
 
 // Make the line that says how a pasted table was read; it goes when another arm is shown.

@@ -1,0 +1,119 @@
+"""Turn the pose of a base or of a tool into rows of a Denavit-Hartenberg table.
+
+A pose has six numbers and a row four. So every pose is one row and a rotation about z with a shift
+along z: Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) Rot_z(theta') Trans_z(d').
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.expressions import Entry, check_entry, evaluate
+from helpers.inputs import ArmError, finite_array, shorten
+from helpers.rows import cos_sin, quarter_turns
+
+Array = NDArray[np.float64]
+
+_EXPECTED = "a 4x4 pose, or (x, y, z, roll, pitch, yaw) in m and rad"
+# Largest error of the rotation in a 4x4 pose: its numbers must have six digits.
+_RIGID = 1e-6
+# Lengths (m) and sines up to this count as 0: 1000 times the round-off of a pose.
+_ROUND_OFF = 1e-12
+
+
+class PoseRows(NamedTuple):
+    """The entries of a pose as a row and a last rotation and shift.
+
+    Attributes:
+        a, alpha, d, theta: Entries of the row, in m and rad.
+        last_d: Shift along z behind the row, in m.
+        last_theta: Rotation about z behind the row, in rad.
+    """
+
+    a: Entry
+    alpha: Entry
+    d: Entry
+    theta: Entry
+    last_d: Entry
+    last_theta: Entry
+
+
+def split_pose(pose: ArrayLike, name: str) -> PoseRows:
+    """Split a pose into the entries of a row and a last rotation and shift.
+
+    Args:
+        pose: A transform (4, 4), or (x, y, z, roll, pitch, yaw) in m and rad, with formulas such as
+            "pi/2" allowed; R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll).
+        name: What messages call the pose.
+
+    Raises:
+        ArmError: The pose is neither, or its rotation is none.
+    """
+    T = _read_pose(pose, name)
+    z, p = T[:3, 2], T[:3, 3]
+    sine = float(np.hypot(z[0], z[1]))
+    if sine < _ROUND_OFF:
+        theta, last_d = np.arctan2(p[1], p[0]), 0.0
+        theta = theta if np.hypot(p[0], p[1]) > _ROUND_OFF else 0.0
+    else:
+        theta = np.arctan2(z[0], -z[1])  # x of the row is z_0 x z
+    if abs(theta) > np.pi / 2 + _ROUND_OFF:
+        theta -= np.copysign(np.pi, theta)  # x may point either way: take the smaller turn
+    c, s = cos_sin(float(theta))
+    x, y = np.array([c, s, 0.0]), np.array([-s, c, 0.0])
+    alpha = np.arctan2(-(y @ z), z[2])
+    if sine >= _ROUND_OFF:
+        last_d = (p @ y) / (z @ y)
+    d = p[2] - last_d * z[2]
+    row_y = np.cross(z, x)
+    last_theta = np.arctan2(T[:3, 0] @ row_y, T[:3, 0] @ x)
+    return PoseRows(
+        _length(p @ x), _angle(alpha), _length(d), _angle(theta), _length(last_d),
+        _angle(last_theta),
+    )  # fmt: skip
+
+
+def _read_pose(pose: ArrayLike, name: str) -> Array:
+    """Return a pose as a transform (4, 4); raise ArmError for anything else."""
+    try:
+        entries = np.asarray(pose, dtype=object)
+    except ValueError:
+        raise ArmError(f"{name} is {shorten(pose)}; expected {_EXPECTED}") from None
+    if entries.shape == (6,):
+        numbers = [evaluate(check_entry(entry, name), {}) for entry in entries]
+        return _transform(finite_array(numbers, name, _EXPECTED, (6,)))
+    T = finite_array(pose, name, _EXPECTED, (4, 4))
+    R = T[:3, :3]
+    error = max(np.abs(R @ R.T - np.eye(3)).max(), np.abs(T[3] - [0, 0, 0, 1]).max())
+    if error > _RIGID or np.linalg.det(R) < 0:
+        raise ArmError(
+            f"{name} is no rigid pose, by {max(error, 0):.2g}; expected a rotation with six digits"
+            " or more and a position over (0, 0, 0, 1), or (x, y, z, roll, pitch, yaw)"
+        )
+    return T
+
+
+def _transform(numbers: Array) -> Array:
+    (cr, sr), (cp, sp), (cy, sy) = (cos_sin(float(angle)) for angle in numbers[3:])
+    T = np.eye(4)
+    T[:3, :3] = [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+    T[:3, 3] = numbers[:3]
+    return T
+
+
+def _length(x: float) -> Entry:
+    return 0 if abs(x) < _ROUND_OFF else float(x)
+
+
+def _angle(angle: float) -> Entry:
+    """Return an angle as a formula where it is a multiple of a right angle, so that it is exact."""
+    turns = quarter_turns(float(angle))
+    if turns is None:
+        return float(angle)
+    exact: dict[int, Entry] = {0: 0, 1: "pi/2", 2: "pi", -1: "-pi/2", -2: "pi"}
+    return exact[turns]
