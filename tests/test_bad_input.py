@@ -28,7 +28,7 @@ from helpers import (
     motion,
 )
 from helpers.arm import Arm, ArmError, Body, Row, revolute
-from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, THREE_LINK, UR10E
 
 SIX = PANDA_HOMEWORK.lock(3)
 BEND = [0.3, 0.4, -0.9]
@@ -96,6 +96,8 @@ RIGHT = {
     "arm.Arm.with_values": dict(self=PANDA),
     "arm.Arm.lock": dict(self=PANDA, joint=3, at=0.1),
     "arm.Arm.with_row": dict(self=PANDA),
+    "arm.Arm.with_base": dict(self=PANDA, pose=np.eye(4)),
+    "arm.Arm.with_tool": dict(self=PANDA, pose=[0.0] * 6),
     "arm.Arm.with_bodies": dict(self=PANDA, bodies=PANDA.bodies, name=None),
     "arm.Arm.to_free": dict(self=PANDA.lock(3), q=PANDA.home[:6]),
     "arm.Arm.from_free": dict(self=PANDA.lock(3)),
@@ -118,6 +120,7 @@ RIGHT = {
     "answers.markdown": dict(arm=ELBOW),
     "urdf.from_urdf": dict(source=ROBOT, tip="b", tolerance=1e-9, angle_tolerance=1e-4),
     "kinematics.jacobian_in_frame": dict(frame=7),
+    "kinematics.planar_jacobian": dict(arm=THREE_LINK, q=[0.1] * 3),
     "statics.static_torque": dict(q=[PANDA.home] * 2),
     "statics.with_payload": dict(mass=1.0, com=(0, 0, 0.1)),
     "statics.centres_in": dict(centres=np.zeros((8, 3))),
@@ -301,7 +304,9 @@ MADE = {
     "show.MarkdownOutput", "slips.Census", "slips.TableSlip",
 }  # fmt: skip
 # Modules without checks of their own: the checks themselves, and internals of other modules.
-INTERNAL = {"deprecated", "formulas", "inputs", "rows", "polynomials", "program", "sheets"}
+INTERNAL = {
+    "base_and_tool", "deprecated", "formulas", "inputs", "rows", "polynomials", "program", "sheets",
+}  # fmt: skip
 
 
 def find_public():
