@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from helpers import kinematics, statics, symbolic
 from helpers.arm import Arm
 from helpers.formulas import short, short_names
-from helpers.inputs import ArmError, must_be
+from helpers.inputs import ArmError, require_type
 
 Array = NDArray[np.float64]
 
@@ -60,7 +60,7 @@ class AnswerSheet:
     """
 
     def __init__(self, arm: Arm) -> None:
-        must_be(arm, Arm, "arm")
+        require_type(arm, Arm, "arm")
         if not arm.dof:
             raise ArmError(f"{arm.name} has no joints; a sheet needs an arm that moves")
         for name in arm.values:

@@ -7,7 +7,7 @@ that no line is wider than a page.
 import sympy as sp
 
 from answers.content import Answer, AnswerSheet, Array
-from helpers.formulas import lines, seen, tex
+from helpers.formulas import break_lines, formula_latex, visible_length
 
 _WIDTH = 56  # characters in a line
 _HEIGHT = 16  # lines in a display
@@ -67,7 +67,7 @@ def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
     """Write named formulas below each other, at most _HEIGHT lines in a display."""
     displays: list[list[str]] = []
     for label, formula in formulas:
-        first, *rest = lines(formula, _WIDTH)
+        first, *rest = break_lines(formula, _WIDTH)
         named = [f"{label} &= {first}", *(f"&\\quad {line}" for line in rest)]
         if displays and len(displays[-1]) + len(named) <= _HEIGHT:
             displays[-1] += named
@@ -79,9 +79,11 @@ def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
 
 def _name_long_entries(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[int]]:
     """Replace a matrix's longest entries by names until it fits; return it and their indices."""
-    lengths = [seen(tex(entry)) for entry in value]
+    lengths = [visible_length(formula_latex(entry)) for entry in value]
     for longest in sorted({0, *lengths}, reverse=True):
-        long = [k for k, length in enumerate(lengths) if length > max(longest, seen(names[k]))]
+        long = [
+            k for k, length in enumerate(lengths) if length > max(longest, visible_length(names[k]))
+        ]
         entries = [sp.Symbol(names[k]) if k in long else x for k, x in enumerate(value)]
         cut = sp.Matrix(*value.shape, entries)
         if _width(cut) <= _WIDTH:
@@ -100,7 +102,9 @@ def numbers(item: Answer, home: Array) -> str:
 
 def as_latex(sheet: AnswerSheet, item: Answer) -> str:
     """Write displays for amsmath, below comments that define c_{23} and the like."""
-    legend = [f"% ${sp.latex(letter)} = {tex(f)}$" for letter, f in item.definitions.items()]
+    legend = [
+        f"% ${sp.latex(letter)} = {formula_latex(f)}$" for letter, f in item.definitions.items()
+    ]
     return "\n".join([*legend, *(f"\\[\n{display}\n\\]" for display in symbols(sheet, item, True))])
 
 
@@ -126,4 +130,6 @@ def _entry_names(sheet: AnswerSheet, item: Answer) -> list[str]:
 def _width(matrix: sp.Matrix) -> int:
     """Return the width of a matrix in characters."""
     columns = (matrix.col(k) for k in range(matrix.cols))
-    return sum(max(seen(tex(entry)) for entry in column) + 2 for column in columns)
+    return sum(
+        max(visible_length(formula_latex(entry)) for entry in column) + 2 for column in columns
+    )

@@ -15,8 +15,8 @@ from answers import displays, programs
 from answers.content import Answer, AnswerSheet, Array
 from answers.typeset import mathml
 from helpers.arm import Arm
-from helpers.formulas import tex
-from helpers.inputs import ArmError, listed, must_be
+from helpers.formulas import formula_latex
+from helpers.inputs import ArmError, require_type, tuple_of_items
 
 LANGUAGES = {
     "LaTeX": displays.as_latex,
@@ -40,10 +40,10 @@ def markdown(
     Raises ArmError for an arm of `also` with other rows, for letters that programs cannot use, and
     for an arm without joints.
     """
-    must_be(arm, Arm, "arm")
-    must_be(description, str, "description")
-    must_be(heading, str, "heading")
-    must_be(lead, str, "lead")
+    require_type(arm, Arm, "arm")
+    require_type(description, str, "description")
+    require_type(heading, str, "heading")
+    require_type(lead, str, "lead")
     meta = f"---\nmyst:\n  html_meta:\n    description: {json.dumps(description)}\n---\n\n"
     start = f"{meta if description else ''}# {heading}\n\n{lead}\n\n"
     return start + _sections(arm, also)
@@ -54,7 +54,7 @@ def document(arm: Arm) -> str:
 
     Raises ArmError as `markdown` does.
     """
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     from markdown_it import MarkdownIt
     from mdit_py_plugins.dollarmath import dollarmath_plugin
 
@@ -71,7 +71,7 @@ def document(arm: Arm) -> str:
 
 def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
     """Write style, sections (heading, question, answers) and script of a sheet."""
-    arms = (arm, *listed(also, "also", "arms with the same rows"))
+    arms = (arm, *tuple_of_items(also, "also", "arms with the same rows"))
     for other in also:
         if other.rows != arm.rows:
             raise ArmError(
@@ -167,7 +167,7 @@ def _legend(sheet: AnswerSheet) -> str:
     """List the short names of sums of angles, such as c_23 = cos(q_2 + q_3)."""
     letters = {letter: f for item in sheet.items for letter, f in item.definitions.items()}
     sums = [
-        f"${sp.latex(letter)} = {tex(f)}$"
+        f"${sp.latex(letter)} = {formula_latex(f)}$"
         for letter, f in sorted(letters.items(), key=str)
         if isinstance(f, sp.cos) and f.args[0].is_Add
     ]

@@ -359,9 +359,3 @@ def _sum_part(terms: Iterable[_Part]) -> _Part:
     formula = Terms._from_args([part.formula for part in terms])
     symbols = sum(part.symbols for part in terms)
     return _Part(_joint_key(terms), symbols, terms[0].has_minus, formula)
-
-
-# Old names, for callers that have not been renamed yet.
-tex = formula_latex
-seen = visible_length
-lines = break_lines

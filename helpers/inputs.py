@@ -153,18 +153,3 @@ def shorten(value: object) -> str:
     """Return the repr of `value`, cut to 80 characters, for a message."""
     text = repr(value)
     return text if len(text) <= 80 else f"{text[:77]}..."
-
-
-# Old names, for callers that have not been renamed yet.
-must_be = require_type
-must_be_callable = require_callable
-numbers = finite_array
-floats = float_array
-number = finite_number
-named = numbers_by_name
-whole = whole_number
-one_of = require_choice
-listed = tuple_of_items
-plane_axes = parse_plane
-common_shape = broadcast_shape
-shown = shorten

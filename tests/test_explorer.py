@@ -21,7 +21,7 @@ from helpers.checks.arms import arm_data
 from helpers.explorer import ArmExplorer, ArmFigure, judge
 from helpers.explorer.data import arm_from
 from helpers.explorer.figure import ANY_ARM, ONE_ARM
-from helpers.explorer.widget import BUNDLE, esm
+from helpers.explorer.widget import BUNDLE, widget_module
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
@@ -620,7 +620,10 @@ def test_still_picture_shows_the_pose_of_the_figure():
 def test_widgets_share_script_keyed_by_its_hash():
     script = BUNDLE.read_text(encoding="utf-8")
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
-    for code, widget in [(esm(), "widget"), (esm("figureWidget"), "figureWidget")]:
+    for code, widget in [
+        (widget_module(), "widget"),
+        (widget_module("figureWidget"), "figureWidget"),
+    ]:
         first, rest = code.split("\n", 1)
         assert first == f"const key = Symbol.for('{key}');"
         assert rest.startswith(f"globalThis[key] ??= (() => {{ {script[:500]}")
@@ -640,7 +643,7 @@ def test_display_adds_stub_to_widget_bundle(monkeypatch, live):
 
 
 def judges_data(given=None):
-    start, end = judge.stub(given)
+    start, end = judge.form_html(given)
     script, tail = end[: end.index("</script>")], end[end.index("</script>") :]
     assert tail == "</script></div>"
     assert script.startswith('<script type="application/json">{"arms":[')
@@ -675,11 +678,11 @@ def test_chapter_judge_stub_holds_one_question():
     for call in ("NOBODY", "ARMS", "NOBODY.lock(3)"):
         words = f"no arm is called {call!r}; expected one of {', '.join(judge.CALLS)}"
         with pytest.raises(ArmError, match=re.escape(words)):
-            judge.stub({"arm": call})
+            judge.form_html({"arm": call})
 
 
 def test_judge_trace_example_is_the_reversed_circle():
-    asked = judge.traced()
+    asked = judge.trace_example()
     q = np.array([[float(x) for x in row.split()] for row in asked.pop("answer").split("\n")])
     assert asked == {"ask": "trace", "arm": "UR10E_HOMEWORK", "q": "0.3, -0.6, 1.4, -0.8, 0.9, 0.2"}
     T = link_frames(UR10E_HOMEWORK, q)[:, -1]

@@ -5,17 +5,17 @@ import pytest
 
 from helpers.inputs import (
     ArmError,
-    common_shape,
-    floats,
-    listed,
-    must_be,
-    must_be_callable,
-    number,
-    numbers,
-    one_of,
-    plane_axes,
-    shown,
-    whole,
+    broadcast_shape,
+    finite_array,
+    finite_number,
+    float_array,
+    parse_plane,
+    require_callable,
+    require_choice,
+    require_type,
+    shorten,
+    tuple_of_items,
+    whole_number,
 )
 
 MASKED = np.ma.array([1, 2], mask=[0, 1])
@@ -28,45 +28,54 @@ class Orange:
 @pytest.mark.parametrize(
     ("ask", "words"),
     [
-        (lambda: must_be(3, Orange, "fruit"), "fruit is 3; expected an Orange"),
-        (lambda: must_be(3, str, "name"), "name is 3; expected a str"),
-        (lambda: must_be_callable(3, "path", "a function"), "path is 3; expected a function"),
-        (lambda: numbers([1, 2], "q", "(3,)", (3,)), "q has shape (2,); expected (3,)"),
-        (lambda: numbers(1, "q", "(3,)", (3,)), "q is 1; expected (3,)"),
-        (lambda: numbers([[1, 2, 3]], "q", "(3,)", (3,)), "q has shape (1, 3); expected (3,)"),
-        (lambda: numbers([1, np.nan, 3], "q", "x", (3,)), "q holds NaN or infinity; expected x"),
-        (lambda: numbers([-2e100], "q", "x", (1,)), "q holds a number beyond 1e+100; expected x"),
-        (lambda: numbers([1, 2], "T", "4", (None, 4), True), "T has shape (2,); expected 4"),
-        (lambda: floats(None, "q", "numbers"), "q is None; expected numbers"),
-        (lambda: floats("up", "q", "numbers"), "q is 'up'; expected numbers"),
-        (lambda: floats(1j, "q", "numbers"), "q is 1j; expected numbers"),
-        (lambda: floats([True], "q", "numbers"), "q is [True]; expected numbers"),
-        (lambda: floats([[1], [1, 2]], "q", "x"), "q is [[1], [1, 2]]; expected x"),
-        (lambda: floats([10**400], "q", "x"), f"q is [1{'0' * 75}...; expected x"),
-        (lambda: floats(MASKED, "q", "x"), f"q is {shown(MASKED)}; expected x"),
-        (lambda: number("a", "m"), "m is 'a'; expected a finite number"),
-        (lambda: number([1], "m"), "m is [1]; expected a finite number"),
-        (lambda: number(np.inf, "m"), "m is inf; expected a finite number"),
-        (lambda: number(0, "m", "m > 0", above=0), "m is 0; expected m > 0"),
-        (lambda: number(-0.1, "m", "m >= 0", least=0), "m is -0.1; expected m >= 0"),
-        (lambda: whole(-1, "steps"), "steps is -1; expected a whole number of 0 or more"),
-        (lambda: whole(2, "steps", 3), "steps is 2; expected a whole number of 3 or more"),
-        (lambda: whole(True, "steps"), "steps is True; expected a whole number of 0 or more"),
-        (lambda: whole(1.0, "steps"), "steps is 1.0; expected a whole number of 0 or more"),
-        (lambda: one_of("c", "part", ("a", "b")), "part is 'c'; expected one of a, b"),
-        (lambda: one_of(1, "part", ("a", "b")), "part is 1; expected one of a, b"),
-        (lambda: listed("ab", "rows", "a list"), "rows are 'ab'; expected a list"),
-        (lambda: listed(b"ab", "rows", "a list"), "rows are b'ab'; expected a list"),
-        (lambda: listed(3, "rows", "a list"), "rows are 3; expected a list"),
+        (lambda: require_type(3, Orange, "fruit"), "fruit is 3; expected an Orange"),
+        (lambda: require_type(3, str, "name"), "name is 3; expected a str"),
+        (lambda: require_callable(3, "path", "a function"), "path is 3; expected a function"),
+        (lambda: finite_array([1, 2], "q", "(3,)", (3,)), "q has shape (2,); expected (3,)"),
+        (lambda: finite_array(1, "q", "(3,)", (3,)), "q is 1; expected (3,)"),
+        (lambda: finite_array([[1, 2, 3]], "q", "(3,)", (3,)), "q has shape (1, 3); expected (3,)"),
+        (
+            lambda: finite_array([1, np.nan, 3], "q", "x", (3,)),
+            "q holds NaN or infinity; expected x",
+        ),
+        (
+            lambda: finite_array([-2e100], "q", "x", (1,)),
+            "q holds a number beyond 1e+100; expected x",
+        ),
+        (lambda: finite_array([1, 2], "T", "4", (None, 4), True), "T has shape (2,); expected 4"),
+        (lambda: float_array(None, "q", "numbers"), "q is None; expected numbers"),
+        (lambda: float_array("up", "q", "numbers"), "q is 'up'; expected numbers"),
+        (lambda: float_array(1j, "q", "numbers"), "q is 1j; expected numbers"),
+        (lambda: float_array([True], "q", "numbers"), "q is [True]; expected numbers"),
+        (lambda: float_array([[1], [1, 2]], "q", "x"), "q is [[1], [1, 2]]; expected x"),
+        (lambda: float_array([10**400], "q", "x"), f"q is [1{'0' * 75}...; expected x"),
+        (lambda: float_array(MASKED, "q", "x"), f"q is {shorten(MASKED)}; expected x"),
+        (lambda: finite_number("a", "m"), "m is 'a'; expected a finite number"),
+        (lambda: finite_number([1], "m"), "m is [1]; expected a finite number"),
+        (lambda: finite_number(np.inf, "m"), "m is inf; expected a finite number"),
+        (lambda: finite_number(0, "m", "m > 0", above=0), "m is 0; expected m > 0"),
+        (lambda: finite_number(-0.1, "m", "m >= 0", least=0), "m is -0.1; expected m >= 0"),
+        (lambda: whole_number(-1, "steps"), "steps is -1; expected a whole number of 0 or more"),
+        (lambda: whole_number(2, "steps", 3), "steps is 2; expected a whole number of 3 or more"),
+        (
+            lambda: whole_number(True, "steps"),
+            "steps is True; expected a whole number of 0 or more",
+        ),
+        (lambda: whole_number(1.0, "steps"), "steps is 1.0; expected a whole number of 0 or more"),
+        (lambda: require_choice("c", "part", ("a", "b")), "part is 'c'; expected one of a, b"),
+        (lambda: require_choice(1, "part", ("a", "b")), "part is 1; expected one of a, b"),
+        (lambda: tuple_of_items("ab", "rows", "a list"), "rows are 'ab'; expected a list"),
+        (lambda: tuple_of_items(b"ab", "rows", "a list"), "rows are b'ab'; expected a list"),
+        (lambda: tuple_of_items(3, "rows", "a list"), "rows are 3; expected a list"),
         *(
             (
-                lambda plane=plane: plane_axes(plane),
+                lambda plane=plane: parse_plane(plane),
                 f"plane is {plane!r}; expected two different letters of x, y, z, such as 'yz'",
             )
             for plane in ("", "x", "xx", "xyz", "xw", "XY", "y,z", None, ("x", "y"), ["x"])
         ),
         (
-            lambda: common_shape("q and T", (2,), (3,)),
+            lambda: broadcast_shape("q and T", (2,), (3,)),
             "q and T have shapes (2,) and (3,); expected the same or one of one",
         ),
     ],
@@ -78,20 +87,24 @@ def test_invalid_input_has_complete_message(ask, words):
 
 
 def test_valid_input_is_converted():
-    array = numbers([[1, 2, 3]], "q", "(..., 3)", (3,), many=True)
+    array = finite_array([[1, 2, 3]], "q", "(..., 3)", (3,), many=True)
     assert (array.shape, array.dtype) == ((1, 3), np.float64)
-    assert numbers([1, 2, 3], "q", "(..., 3)", (3,), many=True).shape == (3,)
-    assert numbers(np.zeros((5, 4)), "T", "(n, 4)", (None, 4)).shape == (5, 4)
-    assert floats(np.array([1, 2], np.uint8), "q", "numbers").tolist() == [1.0, 2.0]
-    assert floats(np.ma.array([1, 2]), "q", "numbers").tolist() == [1.0, 2.0]
-    assert number(0, "m", least=0) == 0.0
-    assert type(number(np.int64(2), "m", above=1)) is float
-    assert (whole(0, "n"), whole(3, "n", 3), type(whole(np.int64(3), "n"))) == (0, 3, int)
-    assert one_of("b", "part", {"a": 1, "b": 2}) == "b"
-    assert listed((x for x in (1, 2)), "rows", "a list") == (1, 2)
-    assert common_shape("q and T", (2, 1), (3,)) == (2, 3)
-    must_be(Orange(), Orange, "fruit")
-    must_be_callable(len, "path", "a function")
+    assert finite_array([1, 2, 3], "q", "(..., 3)", (3,), many=True).shape == (3,)
+    assert finite_array(np.zeros((5, 4)), "T", "(n, 4)", (None, 4)).shape == (5, 4)
+    assert float_array(np.array([1, 2], np.uint8), "q", "numbers").tolist() == [1.0, 2.0]
+    assert float_array(np.ma.array([1, 2]), "q", "numbers").tolist() == [1.0, 2.0]
+    assert finite_number(0, "m", least=0) == 0.0
+    assert type(finite_number(np.int64(2), "m", above=1)) is float
+    assert (
+        whole_number(0, "n"),
+        whole_number(3, "n", 3),
+        type(whole_number(np.int64(3), "n")),
+    ) == (0, 3, int)
+    assert require_choice("b", "part", {"a": 1, "b": 2}) == "b"
+    assert tuple_of_items((x for x in (1, 2)), "rows", "a list") == (1, 2)
+    assert broadcast_shape("q and T", (2, 1), (3,)) == (2, 3)
+    require_type(Orange(), Orange, "fruit")
+    require_callable(len, "path", "a function")
 
 
 @pytest.mark.parametrize(
@@ -106,9 +119,9 @@ def test_valid_input_is_converted():
     ],
 )
 def test_plane_axes_keep_their_order(plane, axes):
-    assert plane_axes(plane) == axes
+    assert parse_plane(plane) == axes
 
 
 def test_shown_truncates_after_80_characters():
-    assert shown("x" * 78) == "'" + "x" * 78 + "'"
-    assert shown("x" * 79) == "'" + "x" * 76 + "..."
+    assert shorten("x" * 78) == "'" + "x" * 78 + "'"
+    assert shorten("x" * 79) == "'" + "x" * 76 + "..."

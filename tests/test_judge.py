@@ -49,7 +49,7 @@ ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]
 
 
 def in_page(questions):
-    arms = [judge.listed(call) for call in judge.CALLS]
+    arms = [judge.list_entry(call) for call in judge.CALLS]
     return ask_node("judge_page.mjs", {"arms": arms, "questions": questions})
 
 
@@ -113,7 +113,7 @@ def branches(arm, typed):
 def test_page_and_python_print_the_same_report():
     """Each question goes through a link first. Advice is an argument here, a button there."""
     advice = ("- If that is what you mean, ", "- The arm in your joints is report.")
-    asked = [*judge.EXAMPLES, judge.traced(), *map(typed_fields, QUESTIONS)]
+    asked = [*judge.EXAMPLES, judge.trace_example(), *map(typed_fields, QUESTIONS)]
     for given, answer in zip(asked, in_page(asked), strict=True):
         found = of_python(given)
         if "error" in answer:
@@ -152,7 +152,7 @@ def test_question_gets_expected_verdict(case):
 
 @needs_node
 def test_page_examples_name_their_mistakes():
-    examples = [*judge.EXAMPLES, judge.traced()]
+    examples = [*judge.EXAMPLES, judge.trace_example()]
     assert [fields["ask"] for fields in examples] == ASKED
     assert [answer["causes"] for answer in in_page(examples)] == [
         ["J.z_i angular"],
@@ -221,7 +221,7 @@ def test_page_sentences_use_no_python_terms():
 @needs_node
 def test_unreadable_input_message_uses_no_python_terms():
     own, framed, *_ = map(typed_fields, questions_about("by link"))
-    asked = [*judge.EXAMPLES, judge.traced(), {**framed, "ask": "torques"}, own, framed]
+    asked = [*judge.EXAMPLES, judge.trace_example(), {**framed, "ask": "torques"}, own, framed]
     asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula
     bad = [{**one, field: text} for one in asked
            for field in TYPED if field in one for text in [*REFUSED, *COUNTS]]  # fmt: skip

@@ -6,7 +6,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-from helpers.inputs import ArmError, must_be
+from helpers.inputs import ArmError, require_type
 
 _SCRIPT = Path(__file__).with_name("temml.min.js")
 # Text comes back as JSON, which no bridge between the languages can cut or recode.
@@ -46,7 +46,7 @@ def parts(tex: str) -> list[str]:
 def _convert(tex: str, display: bool, wrap: str) -> Element:
     import quickjs
 
-    must_be(tex, str, "tex")
+    require_type(tex, str, "tex")
     if not hasattr(_engines, "set"):
         context = quickjs.Context()
         context.eval(_SCRIPT.read_text(encoding="utf-8"))

@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Any
 
 from helpers.arm import Arm, Body, Row
-from helpers.inputs import must_be
+from helpers.inputs import require_type
 from helpers.variants import LumpedModel, Namesake, find_variants
 
 Data = dict[str, Any]
@@ -15,7 +15,7 @@ Data = dict[str, Any]
 
 def arm_data(arm: Arm) -> Data:
     """Return an arm as numbers in SI units; an unknown limit is None."""
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     return {
         "name": arm.name,
         "home": list(arm.home),

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.inputs import must_be, number
+from helpers.inputs import finite_number, require_type
 
 
 def check(
@@ -23,8 +23,8 @@ def check(
 
     Apart from the commands no other function of the helpers prints.
     """
-    must_be(label, str, "label")
-    tolerance = number(tolerance, "tolerance", "a number of 0 or more", least=0)
+    require_type(label, str, "label")
+    tolerance = finite_number(tolerance, "tolerance", "a number of 0 or more", least=0)
     actual_numbers, expected_numbers = _to_numbers(actual), _to_numbers(expected)
     within = ""
     if (

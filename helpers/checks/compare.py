@@ -18,7 +18,15 @@ from helpers.checks.plain_data import to_plain_data
 from helpers.checks.student_arm import make_joint_map
 from helpers.checks.tables import check_reading_options, format_table
 from helpers.checks.verdict import Verdict, make_verdict
-from helpers.inputs import ArmError, must_be, named, number, one_of, shown, whole
+from helpers.inputs import (
+    ArmError,
+    finite_number,
+    numbers_by_name,
+    require_choice,
+    require_type,
+    shorten,
+    whole_number,
+)
 from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
@@ -40,14 +48,14 @@ def _check_options(
     which: int | None = None,
 ) -> dict[str, Any]:
     """Return the options common to all comparisons; raise ArmError for an invalid one."""
-    one_of(angles, "angles", ("rad", "deg"))
+    require_choice(angles, "angles", ("rad", "deg"))
     found: dict[str, Any] = {"angles": angles}
     if values is not None:
-        found["values"] = [list(pair) for pair in named(values, "values").items()]
+        found["values"] = [list(pair) for pair in numbers_by_name(values, "values").items()]
     if tolerance is not None:
-        found["tolerance"] = number(tolerance, "tolerance", "a number of 0 or more", least=0)
+        found["tolerance"] = finite_number(tolerance, "tolerance", "a number of 0 or more", least=0)
     if which is not None:
-        found["which"] = whole(which, "which", least=1)
+        found["which"] = whole_number(which, "which", least=1)
     return found
 
 
@@ -120,17 +128,18 @@ def compare_tables(
     Raises ArmError where an arm has no joint or `mine` is no table. Source: Siciliano et al.,
     Robotics, section 2.8.2, on the free choices.
     """
-    must_be(reference, Arm, "the reference")
+    require_type(reference, Arm, "the reference")
     options = _check_options("rad", tolerance, values)
     del options["angles"]  # those of a table may be guessed
     if not reference.dof or (isinstance(mine, Arm) and not mine.dof):
         raise ArmError(
-            f"cannot compare {shown(mine)} with {reference!r}; expected arms with one joint or more"
+            f"cannot compare {shorten(mine)} with {reference!r};"
+            " expected arms with one joint or more"
         )
     reading_options = check_reading_options(columns, lengths, angles, convention)
     if isinstance(mine, Arm) and reading_options:
         raise ArmError(
-            format_sentence("arm is read", given=", ".join(map(shown, reading_options.values())))
+            format_sentence("arm is read", given=", ".join(map(shorten, reading_options.values())))
         )
     if start_pose is not None:
         options["startPose"] = reference.joint_vector(start_pose, "start_pose", many=False).tolist()
@@ -185,10 +194,10 @@ def compare_jacobian(
 
     Raises ArmError where `mine` gives no matrix of numbers, or holds numbers and q is missing.
     """
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     options = _check_options(angles, tolerance, values, which)
     if not isinstance(angular_first, int | np.bool_):
-        raise ArmError(f"angular_first is {shown(angular_first)}; expected True or False")
+        raise ArmError(f"angular_first is {shorten(angular_first)}; expected True or False")
     options |= {"angularFirst": bool(angular_first), "frame": _check_frame(frame, arm)}
     at = to_plain_data(_generic_pose(arm) if q is None else q)
     given = dict(arm=judge_data(arm), q=at)
@@ -204,7 +213,7 @@ def compare_jacobian(
 
 
 def _check_frame(frame: int, arm: Arm) -> int:
-    number = whole(frame, f"{arm.name}: frame")
+    number = whole_number(frame, f"{arm.name}: frame")
     if number > len(arm.rows):
         raise ArmError(
             f"{arm.name}: frame is {number}; expected a whole number from 0 to {len(arm.rows)}"
@@ -301,7 +310,7 @@ def compare_branches(
 
     Raises ArmError for another shape, or where `found` holds many targets.
     """
-    must_be(found, Solutions, "found")
+    require_type(found, Solutions, "found")
     options = _check_options(angles, tolerance, which=which)
     if found.valid.ndim != 1:
         raise ArmError(format_sentence("one target", arm=found.arm.name, count=found.distance.size))
@@ -342,7 +351,7 @@ def compare_pose(
 
     Raises ArmError for another shape.
     """
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     options = _check_options(angles, tolerance, which=which)
     given = dict(arm=judge_data(arm), mine=to_plain_data(q), target=to_plain_data(T))
     return make_verdict(ask_judge("pose", options=options, **given))
@@ -379,8 +388,8 @@ def compare_trace(
     Jumps of joints by whole turns are removed, also with a note. Raises ArmError where `mine` holds
     anything but finite numbers.
     """
-    must_be(arm, Arm, "arm")
-    must_be(path, Path, "path")
+    require_type(arm, Arm, "arm")
+    require_type(path, Path, "path")
     options = _check_options(angles, tolerance, which=which)
     given = dict(mine=to_plain_data(mine), arm=judge_data(arm), options=options)
     samples = {"times": path.times.tolist(), "normal": path.normal.tolist(), "at": []}

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.inputs import shown
+from helpers.inputs import shorten
 
 Data = Any  # str, or nested lists of float, str, None (no finite number), {"tree"} and {"odd"}
 _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan")
@@ -43,14 +43,14 @@ def _entry(x: Any) -> Data:
     if isinstance(x, str):
         return x
     if isinstance(x, bool | np.bool_ | complex | None):
-        return {"odd": shown(x)}
+        return {"odd": shorten(x)}
     try:
         if hasattr(x, "free_symbols"):
             known = x.is_Float or x.is_Integer or x.is_infinite
             return _number(x) if known else {"tree": _tree(x)}
-        return _number(x) if isinstance(x, int | float | np.number) else {"odd": shown(x)}
+        return _number(x) if isinstance(x, int | float | np.number) else {"odd": shorten(x)}
     except (TypeError, ValueError, AttributeError, RecursionError):
-        return {"odd": shown(x)}
+        return {"odd": shorten(x)}
 
 
 def _number(x: Any) -> float | None:

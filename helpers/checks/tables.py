@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from helpers.checks.engine import ask_judge, format_sentence
-from helpers.inputs import ArmError, listed, named, one_of, shown
+from helpers.inputs import ArmError, numbers_by_name, require_choice, shorten, tuple_of_items
 from helpers.rows import Joint, Row
 
 _FORMULAS: dict[int, float | str] = {-2: "-pi", -1: "-pi/2", 0: 0, 1: "pi/2", 2: "pi"}
@@ -26,7 +26,7 @@ def read_table(
     a table, or holds a symbol without a value.
     """
     options: dict[str, Any] = check_reading_options(columns, lengths, angles, convention)
-    options["values"] = [list(pair) for pair in named(values or {}, "values").items()]
+    options["values"] = [list(pair) for pair in numbers_by_name(values or {}, "values").items()]
     answer = ask_judge("rows", mine=format_table(source), options=options)
     rows = tuple(
         Row(r["a"], _right_angle(r["alpha"]), r["d"], _right_angle(r["theta"]), Joint(r["kind"]))
@@ -50,15 +50,17 @@ def check_reading_options(
     options = {}
     if columns is not None:
         wanted = "a, alpha, d and theta in your order"
-        names = [columns] if isinstance(columns, str) else listed(columns, "columns", wanted)
+        names = (
+            [columns] if isinstance(columns, str) else tuple_of_items(columns, "columns", wanted)
+        )
         options["columns"] = " ".join(map(str, names))
     if lengths is not None:
-        options["lengths"] = one_of(lengths, "lengths", ("m", "cm", "mm"))
+        options["lengths"] = require_choice(lengths, "lengths", ("m", "cm", "mm"))
     if angles is not None:
-        options["angles"] = one_of(angles, "angles", ("rad", "deg"))
+        options["angles"] = require_choice(angles, "angles", ("rad", "deg"))
     if convention is not None:
         known = ("standard", "craig", "modified")
-        options["convention"] = one_of(str(convention).lower(), "convention", known)
+        options["convention"] = require_choice(str(convention).lower(), "convention", known)
         options["convention"] = options["convention"].replace("modified", "craig")
     return options
 
@@ -79,7 +81,7 @@ def format_table(source: Any) -> str:
         return _format_markdown(source.columns, source.to_numpy().tolist())
     table = _to_list(source)
     if not isinstance(table, list | tuple):
-        raise ArmError(format_sentence("no table", given=shown(source)))
+        raise ArmError(format_sentence("no table", given=shorten(source)))
     if table and all(isinstance(row, Mapping) for row in table):
         headers = list(dict.fromkeys(name for row in table for name in row))
         return _format_markdown(headers, [[row.get(name, 0) for name in headers] for row in table])
@@ -89,7 +91,7 @@ def format_table(source: Any) -> str:
     if rows and all(_is_matrix(row) for row in rows):
         rows = [_to_list(line) for matrix in rows for line in matrix]
     if not rows or not all(map(_is_row, rows)):
-        raise ArmError(format_sentence("no rows", given=shown(source)))
+        raise ArmError(format_sentence("no rows", given=shorten(source)))
     return f"[{', '.join(map(_format_row, rows))}]"
 
 
@@ -113,14 +115,14 @@ def _format_mapping(table: Mapping[str, Any]) -> str:
     """Print a mapping of column headers to lists, or of entry names such as a_1 to numbers."""
     lists = list(table.values())
     if not table or not (all(map(_is_list, lists)) or not any(map(_is_list, lists))):
-        raise ArmError(format_sentence("no entries", given=shown(table)))
+        raise ArmError(format_sentence("no entries", given=shorten(table)))
     if not _is_list(lists[0]):
         return "{" + ", ".join(f"'{name}': {_format_cell(x)}" for name, x in table.items()) + "}"
     counts = sorted({len(column) for column in lists})
     if len(counts) > 1:
         raise ArmError(format_sentence("uneven lists", counts=", ".join(map(str, counts))))
     if counts == [0]:
-        raise ArmError(format_sentence("no rows", given=shown(table)))
+        raise ArmError(format_sentence("no rows", given=shorten(table)))
     return _format_markdown(table, zip(*lists, strict=True))
 
 

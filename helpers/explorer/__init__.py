@@ -1,5 +1,4 @@
-"""An arm to take by the joint: live in a running notebook and, without a kernel, in the built
-book."""
+"""Live figures of arms, for running notebooks and for the pages of the built book."""
 
 try:
     from helpers.explorer.figure import ArmFigure

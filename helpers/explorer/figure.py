@@ -1,5 +1,4 @@
-"""The small figures that stand beside the chapters' sentences: live in a running notebook, a stub
-that the book's page brings to life."""
+"""Small live figures of arms, which the chapters show beside a sentence."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -10,12 +9,12 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
 from helpers.explorer.still import draw_still
-from helpers.explorer.stub import RUN_HINT, stub
-from helpers.explorer.widget import Live, esm
-from helpers.inputs import ArmError, listed, must_be, one_of, shown
+from helpers.explorer.stub import RUN_HINT, live_html
+from helpers.explorer.widget import LiveWidget, widget_module
+from helpers.inputs import ArmError, require_choice, require_type, shorten, tuple_of_items
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 
-#: The figures that take any arm, with the arm that each shows unless told otherwise,
+#: Figures that show any arm, each with its default arm.
 ANY_ARM = {
     "columns": UR10E_HOMEWORK,
     "ellipsoid": UR10E_HOMEWORK,
@@ -25,31 +24,31 @@ ANY_ARM = {
     "row": UR10E_HOMEWORK,
     "ways": STANFORD,
 }
-#: and those about one arm of the homework, with any lengths.
+#: Figures that show a single arm, whose lengths may differ.
 ONE_ARM = {"swing": PANDA, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
 
-
-#: What else a figure may be told, as the chapters' own are.
+#: Names of the further settings of figures, of which each kind uses some.
 SETTINGS = ("angle", "column", "fixed", "frames", "lit", "push", "row", "words", "wrench")
 
 
-class ArmFigure(Live):
+class ArmFigure(LiveWidget):
     """A small live figure, as the chapters show them beside a sentence.
 
     Args:
-        kind: which figure: any arm's columns, ellipsoid, hand, loads, matrix, row or ways; or
-            swing, triangles or winds, which show one arm each, of any lengths.
-        arm: the arm to show.
-        q: where it stands first, shape (dof,), rad or m; its home unless given.
-        joints: numbers of the joints, from 1, that get a lever.
-        settings: what else one kind takes: the `row` or `column`, from 1, that it begins with, the
-            `wrench` that pushes, its `words`, and others of `SETTINGS`.
+        kind: The figure: columns, ellipsoid, hand, loads, matrix, row or ways, which show any arm;
+            or swing, triangles or winds, which show one arm of any lengths.
+        arm: The arm to show; the figure's default arm if None.
+        q: The first joint vector, shape (dof,), rad or m; the arm's home if None.
+        joints: Numbers of the joints, from 1, that get a slider.
+        settings: Settings of one kind of figure: the `row` or `column`, from 1, shown first, the
+            `wrench` at the tool, its `words`, and others of `SETTINGS`.
 
     Raises:
-        ArmError: there is no such figure or setting, or it does not show this arm, place or joint.
+        ArmError: No such figure or setting exists, or the figure does not show this arm, pose or
+            joint.
     """
 
-    _esm = esm("figureWidget")
+    _esm = widget_module("figureWidget")
 
     _spec = traitlets.Dict().tag(sync=True)
 
@@ -62,21 +61,23 @@ class ArmFigure(Live):
         joints: Iterable[int] = (),
         **settings: object,
     ) -> None:
-        known = ANY_ARM | ONE_ARM
-        if not isinstance(kind, str) or kind not in known:
-            raise ArmError(f"kind is {shown(kind)}; expected one of {', '.join(sorted(known))}")
-        arm = known[kind] if arm is None else arm
-        must_be(arm, Arm, "arm")
-        own = ONE_ARM.get(kind, arm)
-        if _table(arm) != _table(own):
-            raise ArmError(f"arm is the {arm.name}; the figure {kind} shows the {own.name}")
-        joints = listed(joints, "joints", "numbers of joints, from 1")
-        strange = [shown(number) for number in joints if number not in arm.joints]
-        if strange:
-            own_joints = ", ".join(map(str, arm.joints))
-            raise ArmError(f"joints has {', '.join(strange)}; the {arm.name} has {own_joints}")
+        default_arms = ANY_ARM | ONE_ARM
+        if not isinstance(kind, str) or kind not in default_arms:
+            raise ArmError(
+                f"kind is {shorten(kind)}; expected one of {', '.join(sorted(default_arms))}"
+            )
+        arm = default_arms[kind] if arm is None else arm
+        require_type(arm, Arm, "arm")
+        shown_arm = ONE_ARM.get(kind, arm)
+        if _table_symbols(arm) != _table_symbols(shown_arm):
+            raise ArmError(f"arm is the {arm.name}; the figure {kind} shows the {shown_arm.name}")
+        joints = tuple_of_items(joints, "joints", "numbers of joints, from 1")
+        unknown = [shorten(number) for number in joints if number not in arm.joints]
+        if unknown:
+            arm_joints = ", ".join(map(str, arm.joints))
+            raise ArmError(f"joints has {', '.join(unknown)}; the {arm.name} has {arm_joints}")
         for name in settings:
-            one_of(name, "setting", SETTINGS)
+            require_choice(name, "setting", SETTINGS)
         spec: dict[str, Any] = {**settings, "figure": kind, "joints": [*map(int, joints)]}
         spec["arm"] = arm_data(arm)
         if q is not None:
@@ -87,8 +88,8 @@ class ArmFigure(Live):
     @property
     def _stub(self) -> str:
         options = {key: value for key, value in self._spec.items() if key != "figure"}
-        words = f"A live figure of the {self._arm.name}."
-        return stub(words + RUN_HINT, options, figure=self._spec["figure"])
+        text = f"A live figure of the {self._arm.name}."
+        return live_html(text + RUN_HINT, options, figure=self._spec["figure"])
 
     def _still(self) -> str:
         return draw_still(self._arm, self._spec.get("q", self._arm.home))
@@ -97,5 +98,5 @@ class ArmFigure(Live):
         return f"<ArmFigure {self._spec['figure']} of the {self._arm.name}>"
 
 
-def _table(arm: Arm) -> list[tuple]:
+def _table_symbols(arm: Arm) -> list[tuple]:
     return [(row.joint.kind, *row.entries) for row in arm.rows]

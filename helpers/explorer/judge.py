@@ -1,5 +1,4 @@
-"""The place of the page's judge, and arms as it needs them: with their symbols, and with the tables
-that usual mistakes about lengths would give."""
+"""Write the form in which a page checks an answer, with the data of the arms it may ask about."""
 
 import json
 from collections.abc import Mapping
@@ -9,10 +8,10 @@ from helpers.arm import Arm
 from helpers.checks.arms import Data, judge_data
 from helpers.inputs import ArmError
 
-# As a reader may ask of them: their names in helpers.robots, and what is locked.
+# Calls that make the arms of the form's list: names in helpers.robots, some with a joint locked.
 _NAMES = (name for name, arm in vars(robots).items() if arm in robots.ARMS)
 CALLS = ("PANDA.lock(3)", "PANDA_HOMEWORK.lock(3)", *_NAMES)
-# What stands in the fields before a reader types: an answer with a known mistake to each question.
+# Answers with a known mistake, one to each question, that fill the form before a reader types.
 EXAMPLES = (
     {
         "ask": "jacobian",
@@ -65,14 +64,14 @@ tool   0        0.207  0      0""",
 )
 
 
-def traced() -> dict[str, str]:
-    """Return the example path: a circle in a plane where its direction can be reversed."""
+def trace_example() -> dict[str, str]:
+    """Return the example of a trajectory: a circle, which can be drawn in two directions."""
     q = (0.3, -0.6, 1.4, -0.8, 0.9, 0.2)
     path = motion.circle_below(robots.UR10E_HOMEWORK, q, 0.1, "yz", 5.0, 24)
-    run = motion.trace(robots.UR10E_HOMEWORK, q, path, method="exact")
-    rows = ["  ".join(f"{x:7.4f}" for x in row) for row in run.q]
-    asked = {"ask": "trace", "arm": "UR10E_HOMEWORK", "q": ", ".join(map(str, q))}
-    return {**asked, "answer": "\n".join(rows)}
+    trajectory = motion.trace(robots.UR10E_HOMEWORK, q, path, method="exact")
+    rows = ["  ".join(f"{x:7.4f}" for x in row) for row in trajectory.q]
+    question = {"ask": "trace", "arm": "UR10E_HOMEWORK", "q": ", ".join(map(str, q))}
+    return {**question, "answer": "\n".join(rows)}
 
 
 def catalogue_arm(call: str) -> Arm:
@@ -84,27 +83,30 @@ def catalogue_arm(call: str) -> Arm:
     return arm.lock(int(locked)) if locked else arm
 
 
-def stub(given: Mapping[str, str] | None = None) -> tuple[str, str]:
-    """The judge's place in a page: what comes before and after the words that stand there without a
-    script.
+def form_html(question: Mapping[str, str] | None = None) -> tuple[str, str]:
+    """Return the HTML before and after the text that the form shows without a script.
 
-    `given` is what a chapter asks: `ask`, `arm` (a call such as ``PANDA.lock(3)``, or several with
-    commas) or the `table` of another arm, `q` and more fields of page/src/check/question.js. Raises
-    ArmError for an arm that is not in the catalogue.
+    Args:
+        question: The question of a chapter's form: `ask`, `arm` (a call such as ``PANDA.lock(3)``,
+            or several with commas) or the `table` of another arm, `q` and more fields of
+            page/src/check/question.js. Without it the form takes any question.
+
+    Raises:
+        ArmError: An arm is not in the catalogue.
     """
-    given = dict(given or {})
-    calls = [call.strip() for call in given.pop("arm", ",".join(CALLS)).split(",")]
-    if "table" in given:
-        calls, given["arm"] = [], "own"
-    data: Data = {"arms": [listed(call) for call in calls]}
-    data |= {"given": given} if given else {"examples": [*EXAMPLES, traced()]}
+    fields = dict(question or {})
+    calls = [call.strip() for call in fields.pop("arm", ",".join(CALLS)).split(",")]
+    if "table" in fields:
+        calls, fields["arm"] = [], "own"
+    data: Data = {"arms": [list_entry(call) for call in calls]}
+    data |= {"given": fields} if fields else {"examples": [*EXAMPLES, trace_example()]}
     script = json.dumps(data, separators=(",", ":")).replace("</", "<\\/")
-    name = "arm-judge small" if given else "arm-judge"
+    class_name = "arm-judge small" if fields else "arm-judge"
     end = f'<script type="application/json">{script}</script></div>'
-    return f'<div class="{name}">', end
+    return f'<div class="{class_name}">', end
 
 
-def listed(call: str) -> Data:
+def list_entry(call: str) -> Data:
     """Return the data of an arm in the page's list."""
     arm = catalogue_arm(call)
     locked = f", joint {call[-2]} locked" if "lock" in call else ""

@@ -1,4 +1,4 @@
-"""Still pictures of arms, for readers of a notebook that runs nothing."""
+"""Draw still pictures of arms, which notebooks show where no kernel runs."""
 
 import math
 
@@ -11,9 +11,9 @@ ISOMETRIC = (-45.0, math.degrees(math.atan(math.sqrt(0.5))))  # azimuth and elev
 
 
 def draw_still(arm: Arm, q: ArrayLike) -> str:
-    """Return a picture of an arm at q, shape (dof,), as SVG text with the same bytes every time.
+    """Return a picture of an arm at q, shape (dof,), as SVG text; equal arguments give equal bytes.
 
-    Matplotlib is imported only here, since the build of the book's pages needs no pictures.
+    Matplotlib is imported here, since the build of the book's pages needs no still pictures.
     """
     import matplotlib as mpl
     from matplotlib.figure import Figure

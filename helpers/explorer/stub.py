@@ -1,5 +1,7 @@
-"""What stands in a page that has no kernel: a live part as data, which the page's script brings to
-life. When the book is built the same script draws it beforehand (tools/stills.py)."""
+"""Write live figures as HTML with their data, from which the page's script builds them.
+
+When the book is built, the same script writes their still form into this HTML (tools/stills.py).
+"""
 
 import json
 from html import escape
@@ -10,19 +12,25 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm
 from helpers.explorer.data import Data
 
-RUN_HINT = " Run the cell to move it."  # seen where a notebook is only read
+RUN_HINT = " Run the cell to move it."  # shown where a notebook is opened without a kernel
 
 
-def stub(words: str, spec: Data, name: str = "arm-explorer", figure: str = "") -> str:
-    """A live part in HTML, `words` for what reads no more; `figure` is the kind of a small one. The
-    same bytes each time."""
+def live_html(text: str, spec: Data, class_name: str = "arm-explorer", figure: str = "") -> str:
+    """Return a live figure as HTML; equal arguments give equal bytes.
+
+    Args:
+        text: The sentence shown where no script runs.
+        spec: The data that the page's script needs.
+        class_name: Class of the element; the script looks for "arm-explorer".
+        figure: The kind of a small figure, or "" for an explorer.
+    """
     data = json.dumps(spec, separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
     kind = f' data-figure="{figure}"' if figure else ""
     script = f'<script type="application/json">{data}</script>'
-    return f'<div class="{name}"{kind}><p>{escape(words)}</p>{script}</div>'
+    return f'<div class="{class_name}"{kind}><p>{escape(text)}</p>{script}</div>'
 
 
-def standing(arm: Arm, q: ArrayLike) -> str:
+def describe_pose(arm: Arm, q: ArrayLike) -> str:
     """Describe the pose of an arm at q, shape (dof,), in a sentence."""
     pairs = zip(arm.variables, np.round(arm.joint_vector(q), 3) + 0.0, strict=True)
     return f"{arm.name} at {', '.join(f'{name} = {value:g}' for name, value in pairs)}."

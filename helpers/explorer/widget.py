@@ -1,4 +1,4 @@
-"""The explorer's widget, which shares its joint vector with the page."""
+"""The explorer as a notebook widget, which shares its joint vector with the page."""
 
 import hashlib
 from collections.abc import Iterable, Mapping
@@ -13,21 +13,30 @@ from helpers.arm import Arm
 from helpers.checks.arms import arm_data
 from helpers.explorer.data import arm_from, branches_data, path_data
 from helpers.explorer.still import draw_still
-from helpers.explorer.stub import RUN_HINT, standing, stub
-from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
+from helpers.explorer.stub import RUN_HINT, describe_pose, live_html
+from helpers.inputs import (
+    ArmError,
+    finite_array,
+    float_array,
+    require_type,
+    shorten,
+    tuple_of_items,
+)
 from helpers.inverse import Solutions
 
 VIEWS = ("table", "pose", "jacobian", "homework", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
 
-TYPED = "Your arm"  # as judge/geometry/arm.js calls an arm whose table was typed in
+TYPED_ARM_NAME = "Your arm"  # judge/geometry/arm.js gives arms of typed tables the same name
 
 BUNDLE = Path(__file__).parent / "static" / "explorer.js"
 
 
-def esm(widget: str = "widget") -> str:
-    """The script as the module that a widget loads: each widget of a page takes the same one, with
-    one renderer."""
+def widget_module(widget: str = "widget") -> str:
+    """Return the JavaScript module that anywidget loads for one of the page's widgets.
+
+    The key on `globalThis` makes all widgets of a page share one script and so one renderer.
+    """
     script = BUNDLE.read_text(encoding="utf-8")
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
     return (
@@ -41,13 +50,13 @@ class Floats(traitlets.TraitType):
     """Tuple of floats that accepts any array, list or tuple of numbers."""
 
     def validate(self, obj: object, value: Any) -> tuple[float, ...]:
-        array = floats(value, str(self.name), "numbers")
+        array = float_array(value, str(self.name), "numbers")
         if array.ndim != 1:
             raise ArmError(f"{self.name} has shape {array.shape}; expected numbers in a row, (n,)")
         return tuple(array.tolist())
 
 
-class Live(anywidget.AnyWidget):
+class LiveWidget(anywidget.AnyWidget):
     """A figure that is live in a running notebook and on the book's pages.
 
     A cell that ends in one has two outputs: a still picture, for GitHub and for notebooks opened
@@ -73,29 +82,30 @@ class Live(anywidget.AnyWidget):
         display(self._repr_mimebundle_(), raw=True)
 
 
-class ArmExplorer(Live):
-    """A live instrument for an arm: `q`, `wrench` and `trace` may be read and set while a reader
-    moves it.
+class ArmExplorer(LiveWidget):
+    """A live explorer of an arm.
+
+    `q`, `wrench` and `trace` can be read and set while a reader moves the arm.
 
     Args:
-        arm: the arm to show.
-        q: where it stands first, shape (dof,), rad or m; its home unless given.
-        views: which of table, pose, jacobian, trace, torque, branches to offer, the first one open.
-        wrench: force and moment on the tool by the world, at the tip, base axes, shape (6,), N and
-            N m.
-        trace: joint vectors along a path, shape (N, dof), or an object with such a `q`.
-        branches: joint vectors that reach one pose: what a closed form of `helpers.inverse`
-            returns, or an array of shape (k, dof).
-        reference: the arm behind the table, as a ghost; the arm itself unless given.
-        arms: more arms to choose from.
-        unit: of the angles shown: deg or rad.
-        link: keep the state in the page's address; for a page that holds nothing else.
+        arm: The arm to show.
+        q: The first joint vector, shape (dof,), rad or m; the arm's home if None.
+        views: Names of the views to offer, of `VIEWS`; the first one is open.
+        wrench: Force and moment of the world on the tool at its tip, in base axes, shape (6,), N
+            and N m.
+        trace: Joint vectors along a path, shape (N, dof), or an object with such a `q`.
+        branches: Joint vectors that reach one pose: the result of a closed form of
+            `helpers.inverse`, or an array of shape (k, dof).
+        reference: The arm that the table view shows as a ghost; `arm` itself if None.
+        arms: More arms to choose from.
+        unit: Unit of the angles shown: "deg" or "rad".
+        link: Whether the page's address keeps the state; for a page with nothing but the explorer.
 
     Raises:
-        ArmError: a count or name does not fit.
+        ArmError: A shape or a name does not fit the arm.
     """
 
-    _esm = esm()
+    _esm = widget_module()
 
     _spec = traitlets.Dict().tag(sync=True)
     q = Floats().tag(sync=True)
@@ -119,14 +129,13 @@ class ArmExplorer(Live):
         unit: str = "deg",
         link: bool = False,
     ) -> None:
-        self._settled = (
-            False  # nothing is dropped while everything is first set, or when the page says it all
-        )
-        self._arms = _by_name((arm, *listed(arms, "arms", "arms to choose from")))
+        # While a whole state is being set, a new arm must not drop the results set with it.
+        self._is_settled = False
+        self._arms = _arms_by_name((arm, *tuple_of_items(arms, "arms", "arms to choose from")))
         spec = {
             "arms": [arm_data(a) for a in self._arms.values()],
-            "views": _known("view", views, VIEWS),
-            "unit": _known("unit", [unit], UNITS)[0],
+            "views": _require_choices("view", views, VIEWS),
+            "unit": _require_choices("unit", [unit], UNITS)[0],
             "reference": None if reference is None else arm_data(reference),
             "link": bool(link),
         }
@@ -134,12 +143,12 @@ class ArmExplorer(Live):
         super().__init__(
             _spec=spec, arm_name=arm.name, q=start, wrench=wrench, trace=trace, branches=branches
         )
-        self._settled = True
+        self._is_settled = True
 
     @property
     def arm(self) -> Arm:
         """The arm shown: the chosen one, or `Your arm` of a typed table."""
-        return arm_from(TYPED, self.rows) if self.rows else self._arms[self.arm_name]
+        return arm_from(TYPED_ARM_NAME, self.rows) if self.rows else self._arms[self.arm_name]
 
     @traitlets.validate("arm_name")
     def _check_name(self, proposal: Mapping[str, Any]) -> str:
@@ -152,7 +161,7 @@ class ArmExplorer(Live):
     @traitlets.observe("arm_name", "rows")
     def _on_another_arm(self, change: Mapping[str, Any]) -> None:
         """Put a new arm at its home and drop results of the previous arm."""
-        if not self._settled:
+        if not self._is_settled:
             return
         with self.hold_sync():
             if change["name"] == "arm_name":
@@ -162,11 +171,11 @@ class ArmExplorer(Live):
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
         """Take a state from the page, which is complete if it names another arm."""
-        self._settled = False
+        self._is_settled = False
         try:
             super().set_state(sync_data)
         finally:
-            self._settled = True
+            self._is_settled = True
 
     @traitlets.validate("q")
     def _check_q(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
@@ -174,8 +183,8 @@ class ArmExplorer(Live):
 
     @traitlets.validate("wrench")
     def _check_wrench(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
-        wanted = "six finite numbers (fx, fy, fz, mx, my, mz)"
-        return tuple(numbers(proposal["value"], "wrench", wanted, (6,)).tolist())
+        expected = "six finite numbers (fx, fy, fz, mx, my, mz)"
+        return tuple(finite_array(proposal["value"], "wrench", expected, (6,)).tolist())
 
     @traitlets.validate("trace")
     def _check_trace(self, proposal: Mapping[str, Any]) -> list[list[float]] | None:
@@ -188,8 +197,10 @@ class ArmExplorer(Live):
     @property
     def _stub(self) -> str:
         state = {"q": self.q, "wrench": self.wrench, "trace": self.trace, "branches": self.branches}
-        name = "arm-explorer whole" if self._spec["link"] else "arm-explorer"
-        return stub(standing(self.arm, self.q) + RUN_HINT, {**self._spec, **state}, name)
+        class_name = "arm-explorer whole" if self._spec["link"] else "arm-explorer"
+        return live_html(
+            describe_pose(self.arm, self.q) + RUN_HINT, {**self._spec, **state}, class_name
+        )
 
     def _still(self) -> str:
         return draw_still(self.arm, self.q)
@@ -198,20 +209,22 @@ class ArmExplorer(Live):
         return f"<ArmExplorer of the {self.arm_name}>"
 
 
-def _by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
-    named: dict[str, Arm] = {}
+def _arms_by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
+    """Return the arms by name; raise ArmError for two different arms of one name."""
+    arms_by_name: dict[str, Arm] = {}
     for arm in arms:
-        must_be(arm, Arm, "arm")
-        if named.setdefault(arm.name, arm) != arm:
+        require_type(arm, Arm, "arm")
+        if arms_by_name.setdefault(arm.name, arm) != arm:
             raise ArmError(
                 f"two different arms are called {arm.name!r}; expected each to have its name"
             )
-    return named
+    return arms_by_name
 
 
-def _known(what: str, given: Iterable[str], known: tuple[str, ...]) -> list[str]:
-    given = listed(given, f"{what}s", f"some of {', '.join(known)}")
-    unknown = [shown(name) for name in given if not isinstance(name, str) or name not in known]
-    if unknown or not given:
-        raise ArmError(f"{what} is {', '.join(unknown) or 'none'}; expected {', '.join(known)}")
-    return list(given)
+def _require_choices(noun: str, names: Iterable[str], choices: tuple[str, ...]) -> list[str]:
+    """Return the names; raise ArmError if there is none or one is not among the choices."""
+    names = tuple_of_items(names, f"{noun}s", f"some of {', '.join(choices)}")
+    unknown = [shorten(name) for name in names if not isinstance(name, str) or name not in choices]
+    if unknown or not names:
+        raise ArmError(f"{noun} is {', '.join(unknown) or 'none'}; expected {', '.join(choices)}")
+    return list(names)

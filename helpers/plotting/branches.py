@@ -7,7 +7,7 @@ from matplotlib.path import Path
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be, number, numbers
+from helpers.inputs import ArmError, finite_array, finite_number, require_type
 from helpers.kinematics import link_frames
 from helpers.plotting.drawing import angle
 from helpers.plotting.plane import arm_2d, pose_frames
@@ -24,8 +24,8 @@ def shoulder_triangles(
 
     `names` are those of the shoulder on the left and on the right, `letters` those of the legs.
     """
-    point = numbers(point, "point", "two finite coordinates in m", (2,))
-    offset = number(offset, "offset", "a length in m that is above 0", above=0)
+    point = finite_array(point, "point", "two finite coordinates in m", (2,))
+    offset = finite_number(offset, "offset", "a length in m that is above 0", above=0)
     far = float(np.hypot(*point))
     if far <= offset:
         raise ArmError(
@@ -92,7 +92,7 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
 
 def _require_rows(arm: Arm, rows: int, kind: str) -> None:
     """Raise ArmError unless an arm has so many rows, all of which turn."""
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if len(arm.rows) != rows or arm.dof != rows or not arm.turning.all():
         raise ArmError(f"{arm.name} is no {kind.partition(' ')[2]}; expected {rows} turning joints")
 
@@ -133,9 +133,9 @@ def regions(
 ) -> None:
     """Colour the cells around the points of an even grid by `which`, whole numbers of shape
     (len(y), len(x)); `names` are those in the legend."""
-    x, y = (numbers(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
-    which = numbers(which, "which", f"whole numbers ({len(y)}, {len(x)})", (len(y), len(x)))
-    must_be(names, dict, "names")
+    x, y = (finite_array(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
+    which = finite_array(which, "which", f"whole numbers ({len(y)}, {len(x)})", (len(y), len(x)))
+    require_type(names, dict, "names")
     hatches = ("", "//", "\\\\", "--", "||")
     for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
         patch = PathPatch(_cells(x, y, which == value), lw=0, label=name)

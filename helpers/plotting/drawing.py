@@ -19,14 +19,14 @@ from helpers.derive import Derivation, DerivationStep
 from helpers.expressions import entry_latex
 from helpers.inputs import (
     ArmError,
-    listed,
-    must_be,
-    number,
-    numbers,
-    one_of,
-    plane_axes,
-    shown,
-    whole,
+    finite_array,
+    finite_number,
+    parse_plane,
+    require_choice,
+    require_type,
+    shorten,
+    tuple_of_items,
+    whole_number,
 )
 from helpers.kinematics import skeleton
 from helpers.plotting.plane import pose_frames
@@ -40,16 +40,16 @@ _PALE = "#C9CDD3"
 
 def seen(points: ArrayLike, view: View) -> Array:
     """Project points, shape (..., 3), to right, up and towards the viewer."""
-    points = numbers(points, "points", "points (..., 3), finite, in m", (3,), many=True)
+    points = finite_array(points, "points", "points (..., 3), finite, in m", (3,), many=True)
     return np.asarray(points @ eye_of(view).T)
 
 
 def eye_of(view: View) -> Array:
     if isinstance(view, str):
-        right, up = np.eye(3)[list(plane_axes(view, "view"))]
+        right, up = np.eye(3)[list(parse_plane(view, "view"))]
     else:
         wanted = "a plane such as 'xz', or an azimuth and an elevation in degrees"
-        azimuth, elevation = np.radians(numbers(view, "view", wanted, (2,)))
+        azimuth, elevation = np.radians(finite_array(view, "view", wanted, (2,)))
         right = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
         back = np.array([np.cos(azimuth), np.sin(azimuth), 0])
         up = np.cos(elevation) * np.array([0, 0, 1]) - np.sin(elevation) * back
@@ -61,7 +61,7 @@ def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1
     slides, the links between them as the table's steps, and the ground."""
     T, eye = pose_frames(arm, q), eye_of(view)
     points = skeleton(arm, T)
-    radius = 0.028 * number(size, "size", "a finite number > 0", above=0) * _extent(points)
+    radius = 0.028 * finite_number(size, "size", "a finite number > 0", above=0) * _extent(points)
     ax.plot(*seen(points, view).T[:2], color=GREY, lw=4, solid_joinstyle="round", zorder=2)
     for i in arm.joints:
         joint_shape(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
@@ -115,12 +115,12 @@ def lengths(
 
     A step is called by its letter and its row: "d_4" is the step along z_3, "a_4" that along x_4.
     """
-    must_be(aside, dict, "aside")
+    require_type(aside, dict, "aside")
     points = skeleton(arm, pose_frames(arm, q))
     steps = {f"{kind}_{i}": (i, kind) for i in range(1, len(arm.rows) + 1) for kind in "da"}
     for name, move in aside.items():
         if name not in steps:
-            raise ArmError(f"aside names {shown(name)}; expected steps such as 'd_1' or 'a_2'")
+            raise ArmError(f"aside names {shorten(name)}; expected steps such as 'd_1' or 'a_2'")
         i, kind = steps[name]
         first = 2 * i - (2 if kind == "d" else 1)
         ends = seen(points[[first, first + 1]], view)[:, :2]
@@ -141,7 +141,7 @@ def dimension(
     """Draw a dimension line between two points of the drawing, moved aside (m), with a text beside
     its middle."""
     one, other, shift = (
-        numbers(value, what, "two finite coordinates in m", (2,))
+        finite_array(value, what, "two finite coordinates in m", (2,))
         for value, what in ((start, "start"), (end, "end"), (aside, "aside"))
     )
     for foot in (one, other):
@@ -173,9 +173,9 @@ def angle(
 ) -> None:
     """Draw an arc of a radius (m) about a centre between two directions (degrees) with its name
     beside its middle."""
-    x, y = numbers(centre, "centre", "two finite coordinates in m", (2,))
-    radius = number(radius, "radius", "a finite length > 0 in m", above=0)
-    start, end = np.sort(numbers(between, "between", "two finite angles in degrees", (2,)))
+    x, y = finite_array(centre, "centre", "two finite coordinates in m", (2,))
+    radius = finite_number(radius, "radius", "a finite length > 0 in m", above=0)
+    start, end = np.sort(finite_array(between, "between", "two finite angles in degrees", (2,)))
     size = 2 * radius
     ax.add_patch(Arc((x, y), size, size, theta1=start, theta2=end, color=colour, lw=1.4, zorder=4))
     middle = np.radians((start + end) / 2)
@@ -187,8 +187,8 @@ def angle(
 def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
     """Draw the joint axes of a derivation as dash-dotted lines, a length (m) longer than what the
     table uses of them, each with an arrow and its name; z_n of the tip shares its axis' line."""
-    must_be(found, Derivation, "found")
-    number(length, "length", "a finite length > 0 in m", above=0)
+    require_type(found, Derivation, "found")
+    finite_number(length, "length", "a finite length > 0 in m", above=0)
     shared = defaultdict(list)
     for k, (line, frame) in enumerate(zip(found.lines, found.frames, strict=False)):
         foot = line.point - (line.point @ line.z) * line.z
@@ -244,11 +244,11 @@ def frames(
     """Draw the frames of an arm at q, shape (dof,), all or those asked for, as arrows x and z (or
     one of them) of a length (m) with their names; arrows that coincide share one."""
     T = pose_frames(arm, q)
-    number(length, "length", "a finite length > 0 in m", above=0)
-    one_of(names, "names", ("xz", "x", "z"))
+    finite_number(length, "length", "a finite length > 0 in m", above=0)
+    require_choice(names, "names", ("xz", "x", "z"))
     shared = defaultdict(list)
-    for i in range(len(T)) if which is None else listed(which, "which", _INDICES):
-        if whole(i, "which") >= len(T):
+    for i in range(len(T)) if which is None else tuple_of_items(which, "which", _INDICES):
+        if whole_number(i, "which") >= len(T):
             raise ArmError(f"which holds {i}; expected {_INDICES}, here 0 to {len(T) - 1}")
         for name in names:
             axis = T[i, :3, "xyz".index(name)]
@@ -268,8 +268,8 @@ _INDICES = "numbers of frames"
 def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
     """Draw how one row of a table came about: the two axes, their common normal, the frame before
     (grey) and the frame placed (black), the steps d (blue) and a (orange)."""
-    must_be(found, Derivation, "found")
-    if whole(row, "row", 1) > len(found.steps):
+    require_type(found, Derivation, "found")
+    if whole_number(row, "row", 1) > len(found.steps):
         raise ArmError(f"row is {row}; expected one of 1 to {len(found.steps)}")
     step = found.steps[row - 1]
     before, foot, origin = step.before[:3, 3], *step.normal
@@ -344,12 +344,12 @@ def postures(
     """Draw an arm in several poses, shape (k, dof), each as a line with dots at its joints, in the
     middle of axes of its own and all at one scale; a star marks the tip, or arrows of a length
     `tool` (m), the axes x and z of its frame."""
-    must_be(arm, Arm, "arm")
-    poses = numbers(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
+    require_type(arm, Arm, "arm")
+    poses = finite_array(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
     T = [pose_frames(arm, q) for q in poses]
     lines = [seen(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
     low, high = np.vstack(lines).min(axis=0), np.vstack(lines).max(axis=0)
-    number(tool, "tool", "a finite length of 0 or more in m", least=0)
+    finite_number(tool, "tool", "a finite length of 0 or more in m", least=0)
     rim = 0.12 * float((high - low).max()) + tool
     half = max(np.ptp(line[:, 0]) for line in lines) / 2 + rim
     origins = [i - 1 for i in arm.joints]

@@ -5,14 +5,14 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import must_be, numbers, plane_axes
+from helpers.inputs import finite_array, parse_plane, require_type
 from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.style import GREY, SLATE
 
 
 def pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
     """Return the link frames to draw at one pose, q of shape (dof,)."""
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     return link_frames(arm, arm.joint_vector(q, many=False))
 
 
@@ -21,7 +21,7 @@ def arm_2d(
 ) -> None:
     """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in
     m."""
-    i, j = plane_axes(plane)
+    i, j = parse_plane(plane)
     T = pose_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]
     origins = T[[k - 1 for k in arm.joints], :3, 3][:, [i, j]]
@@ -48,8 +48,8 @@ def arrow_2d(
     dashed: bool = False,
 ) -> None:
     """Draw an arrow from a point by a step, with a text at its head."""
-    start = numbers(start, "start", "a point of two finite coordinates", (2,))
-    step = numbers(step, "step", "a step of two finite coordinates", (2,))
+    start = finite_array(start, "start", "a point of two finite coordinates", (2,))
+    step = finite_array(step, "step", "a step of two finite coordinates", (2,))
     style = {
         "arrowstyle": "-|>",
         "color": colour,

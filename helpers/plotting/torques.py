@@ -9,15 +9,15 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import must_be, numbers
+from helpers.inputs import finite_array, require_type
 from helpers.plotting.style import BLUE, GREEN, ORANGE, PURPLE, RED, time_axis
 
 
 def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object) -> None:
     """Draw each joint's torque (N m) over time in its own axes, one below the other."""
-    must_be(arm, Arm, "arm")
-    t = numbers(t, "t", "finite times (n,) in s", (None,))
-    tau = numbers(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
+    require_type(arm, Arm, "arm")
+    t = finite_array(t, "t", "finite times (n,) in s", (None,))
+    tau = finite_array(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
     some = slice(None, None, max(1, len(t) // 200))
     for ax, i, values, limit in zip(
         axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
@@ -38,14 +38,14 @@ def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
     """Draw from where to where each run's torques, N m of shape (n, dof), go in each joint, as a
     share of what the motor can give, with the limits at 100 %.
     """
-    must_be(arm, Arm, "arm")
-    must_be(runs, Mapping, "runs")
+    require_type(arm, Arm, "arm")
+    require_type(runs, Mapping, "runs")
     width = 0.8 / max(1, len(runs))
     ax.axhspan(-100, 100, color=GREEN, alpha=0.12, lw=0)
     for end in (-100, 100):
         ax.axhline(end, color=RED, ls=":")
     for k, (name, tau) in enumerate(runs.items()):
-        tau = numbers(tau, "runs", f"finite torques (n, {arm.dof})", (None, arm.dof))
+        tau = finite_array(tau, "runs", f"finite torques (n, {arm.dof})", (None, arm.dof))
         share = 100 * tau / arm.effort_limits
         low, high = share.min(axis=0), share.max(axis=0)
         places = np.array(arm.joints) + (k - (len(runs) - 1) / 2) * width

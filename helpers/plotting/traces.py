@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from helpers.inputs import listed, must_be, plane_axes, whole
+from helpers.inputs import parse_plane, require_type, tuple_of_items, whole_number
 from helpers.kinematics import link_frames, skeleton
 from helpers.motion import Trace
 from helpers.plotting.style import BLUE, GREEN, GREY, RED, time_axis
@@ -19,7 +19,7 @@ Array = NDArray[np.floating]
 def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
     """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths
     in m."""
-    must_be(run, Trace, "run")
+    require_type(run, Trace, "run")
     out = int(np.abs(run.path.normal).argmax())
     i, j = (k for k in range(3) if k != out)
     some = _some(run)
@@ -35,7 +35,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
 def joints(axes: NDArray[Any], run: Trace) -> None:
     """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is
     known."""
-    must_be(run, Trace, "run")
+    require_type(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
     some = _some(run)
     t, angles = run.t[some], np.degrees(run.q[some].T)
@@ -63,9 +63,9 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     It takes the run's own time. The motion is in the SVG itself, so no script, player or network is
     needed. Readers who ask for less motion see the start pose with the finished path.
     """
-    must_be(run, Trace, "run")
-    whole(frames, "frames", least=1)
-    planes = listed(planes, "planes", "two planes such as ('xz', 'yz')")
+    require_type(run, Trace, "run")
+    whole_number(frames, "frames", least=1)
+    planes = tuple_of_items(planes, "planes", "two planes such as ('xz', 'yz')")
     steps = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], frames + 1) - 1e-9)
     T = link_frames(run.arm, run.q[steps])
     bones = np.array([skeleton(run.arm, frame) for frame in T])
@@ -87,7 +87,7 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
 
 def _panel(bones: Array, tips: Array, plane: str, seconds: float, left: float) -> str:
     """Return the arm's links and the path of its tip in a plane, in pixels."""
-    i, j = plane_axes(plane)
+    i, j = parse_plane(plane)
 
     def points(array: Array) -> list[str]:
         x, y = left + array[..., i], 270 - array[..., j]
