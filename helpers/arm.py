@@ -359,7 +359,9 @@ class Arm:
             >>> ELBOW.with_base((0, 0, 2.5, "pi", 0, 0)).variables
             ('q_2', 'q_3', 'q_4')
         """
-        a, alpha, d, theta, last_d, last_theta = split_pose(pose, f"{self.name}: the base")
+        a, alpha, d, theta, last_d, last_theta = split_pose(
+            pose, f"{self.name}: the pose of the base"
+        )
         if a == 0 and alpha == 0:
             first, last_d, last_theta = [], _add_entries(d, last_d), _add_entries(theta, last_theta)
         else:
@@ -388,7 +390,9 @@ class Arm:
             >>> ELBOW.with_tool((0, 0, 0.1, 0, 0, 0)).rows[-1].entries
             (0, 0, 0.1, 0)
         """
-        a, alpha, d, theta, last_d, last_theta = split_pose(pose, f"{self.name}: the tool")
+        a, alpha, d, theta, last_d, last_theta = split_pose(
+            pose, f"{self.name}: the pose of the tool"
+        )
         if a == 0 and alpha == 0:
             tool = [fixed(0, 0, _add_entries(d, last_d), _add_entries(theta, last_theta))]
         else:

@@ -233,8 +233,32 @@ def test_solutions_out_of_reach_are_no_error():
     far[0, 3] = 9.0
     found = solutions(arm, far)
     assert not found.valid.any()
-    assert np.isnan(found.distance)
-    assert "out of reach" in repr(found)
+    # Stretched, the wrist's centre is 0.35 + 1.25 + hypot(1.5, 0.054) m from axis 1; target is at
+    # 9 m and at the height 0 - 0.303, while the shoulder is at 0.75.
+    reach = 1.25 + np.hypot(1.5, 0.054)
+    assert found.distance == pytest.approx(np.hypot(9 - 0.35, 0.75 + 0.303) - reach, abs=1e-9)
+    assert "m out of reach" in repr(found)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "planar RR",
+        "position RRR, axes 1 and 2 meet",
+        "position RRR, axes 2 and 3 parallel",
+    ],
+)
+def test_distance_out_of_reach_is_the_least(name):
+    """Of 40 000 random poses none is nearer, and the nearest is about as near."""
+    rng = np.random.default_rng(15)
+    for _ in range(4):
+        arm = random_arm(rng, *STRUCTURES[name])
+        tips = forward_kinematics(arm, random_q(arm, 40_000, rng))[:, :3, 3]
+        targets = tips[:10] * rng.uniform(0.02, 3, (10, 1))
+        distances = solutions(arm, targets).distance
+        for target, distance in zip(targets, distances, strict=True):
+            nearest = np.linalg.norm(tips - target, axis=-1).min()
+            assert distance - 1e-9 < nearest < distance + 0.06
 
 
 def test_solutions_refuses_an_arm_without_structure():

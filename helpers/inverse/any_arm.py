@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import require_type
 from helpers.inverse.by_structure import candidates
+from helpers.inverse.reach import distance_of_targets
 from helpers.inverse.shoulder import elbow, has_rod, is_elbow_arm, rod
 from helpers.inverse.solutions import Found, Solutions, each_branch, must_be_rigid, poses, positions
 from helpers.inverse.structure import (
@@ -55,8 +56,8 @@ def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> S
         start: values that free joints keep, (..., dof), zeros unless given.
 
     Returns:
-        The solutions; `distance` is NaN at targets out of reach, but for arms that have a closed
-        form of their own in this package.
+        The solutions; `distance` is NaN at targets out of reach of an arm with three parallel axes
+        among six, but for Universal Robots' arms.
 
     Raises:
         ArmError: the arm has no such structure, or the targets have another shape.
@@ -102,6 +103,9 @@ def _solve(arm: Arm, structure: Structure, targets: Array, start: Array) -> Foun
     """Return all branches for poses (4, 4, batch) or positions (3, batch)."""
     found = _solve_once(arm, structure, targets, start)
     if structure.kind != PARALLEL:
+        missed = np.flatnonzero(np.isnan(found.distance))
+        if missed.size:
+            found.distance[missed] = distance_of_targets(structure, targets[..., missed])
         return found
     for value in TRIED:
         valid = np.broadcast_to(found.valid, (*found.valid.shape[:-1], targets.shape[-1]))

@@ -28,13 +28,15 @@ class JointAxis(NamedTuple):
 
 def dot(u: Array, v: Array) -> Array:
     """Return the inner products of columns."""
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+    return np.einsum("i...,i...->...", u, v)
 
 
 def cross(u: Array, v: Array) -> Array:
     """Return the cross products of columns."""
-    parts = (u[i] * v[j] - u[j] * v[i] for i, j in ((1, 2), (2, 0), (0, 1)))
-    return np.stack(np.broadcast_arrays(*parts))
+    w = np.empty(np.broadcast_shapes(u.shape, v.shape))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i, ...])
+    return w
 
 
 def norm(u: Array) -> Array:

@@ -17,7 +17,8 @@ from helpers.inputs import (
     shorten,
     whole_number,
 )
-from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
+from helpers.inverse.axes import cross, dot
+from helpers.inverse.solutions import must_be_rigid, poses, positions
 from helpers.kinematics import jacobian_entries, tip_entries
 from helpers.program import RowMotion, Value, get_program, run_batch
 

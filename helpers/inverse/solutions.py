@@ -19,6 +19,7 @@ from helpers.inputs import (
     require_callable,
     require_type,
 )
+from helpers.inverse.axes import cross
 
 Array = NDArray[np.float64]
 
@@ -44,7 +45,8 @@ class Solutions:
         distance: how far the target (for a wrist: its centre) is from the nearest point within
             reach, shape (...), in m; 0 where it is reached. For `ur` the way that is sure to be
             enough: across the arm's plane, and in it until the links reach, orientation kept.
-            NaN where a target is out of reach of an arm solved by its structure alone.
+            NaN where a target is out of reach of an arm with three parallel axes that is solved
+            by its structure alone.
         structure: the structure that gave the closed form, as "spherical wrist (axes 4, 5 and 6
             meet)"; empty where a closed form was called by its name.
     """
@@ -262,19 +264,6 @@ def must_be_rigid(arm: Arm, columns: Array) -> None:
 
 
 _BOTTOM = np.array([[0.0], [0.0], [0.0], [1.0]])
-
-
-def cross(u: Array, v: Array) -> Array:
-    """Cross products of columns."""
-    w = np.empty(np.broadcast_shapes(u.shape, v.shape))
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i, ...])
-    return w
-
-
-def dot(u: Array, v: Array) -> Array:
-    """Inner products of columns."""
-    return np.einsum("i...,i...->...", u, v)
 
 
 def shifted(angle: Array, offset: float) -> Array:

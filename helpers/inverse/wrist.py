@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, fixed
 from helpers.inputs import ArmError, require_type
+from helpers.inverse.axes import dot
 from helpers.inverse.geometry import SINGULAR, unwound, wrist_centre
 from helpers.inverse.shoulder import (
     ELBOW_BRANCHES,
@@ -27,7 +28,6 @@ from helpers.inverse.shoulder import (
 from helpers.inverse.solutions import (
     Found,
     Solutions,
-    dot,
     each_branch,
     must_be_rigid,
     poses,
