@@ -4,9 +4,9 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 HTML := book/_build/html
-# Tools that run before or after a build and change no page.
-NOT_BUILDING := browser.py pdf.js pdf.py refresh.py screenshots.py
-SOURCES := $(NOTEBOOKS) $(filter-out $(patsubst %,tools/%,$(NOT_BUILDING)),$(wildcard tools/*.*)) $(wildcard book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/checks/judge.js answers/static/*) $(shell find helpers answers -name '*.py')
+# Each file of these folders may change a page. What a build writes there is no source.
+SOURCES := $(shell find book helpers answers tools -type f -not -path 'book/_build/*' -not -path 'book/answers/*' \
+  -not -path '*/.*' -not -path '*/__pycache__/*' 2>/dev/null)
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
@@ -36,12 +36,13 @@ $(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
 
 # Sphinx warns of a page only when it writes it: where the last build failed or broke off, every page is built anew,
 # until one build has nothing to warn of; and where more than pages changed, of which Sphinx knows nothing.
+# The stamp has the time at which the build began: a file edited meanwhile is newer, and is built next time.
 BOOK := $(HTML)/.whole
 
 $(BOOK): $(BIN)/.installed $(SOURCES)
-	@rm -f $@
+	@rm -f $@ && mkdir -p $(HTML) && touch $@.begun
 	$(BIN)/jupyter-book build book -W -n --keep-going --quiet $(if $(wildcard $@),$(if $(filter-out $(wildcard book/*.*),$?),--all),--all)
-	@touch $@
+	@mv $@.begun $@
 
 book: $(BOOK) ## build the book and say where it is
 	@echo "The book: $(CURDIR)/$(HTML)/index.html"

@@ -65,6 +65,17 @@ def test_failed_build_fails_until_fixed(project):
     assert builds.read_text("utf-8") == built, "an up-to-date book must not be built again"
 
 
+def test_page_edited_during_build_is_built_again(project):
+    program(
+        project,
+        "jupyter-book",
+        f"{BUILDER}test -e edited || echo more > book/page.md\ntouch edited\n",
+    )
+    for _ in range(3):
+        assert make(project, "book")[0] == 0
+    assert len((project / "builds").read_text("utf-8").splitlines()) == 2
+
+
 def test_changed_tools_rebuild_every_page(project):
     (project / "tools").mkdir()
     for changed in ("book/page.md", "tools/pages.py", "book/page.md"):
