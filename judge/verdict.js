@@ -58,6 +58,7 @@ export const GRADE_MARKS = {
  * @property {import("./reading/numbers.js").Typed} [typed] the numbers that were read
  * @property {string[]} [left] lines of the text that were not used
  * @property {boolean[]} [wrong] which of the numbers are wrong
+ * @property {string[]} [rowNames] of a Jacobian: the names of the rows that were read
  * @property {ReadTable} [table]
  * @property {JointReport} [map] from the joints of the student's table to those of the reference
  * @property {Record<string, any>} [figures] measured numbers by name

@@ -154,19 +154,16 @@ function judged(typed, { arm, at, frame, tolerance = null }, said) {
   const asked = { mine: typed, q: at, dof: at.values.length, right, slips: singles, tolerance };
   const verdict = judgeEntries({ ...asked, further: [of(copiedColumns), of(mistakePairs)] });
   const taken = [...said, ...describeSelection(selection, arm)];
+  const rowNames = nameRows(selection);
   const truth = right(at.values);
   if (verdict.grade !== WRONG) {
     const isPartial = selection.rows.length < 6;
     const notes = typed.symbolic || isPartial ? [] : hidden(slips, singles, at.values, truth);
     const told = good(verdict, typed, arm, half);
-    return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong };
+    return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong, rowNames };
   }
   const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOf(J, selection)]);
-  const names = pick(
-    half === null && selection.rows.length < 6 ? PLANE_NAMES : ROWS,
-    selection.rows,
-  );
-  const where = () => places(typed, columns, verdict.wrong, arm, names);
+  const where = () => places(typed, columns, verdict.wrong, arm, rowNames);
   return {
     ...bad(
       verdict.slips.map((slip) => slip.cause),
@@ -175,6 +172,7 @@ function judged(typed, { arm, at, frame, tolerance = null }, said) {
     ),
     taken,
     wrong: verdict.wrong,
+    rowNames,
   };
 }
 
@@ -200,14 +198,21 @@ function listRowSelections(arm, count) {
   return selections.filter(({ rows }) => rows.length === count);
 }
 
-// Which rows were typed: of those that fit, the nearest to the right ones.
+// Which rows were typed: of those that fit, the nearest to the right ones. A half of a planar arm's
+// rows has rows of zeros, so it is read only where zeros were typed.
 /** @returns {RowSelection} */
 function selectRows({ values, shape }, arm, right) {
   if (shape[0] === 6) return { rows: ALL_ROWS, half: null };
-  const gap = (selection) => norm(rowsOf(right, selection).map((x, i) => x - values[i]));
   const selections = listRowSelections(arm, shape[0]);
+  const [first] = selections;
+  if (first.half === null && values.every(Boolean)) return first;
+  const gap = (selection) => norm(rowsOf(right, selection).map((x, i) => x - values[i]));
   return selections.reduce((best, one) => (gap(one) < gap(best) ? one : best));
 }
+
+/** @param {RowSelection} selection */
+const nameRows = ({ rows, half }) =>
+  pick(half === null && rows.length < 6 ? PLANE_NAMES : ROWS, rows);
 
 function describeSelection({ rows, half }, arm) {
   if (half !== null) return [formatMessage("taken: half", { half: HALVES[half] })];

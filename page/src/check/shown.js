@@ -47,7 +47,10 @@ export function getMatrix(question, { verdict, arm }) {
   const column = question.ask === "torques" && typed.shape[1] === 1;
   const [rows, width] = column ? [1, typed.values.length] : typed.shape;
   const wrong = verdict.wrong?.length === typed.values.length ? verdict.wrong : [];
-  return { ...getHeaders(question, arm, [rows, width]), typed, wrong, shape: [rows, width] };
+  const headers = getHeaders(question, arm, [rows, width]);
+  if (rows < 6 && verdict.rowNames)
+    headers.rows = verdict.rowNames.map((name) => name.replace("w", "ω"));
+  return { ...headers, typed, wrong, shape: [rows, width] };
 }
 
 /**
