@@ -185,6 +185,8 @@ def _table(_: Question, part: Part, answer: Any) -> tuple[float, str]:
         answer, part.value, columns="a alpha d theta", lengths="m", angles="rad",
         convention="standard",
     )  # fmt: skip
+    if report.grade == "so far":  # the rows of the last joints are missing
+        return report.figures["right"] / report.figures["of"], str(report)
     if report.grade != "wrong":
         return 1.0, str(report)
     named = report.causes[0].split(" + ") if report.causes else []

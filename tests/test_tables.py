@@ -484,6 +484,19 @@ def test_pose_that_the_question_fixes_excuses_no_map():
         compare_tables(typed, ELBOW, start_pose=[0, 0])
 
 
+@pytest.mark.parametrize("arm", [UR10E, PANDA, STANFORD, PANDA.lock(3), SCARA], ids=str)
+def test_first_rows_of_a_table_are_right_so_far(arm):
+    """Also with other zeros and directions of the joints; not with a wrong length."""
+    for count in range(2, len(arm.rows)):
+        first = Arm("first", arm.rows[:count], values=arm.values)
+        for mine in (first, flip_z(flip_x(shift_zero(first, 0, 0.3), 0), 0)):
+            report = compare_tables(mine, arm)
+            assert (report.grade, report.causes) == ("so far", ()), (count, str(report))
+            assert report.figures == {"right": first.dof, "of": arm.dof}
+        longer = put(first, 1, replace(first.rows[1], a=0.87, joint=Joint()))
+        assert compare_tables(longer, arm).grade == "wrong", count
+
+
 # Their joints
 
 

@@ -17,6 +17,7 @@ import { ENTRIES } from "../reading/table_rows.js";
 import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import { NoLink } from "../reading/table_matrices.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { judgeFirstRows } from "./table_part.js";
 import { judgeSameArm } from "./table_same.js";
 import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_words.js";
 
@@ -97,6 +98,9 @@ function tablesCompared(mine, reference, options = {}) {
   const astray = isText && same !== undefined ? outOfTurn(typed[same].rows) : null;
   if (astray) return whole(bad(tables[same], reference, [astray]), same);
   if (same !== undefined) return whole(good[same], same);
+  const parts = readings.map((one) => one.part());
+  const part = parts.findIndex(Boolean);
+  if (part >= 0) return whole(parts[part], part);
   const wrong = readings.slice(0, MOST_READINGS).map((one) => one.bad());
   const slips = wrong.map(slipsIn);
   const fewest = slips.indexOf(Math.min(...slips));
@@ -248,10 +252,10 @@ const meantRows = (table) =>
 // The verdict
 
 /**
- * One reading of a table beside the reference: the report on the same arm, null where it is
- * another, and that on another.
+ * One reading of a table beside the reference: the verdicts on the same arm and on its first
+ * joints, null where it is neither, and that on another arm.
  * @param {Table} table
- * @returns {{ good: () => Verdict | null, bad: () => Verdict }}
+ * @returns {{ good: () => Verdict | null, part: () => Verdict | null, bad: () => Verdict }}
  */
 function judgedTable(table, reference, { tolerance = null, startPose = null }) {
   const wanted = snapRows(reference.rows);
@@ -279,7 +283,12 @@ function judgedTable(table, reference, { tolerance = null, startPose = null }) {
     const near = compareAxes(mine, ref, wide, Math.max(ANGLE_TOLERANCE, 4 * angle));
     return near.differences.length ? null : judgeSame(near, ROUNDED);
   };
-  return { good, bad: () => different(table, reference, rows, wanted, Math.max(exact, length)) };
+  const part = () => judgeFirstRows(sides, wide, Math.max(ANGLE_TOLERANCE, 4 * angle));
+  return {
+    good,
+    part,
+    bad: () => different(table, reference, rows, wanted, Math.max(exact, length)),
+  };
 }
 
 const reach = (rows) => Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
