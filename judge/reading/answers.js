@@ -170,6 +170,7 @@ function fitted(block, want, wants, names) {
     ...withoutCountedHeader(block),
     block,
     ...columnOf(block, names),
+    ...jointColumns(block, want),
     ...(whole ? [] : withoutLabels(block)),
   ];
   const lying = want.by ? upright.filter((one) => liesBy(one, want)).map(transposed) : [];
@@ -215,6 +216,20 @@ function columnOf(block, names) {
   if (at < Math.max(extra, 0) || at - extra >= rows[0].length || headerLabels(block)) return [];
   const labels = rows.map((row, i) => [...block.labels[i], row[0]]);
   return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, headers: [] }];
+}
+
+// The columns whose headers name the joints, of several side by side.
+function jointColumns(block, { by, columns }) {
+  const { headers, rows } = block;
+  const extra = headers.length - rows[0].length;
+  if (by !== "joint" || extra < 0 || rows[0].length <= columns) return [];
+  const chosen = rows[0].flatMap((_, k) =>
+    labelsOf([[headers[extra + k]]])?.kind === "joint" ? [k] : [],
+  );
+  if (chosen.length !== columns) return [];
+  const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, chosen[0])]);
+  const select = (list) => chosen.map((k) => list[k]);
+  return [{ ...block, rows: rows.map(select), labels, headers: select(headers.slice(extra)) }];
 }
 
 // The block without a first column that counts its rows or tells the time, or names them, and

@@ -47,7 +47,7 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
   const text = markHeadings(plain);
   const known = new Map();
   const entry = (cell) => {
-    if (!known.has(cell)) known.set(cell, isEntry(cell));
+    if (!known.has(cell)) known.set(cell, !PADDED.test(cell) && isEntry(cell));
     return known.get(cell);
   };
   const partings = PARTINGS.filter(({ decimal }) => !decimal || /\d,\d/.test(text.text));
@@ -55,6 +55,8 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
     once(() => blocksOf(readRows(text, entry, parting), names, given)),
   );
 }
+
+const PADDED = /^[-+]?0\d/; // the decimals of 1,0365 where a comma parts cells
 
 // A function that makes its result when it is first called.
 function once(make) {
@@ -72,7 +74,7 @@ function blocksOf({ rows: all, words }, names, given) {
     ...rowsOfOneName(rows),
     ...joinNamed(rows),
     ...joinIndexed(rows),
-    ...joinCellLines(rows),
+    ...joinCellLines(rows, words),
   ];
   return blocks.map((block) => ({ ...block, lines }));
 }
@@ -132,15 +134,15 @@ export function namesOtherQuantity({ name, words }) {
   return OTHER_NAMES.test(name) || OTHER_WORDS.test([...last, name].join(" "));
 }
 
-// Whether one of two rows is numbered and the other is named, or has a sentence before it.
+// Whether one of two rows is numbered and the other is named, or has words before it.
 function strays(row, other) {
   const [isFirst, isSecond] = [row, other].map(isNumbered);
-  return isFirst !== isSecond && [row, other].some(isToldApart);
+  return isFirst !== isSecond && [row, other].some(isNamedApart);
 }
 
 const isNumbered = ({ name }) => /^\d{1,3}$/.test(name);
-const isToldApart = ({ name, words }) =>
-  name ? !/^\d{1,3}$/.test(name) : words.filter(({ text }) => /\p{L}{2}/u.test(text)).length > 1;
+const isNamedApart = ({ name, words }) =>
+  name ? !/^\d{1,3}$/.test(name) : words.some(({ text }) => /\p{L}/u.test(text));
 
 const scaled = ({ cells, scale }) =>
   scale ? cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` })) : cells;
@@ -225,16 +227,22 @@ const joinedCell = (words) => ({
   to: words.at(-1).to,
 });
 
-// A matrix that was pasted a cell to a line, each row behind its label.
-function joinCellLines(rows) {
-  const sets = cellLines(rows);
-  const width = sets[0]?.length ?? 0;
-  if (width < 2 || sets.length < 2 || sets.some(({ length }) => length !== width)) return [];
-  const sources = sets.flat();
+// A table that was pasted a cell to a line: column headers, then each row behind its label.
+function joinCellLines(rows, words) {
+  const lines = singleCells(rows, words);
+  const sets = lines.flatMap((line, k) => {
+    const label = lines[k - 1];
+    return line.row && label && !label.row ? [cellsFrom(lines, k)] : [];
+  });
+  const values = sets.filter(({ cells }) => !countsUp(cells.map(({ text }) => text)));
+  const width = values[0]?.cells.length ?? 0;
+  if (width < 2 || values.length < 2 || values.some(({ cells }) => cells.length !== width))
+    return [];
+  const sources = values.flatMap((set) => set.rows);
   return [
     {
-      rows: sets.map((set) => set.flatMap(scaled)),
-      labels: sets.map(([{ words }]) => words.slice(-1)),
+      rows: values.map(({ cells }) => cells),
+      labels: values.map(({ label }) => [label]),
       headers: [],
       name: "",
       from: sources[0].line,
@@ -244,17 +252,30 @@ function joinCellLines(rows) {
   ];
 }
 
-// Single cells on lines that follow each other, from one label to the next.
-function cellLines(rows) {
-  const sets = [];
-  for (const row of rows) {
-    const follows = sets.length > 0 && row.line === sets.at(-1).at(-1).line + 1;
-    if (row.cells.length > 1 || row.name) sets.length = 0;
-    else if (follows) sets.at(-1).push(row);
-    else if (row.words.length) sets.push([row]);
-  }
-  return sets;
+// Lines that hold a single cell, an entry or a word, and follow each other.
+function singleCells(rows, words) {
+  const byLine = new Map();
+  const add = (line, one) => byLine.set(line, [...(byLine.get(line) ?? []), one]);
+  for (const row of rows)
+    for (const cell of scaled(row)) add(row.line, { line: row.line, cell, row });
+  for (const word of words) add(word.line, { line: word.line, cell: word, row: null });
+  const single = [...byLine.values()].filter(({ length }) => length === 1).flat();
+  return single.sort((one, other) => one.line - other.line);
 }
+
+// The entries from a line on, up to the next word, and the word before them.
+function cellsFrom(lines, first) {
+  let end = first + 1;
+  while (lines[end]?.row && lines[end].line === lines[end - 1].line + 1) end++;
+  const set = lines.slice(first, end);
+  return {
+    label: lines[first - 1].cell,
+    cells: set.map(({ cell }) => cell),
+    rows: set.map(({ row }) => row),
+  };
+}
+
+const countsUp = (texts) => texts.every((text, k) => Number(text) === k + 1);
 
 const INDICES = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
 

@@ -3,8 +3,8 @@
 
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const QUANTITY = String.raw`${NUMBER}(?: ?(?:[kmM]?N ?[-·*]?m{0,2}|rad|deg|°|mm?|cm))?`;
-const BEFORE = String.raw`(?<=^|[\s|&,;:=[({>])`;
-const AFTER = String.raw`(?=$|[\s|&,;:.\])}<])`;
+const BEFORE = String.raw`(?<=^|[\s|&,;:=[({>$])`;
+const AFTER = String.raw`(?=$|[\s|&,;:.\])}<$])`;
 const wrapped = (mark) => new RegExp(`${BEFORE}${mark} ?(${QUANTITY}) ?${mark}${AFTER}`, "gm");
 
 const UNIT =
@@ -58,13 +58,15 @@ const DECORATIONS = [
   [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+−]?[\d.])/g, " "],
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [/(?<![\d.])(\d{0,9}\.\d{1,20})\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)/g, withoutUncertainty],
-  [/(?<=\d)(?:[†‡§✓✔]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\}|[ ]+[✓✔])/g, ""],
+  [/(?<=\d)(?:[ ]*[†‡§✓✔]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\})/g, ""],
+  [/(?<=[\d\])°m][ ]*)(?:<-+|←|!)(?=[ ]*(?:$|[,;]))/gm, ""], // an arrow that points at a number
   ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`", "'"].map((mark) => [wrapped(mark), "$1"]),
-  [/(?<=\d\.\d{1,18})\*(?=\s*(?:$|[|&;,\]]))/gm, ""], // a star behind
+  [/(?<=\d\.\d{1,18})\*(?=\s*(?:$|[|&;,\]])|[ \t]{2,}[-+−.\d])/gm, ""], // a star behind
   [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
-  [new RegExp(String.raw`(?<=[\d°])[ ]*${REMARK}`, "g"), ""],
+  [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}))?)[ ]*${REMARK}`, "g"), ""],
   [new RegExp(String.raw`(?<![\w.])${NUMBER}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"), ""], // corrected
   [new RegExp(`<(${NUMBER.replace("[-+]", "[-+−]")})>`, "g"), "$1"],
+  [new RegExp(String.raw`(?<=\d)[ \t]*\[\s*(${UNIT})\s*\]`, "g"), " $1"], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
   [
     new RegExp(String.raw`(?<=[\p{L}\d)}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
@@ -80,7 +82,7 @@ const DECORATIONS = [
 export function withoutDecorations(text) {
   const once = (decorated) =>
     DECORATIONS.reduce((rest, [pattern, instead]) => rest.replace(pattern, instead), decorated);
-  const numbered = withoutLineNumbers(withoutSameUncertainty(text));
+  const numbered = withoutTildes(withoutLineNumbers(withoutSameUncertainty(text)));
   return once(once(numbered)); // twice: one within another
 }
 
@@ -92,7 +94,13 @@ function withoutSameUncertainty(text) {
   return all.length > 2 && new Set(all).size === 1 ? text.replace(UNCERTAINTY, "") : text;
 }
 
-const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|[ \t]{2,})[ \t]*/;
+const NEGATIVE = /(?:^|[\s|&,;:=[({~])[-−]\s?[\d.]/m;
+
+// ~ before numbers says that they are rounded, if others show that a minus is typed as a minus.
+const withoutTildes = (text) =>
+  NEGATIVE.test(text.text) ? text.replace(/~[ ]?(?=[-+−]?[\d.])/g, " ") : text;
+
+const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|\t|[ \t]{2,})[ \t]*/;
 
 // The numbers of lines, where all lines have one and there is other text than rows of numbers.
 function withoutLineNumbers(text) {
@@ -124,10 +132,12 @@ export function labelNumberedLines(text) {
 
 const COMMENTS = [
   /<!--(?:(?!-->)[\s\S]){0,2000}-->/g,
-  /~~[^~\n]{1,300}~~/g,
+  /~~[^~\n]{1,300}~~|<(s|del|strike)>[^<>\n]{1,300}<\/\1>/g,
+  /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*(?:of|\/)[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
-  /(?:^[ \t]*|(?<=[\d\])},;][ \t]+))(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
+  /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
+  /(?<=[\d\])},;°m][ \t]+)(?:#(?!\d)|%|\/\/|<-).*\d.*$/gm,
 ];
 
 /**

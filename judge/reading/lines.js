@@ -5,8 +5,9 @@ import { isFunction, isNumber } from "./formula.js";
 import { CONTINUED, ROW_END } from "./characters.js";
 
 /**
- * A cell in plain characters, its unit as a factor, and where it stands in the pasted text.
- * @typedef {{ text: string, from: number, to: number }} Cell
+ * A cell in plain characters, its unit as a factor, and where it stands in the pasted text; of a
+ * word also its line.
+ * @typedef {{ text: string, from: number, to: number, line?: number }} Cell
  */
 /**
  * Entries of one row; the words before them since the row before on the line, and of the line
@@ -264,7 +265,18 @@ function partedByGaps(text, from, to) {
     pieces.push({ from: start, to: from + gap.index });
     start = from + gap.index + gap[0].length;
   }
-  return [...pieces, { from: start, to }];
+  return [...pieces, { from: start, to }].flatMap((piece) => withoutMark(piece, text));
+}
+
+// A name and the mark behind it, as in "tau =", apart.
+function withoutMark(piece, text) {
+  const [mark] = /(?<=\S\s*)=(?=\s*$)/.exec(text.slice(piece.from, piece.to)) ?? [];
+  if (!mark) return [piece];
+  const at = text.lastIndexOf(mark, piece.to - 1);
+  return [
+    { from: piece.from, to: at },
+    { from: at, to: at + 1 },
+  ];
 }
 
 const MARKS = [":=", "<<", "->", ":", "="];
@@ -360,9 +372,10 @@ function putCell(cell, line, state) {
   state.row.last = state.line;
 }
 
-function putWord(cell, state) {
-  if (state.row && !/[\p{L}\d]/u.test(cell.text)) return;
-  if (!/[\p{L}\d#<>]/u.test(cell.text)) return;
+function putWord(typed, state) {
+  if (state.row && !/[\p{L}\d]/u.test(typed.text)) return;
+  if (!/[\p{L}\d#<>]/u.test(typed.text)) return;
+  const cell = { ...typed, line: state.line };
   state.words.push(cell);
   state.allWords.push(cell);
   if (state.row) state.row.tail++;

@@ -85,6 +85,7 @@ const DATES = [
   /\d{4}-\d\d-\d\d|\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d/,
   /\d+\.\d+\.\d+|^v\d/i, // a version
   /^(?:\d+m)?[\d.]+ ?m?s$/, // how long a program took
+  /\d\.{2,3}[-+−]?[\d.]/, // a range, -2.9..2.9
 ];
 const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 const NUMBER_OF_LETTERS = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d/; // 7l2, O.5
