@@ -252,15 +252,15 @@ function joinCellLines(rows, words) {
   ];
 }
 
-// Lines that hold a single cell, an entry or a word, and follow each other.
+// Lines that hold a single cell, an entry or a word, in order.
 function singleCells(rows, words) {
-  const byLine = new Map();
-  const add = (line, one) => byLine.set(line, [...(byLine.get(line) ?? []), one]);
-  for (const row of rows)
-    for (const cell of scaled(row)) add(row.line, { line: row.line, cell, row });
-  for (const word of words) add(word.line, { line: word.line, cell: word, row: null });
-  const single = [...byLine.values()].filter(({ length }) => length === 1).flat();
-  return single.sort((one, other) => one.line - other.line);
+  const entries = rows.flatMap((row) => scaled(row).map((cell) => ({ line: row.line, cell, row })));
+  const all = [...entries, ...words.map((cell) => ({ line: cell.line, cell, row: null }))];
+  const counts = new Map();
+  for (const { line } of all) counts.set(line, (counts.get(line) ?? 0) + 1);
+  return all
+    .filter(({ line }) => counts.get(line) === 1)
+    .sort((one, other) => one.line - other.line);
 }
 
 // The entries from a line on, up to the next word, and the word before them.
