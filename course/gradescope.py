@@ -86,7 +86,7 @@ def _results(root: Path) -> dict[str, Any]:
     handed = read_hand_in(read_files(root / "submission"), sheet.parts)
     marks = mark_sheet(sheet, handed.answers)
     tests = [
-        {"name": m.part, "score": round(m.credit, 4), "max_score": 1.0, "output": m.words}
+        {"name": m.part, "score": round(m.credit, 4), "max_score": 1.0, "output": m.message}
         for m in marks
     ]
     trouble = "; ".join(

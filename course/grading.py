@@ -128,7 +128,7 @@ def _written(course: Course, out: Path, handed: HandIn) -> dict[str, Any]:
     lines += [f"Note: {trouble}."] if trouble else []
     for part, mark in zip(sheet.parts.values(), marks, strict=True):
         lines += ["", f"{mark.part}: {mark.credit:.3g} of 1 for {part.what}"]
-        lines += [f"    {line}" for line in mark.words.splitlines()]
+        lines += [f"    {line}" for line in mark.message.splitlines()]
     store.write(out / student / "feedback.txt", "\n".join(lines) + "\n")
     return {"id": student, "name": name, "total": total, **credits, "note": trouble}
 

@@ -25,12 +25,15 @@ from helpers.inputs import ArmError
 
 _TRIES = 20
 _HOW = (
-    "Answer by the names that each question gives: put each answer in place of the dots. A list, a"
-    " NumPy array, a SymPy matrix or a text will do. SI units, angles in radians.\n\n"
-    "Beside each answer stand the decimals that are asked, and what of it counts by itself: half"
-    " an answer earns its half. A number is right within one unit of the last decimal asked. With"
-    " fewer decimals the right answer may look like a usual mistake; then it earns what that"
-    " mistake earns, so rounding never pays. Write 0 for what you do not have: it costs nothing."
+    "Answer by the names that each question gives: put each answer in place of the dots. **Write"
+    ' numbers as text, with the decimals that are asked**: `"0.350, -1.204, 0.077"`, or rows on'
+    " lines of their own. Lists, NumPy arrays and SymPy matrices are read too. SI units, angles in"
+    " radians; a unit beside a number (`350 mm`, `20 deg`) and decimal commas are understood.\n\n"
+    "Right is 1, where one unit of the last decimal asked is forgiven. Any other answer earns half"
+    " of the share that is right, and half where one usual mistake explains all of it. What counts"
+    " by itself stands beside each answer. Branches count one by one, a table with one mistake"
+    " earns half. Numbers with fewer decimals than asked are seldom right. Write 0 for what you do"
+    " not have."
 )
 _LAST = (
     "## Hand in\n\nChoose *Restart and run all*, save the notebook, and hand it in. The last cell"
@@ -103,12 +106,12 @@ def _proved(course: Course, student: str) -> dict[str, Any]:
         if all(mark.credit == 1 for mark in marks):
             return {"values": dict(sheet.arm.values), "drawn": dict(sheet.drawn)}
     wrong = next(mark for mark in marks if mark.credit != 1)
-    raise ArmError(f"`{wrong.part}` cannot be marked: its own key is judged {wrong.words!r}")
+    raise ArmError(f"`{wrong.part}` cannot be marked: its own key is judged {wrong.message!r}")
 
 
 def right_work(sheet: sheets.Sheet) -> dict[str, Any]:
     """The key as a student would hand it in: four decimals, a table's rows, formulas."""
-    values = {name: part.value for name, part in sheet.parts.items()}
+    values = {name: part.formulas or part.value for name, part in sheet.parts.items()}
     return {name: to_json_value(_typed(value)) for name, value in values.items()}
 
 

@@ -1,32 +1,42 @@
-"""What an answer is worth, and why.
+"""Decide what an answer is worth, and why.
 
-Numbers are measured against the right ones and against what every known slip makes of them. Let u
-be the unit of the last place asked, or of the last place given where that is coarser. An answer
-within u of some of them is worth what the worst of these is worth; one within u of none, the share
-of its numbers that are right. What a slip is worth is that share too. So the right numbers, in the
-decimals asked, are worth 1, since these tell them from every slip; and a slip that is rounded more
-coarsely stays within u of itself, and is worth no more than before.
+Right in the decimals asked is worth 1. Any other answer is worth half of its share that is right,
+and half where one usual mistake explains all of it. What an answer is worth never depends on how
+many digits were typed: one unit of the last decimal asked is forgiven. So coarser digits earn only
+where the rounded number is right by itself, a named mistake costs the same on every sheet, and an
+entry that is left out never earns more than one that is written.
+
+A table is worth 1, or half with one mistake, in any choice of frames. Of joint values for a target
+each branch counts by itself.
 """
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from course import topics
+from course.mistakes import Mistake
 from course.sheets import Part, Question, Sheet
-from helpers import checks, symbolic
+from helpers import checks
+from helpers.checks.arms import judge_data
 from helpers.checks.compare import TypedNumbers, read_numbers
+from helpers.checks.engine import ask_judge
+from helpers.checks.tables import format_table
 from helpers.inputs import ArmError
 
 Array = NDArray[np.float64]
 
-_MOST = 8000  # characters: the longest right column has 3473
-_ROUNDING = 1 + 1e-9
-_NO_WORK = "Not answered."
+MISTAKE_SHARE = 0.5  # of a part, for work with one mistake
+_MAX_CHARACTERS = 8000  # the longest right column has 3473
+_ROUND_OFF = 1 + 1e-9
+_MAX_NAMED = 3  # mistakes that give the same numbers; nobody reads more
+_NOT_ANSWERED = "Not answered."
+_RIGHT = "Right."
+_NOTHING_SEEN = "It was read; no usual mistake explains all of it."
 # What the checkers say of their options, which nobody can set on a sheet.
 _HINT = re.compile(r"(\n- | )If that is what you mean, say .*")
 _BLANK = (None, "", "...", ".", "-")
@@ -34,208 +44,273 @@ _BLANK = (None, "", "...", ".", "-")
 
 @dataclass(frozen=True)
 class Mark:
-    """What a part is worth, 0 to 1, and why, in sentences to the student."""
+    """The mark of one part.
+
+    Attributes:
+        part: Name of the part.
+        credit: From 0 to 1.
+        message: Why, in sentences to the student.
+        hint: Message for before the deadline: it may name a mistake, and tells no mark, no right
+            or wrong entry and no number of the key.
+        mistakes: Names of the mistakes in the judge's catalogue.
+    """
 
     part: str
     credit: float
-    words: str
+    message: str
+    hint: str = ""
+    mistakes: tuple[str, ...] = ()
 
 
 def mark_sheet(sheet: Sheet, answers: Mapping[str, Any]) -> tuple[Mark, ...]:
-    """A mark for every part of a sheet; one that is not answered gets 0."""
-    return tuple(mark(sheet, name, answers.get(name)) for name in sheet.parts)
+    """Mark every part of a sheet; a part without an answer gets 0."""
+    return tuple(mark_part(sheet, name, answers.get(name)) for name in sheet.parts)
 
 
-def mark(sheet: Sheet, name: str, answer: Any) -> Mark:
-    """One answer judged. Nothing is raised for what stands in it: what cannot be read gets 0."""
+def mark_part(sheet: Sheet, name: str, answer: Any) -> Mark:
+    """Mark one answer. It raises nothing: what cannot be read gets 0."""
     part = sheet.parts[name]
     question = next(q for q in sheet.questions if part in q.parts)
-    judged = _JUDGED.get(part.kind, _numbers)
     try:
-        filled = _filled(answer)
-        if len(str(filled)) > _MOST:
-            return Mark(name, 0.0, f"Not read: it has more than {_MOST} characters.")
-        if not any(c.isalnum() and c != "0" for c in str(filled)):
-            return Mark(name, 0.0, _NO_WORK)
-        credit, words = judged(question, part, filled)
-        return Mark(name, credit, _HINT.sub("", words))
+        answer = _unwrap(answer)
+        if len(str(answer)) > _MAX_CHARACTERS:
+            return _refuse(name, f"Not read: it has more than {_MAX_CHARACTERS} characters.")
+        if not any(c.isalnum() and c != "0" for c in str(_fill_blanks(answer))):
+            return _refuse(name, _NOT_ANSWERED)
+        mark_kind = _BY_KIND.get(part.kind, _mark_numbers)
+        return mark_kind(question, part, answer)
     except ArmError as error:
-        return Mark(name, 0.0, _HINT.sub("", f"Not read: {error}"))
-    except Exception as error:  # whatever breaks a reader, it costs its own part only
-        words = f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
-        return Mark(name, 0.0, words)
+        return _refuse(name, _HINT.sub("", f"Not read: {error}"))
+    except Exception as error:  # whatever breaks a reader costs its own part only
+        message = f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
+        return _refuse(name, message)
 
 
-def _filled(answer: Any) -> Any:
-    """The answer with 0 for each entry that was left blank, and no names of entries."""
+def _refuse(name: str, message: str) -> Mark:
+    return Mark(name, 0.0, message, message)
+
+
+def _unwrap(answer: Any) -> Any:
+    """Replace mappings of names to entries by lists of the entries."""
     if isinstance(answer, Mapping):
         answer = list(answer.values())
+    return [_unwrap(entry) for entry in answer] if isinstance(answer, list) else answer
+
+
+def _fill_blanks(answer: Any) -> Any:
+    """Write 0 for each entry that was left blank."""
     if isinstance(answer, list):
-        return [_filled(entry) for entry in answer]
+        return [_fill_blanks(entry) for entry in answer]
     return 0 if answer in _BLANK or answer != answer else answer
 
 
-# Numbers
+# Numbers and formulas
 
 
-def _numbers(question: Question, part: Part, answer: Any) -> tuple[float, str]:
-    right = np.asarray(part.value, dtype=float)
-    typed = _shaped(read_numbers(answer, f"`{part.name}`"), right, part)
-    mine, unit = typed.values, max(part.unit, typed.units.min()) * _ROUNDING
-    alike = [
-        (_share(part, wrong), words)
-        for words, wrong in part.slips
-        if np.abs(mine - wrong).max() <= unit
-    ]
-    fits = np.abs(mine - right).max() <= unit
-    if fits and not alike:
-        return 1.0, "Right."
-    if fits:
-        worth, slip = min(alike)
-        words = (
-            f"Right to the decimals that you gave, but {part.digits} were asked. In so few, a usual"
-        )
-        return (
-            worth,
-            f"{words} mistake looks the same ({slip}); this earns what that does, {worth:.2g}.",
-        )
-    causes = sorted({slip for _, slip in alike})
-    named = [f"These are the numbers of a usual mistake: {'; or '.join(causes)}."] if causes else []
-    credit = min(alike)[0] if alike else _share(part, mine)
-    return credit, "\n".join([*named, *_where(question, part, typed, answer)])
+def _mark_numbers(question: Question, part: Part, answer: Any) -> Mark:
+    """Mark numbers by their blocks: entries, columns or halves of columns."""
+    typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
+    candidates = _shape_like(typed, part)
+    return max((_mark_values(part, one) for one in candidates), key=lambda mark: mark.credit)
 
 
-def _shaped(typed: TypedNumbers, right: Array, part: Part) -> TypedNumbers:
-    """The answer in the shape of the right one; half a Jacobian with zeros for the other half.
+def _read_numbers(answer: Any, name: str) -> TypedNumbers:
+    """Read a list, or else its entries as one text, where units and decimal commas are known."""
+    try:
+        return read_numbers(answer, name)
+    except ArmError:
+        if not isinstance(answer, list):
+            raise
+        typed = read_numbers(_join_entries(answer), name)
+        if typed.values.size != np.size(np.array(answer, dtype=object)):
+            raise  # an entry was taken for something else than a number
+        return typed
 
-    Raises ArmError where it has another number of entries.
+
+def _join_entries(answer: list[Any]) -> str:
+    rows = answer if any(isinstance(row, list) for row in answer) else [answer]
+    rows = [row if isinstance(row, list) else [row] for row in rows]
+    return "\n".join("\t".join(map(str, row)) for row in rows)
+
+
+def _shape_like(typed: TypedNumbers, part: Part) -> list[TypedNumbers]:
+    """Return numbers in the shape of the right ones; half a Jacobian as either half.
+
+    Raises ArmError if their count differs.
     """
-    mine, units = typed.values, typed.units
-    if mine.size == right.size:
-        return TypedNumbers(mine.reshape(right.shape), units.reshape(right.shape))
-    if part.kind == "jacobian" and mine.shape == (3, right.shape[1]):
-        zeros = np.zeros_like(mine)
-        halves = (np.r_[mine, zeros], np.r_[zeros, mine])
-        return TypedNumbers(max(halves, key=lambda half: _share(part, half)), np.r_[units, units])
-    given, wanted = (" × ".join(map(str, x.shape)) or "one" for x in (mine, right))
-    words = f"{given} numbers given, expected {wanted}; write 0 for what you do not have"
-    raise ArmError(words)
+    shape, values, units = np.shape(part.value), typed.values, typed.units
+    if values.size == np.size(part.value):
+        return [TypedNumbers(values.reshape(shape), units.reshape(shape))]
+    if part.kind == "jacobian" and values.shape == (3, shape[1]):
+        zeros, all_units = np.zeros_like(values), np.r_[units, units]
+        halves = (np.r_[values, zeros], np.r_[zeros, values])
+        return [TypedNumbers(half, all_units) for half in halves]
+    raise ArmError(
+        f"{values.size} numbers given, expected {np.size(part.value)}; write 0 for what you do not"
+        " have"
+    )
 
 
-def _blocks(part: Part, x: Array) -> Array:
-    """What counts by itself, one row each: halves of columns, columns, or numbers."""
-    if part.kind == "jacobian":
-        return x.reshape(2, 3, -1).transpose(2, 0, 1).reshape(-1, 3)
-    return x.T if part.kind == "rotation" else x.reshape(-1, 1)
+def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
+    """Mark numbers of the right shape."""
+    tolerance = part.unit * _ROUND_OFF
+    errors = np.abs(typed.values - part.value)
+    if errors.max() <= tolerance:
+        return Mark(part.name, 1.0, _RIGHT, _NOTHING_SEEN)
+    is_right = _split(part, errors).max(axis=1) <= tolerance
+    counts = _split(part, np.abs(part.value - part.idle)).max(axis=1) > tolerance
+    share = float((is_right & counts).sum() / max(1, counts.sum()))
+    named = [m for m in part.mistakes if _explains(part, typed.values, m)]
+    credit = MISTAKE_SHARE if named else MISTAKE_SHARE * share
+    hint, lines = _NOTHING_SEEN, [_describe_wrong_blocks(part, ~is_right)]
+    if named:
+        hint = _name_mistakes(named)
+        lines = [hint, *lines]
+    coarse = np.maximum(typed.units, tolerance)
+    if np.all(errors <= coarse * _ROUND_OFF) and part.kind != "column":
+        lines.append(f"Too few decimals: {part.digits} were asked.")
+    return Mark(part.name, credit, "\n".join(lines), hint, tuple(m.name for m in named))
 
 
-def _wrong(part: Part, mine: Array) -> NDArray[np.bool_]:
-    return np.abs(_blocks(part, mine - part.value)).max(axis=1) > part.unit * _ROUNDING
+def _explains(part: Part, values: Array, mistake: Mistake) -> bool:
+    """Return whether an answer has every block that a mistake makes and that needs some work."""
+    # Millimetres that were computed from rounded metres are off by 1000 times as much.
+    scale = max(1.0, np.abs(mistake.values).max() / np.abs(part.value).max())
+    tolerance = part.unit * _ROUND_OFF * scale
+    needed = _split(part, np.abs(mistake.values - part.idle)).max(axis=1) > tolerance
+    fits = _split(part, np.abs(values - mistake.values)).max(axis=1) <= tolerance
+    return bool(needed.any() and fits[needed].all())
 
 
-def _share(part: Part, mine: Array) -> float:
-    """How much is right, 0 to 1. What is right without any work costs where it is wrong, and earns
-    nothing."""
-    counting = np.abs(_blocks(part, part.value - part.idle)).max(axis=1) > part.unit
-    return float(max(0.0, 1 - _wrong(part, mine).sum() / counting.sum()))
+def _split(part: Part, values: Array) -> Array:
+    """Split values into the blocks that count by themselves, shape (blocks, numbers in each)."""
+    values = np.broadcast_to(values, np.shape(part.value))
+    if part.kind == "jacobian":  # halves of columns, the linear one first
+        return values.reshape(2, 3, -1).transpose(2, 0, 1).reshape(-1, 3)
+    if part.kind == "rotation":
+        return values.T
+    if part.kind == "column":  # the two halves, at all secret poses
+        return values.reshape(-1, 2, 3).transpose(1, 0, 2).reshape(2, -1)
+    return values.reshape(-1, 1)
 
 
-def _where(question: Question, part: Part, typed: TypedNumbers, answer: Any) -> list[str]:
-    """Which blocks are not right, as the student would point at them, and why if that is known."""
-    own = np.maximum(part.unit, typed.units) * _ROUNDING
-    surely = _blocks(part, np.abs(typed.values - part.value) - own).max(axis=1) > 0
-    wrong = _wrong(part, typed.values)
-    coarse = f"Too few decimals, {part.digits} were asked"
-    told = [("Not right", surely), (coarse, wrong & ~surely)]
-    lines = [f"{words}: {_places(part, found)}." for words, found in told if found.any()]
-    return [*lines, *(_judged(question, part, answer) if surely.any() else [])]
+def _name_mistakes(mistakes: list[Mistake]) -> str:
+    messages = list(dict.fromkeys(mistake.message for mistake in mistakes))[:_MAX_NAMED]
+    return f"This is what a usual mistake gives: {'; or: '.join(messages)}."
 
 
-def _places(part: Part, found: NDArray[np.bool_]) -> str:
-    """Blocks in words, such as "the linear half of columns 1, 3"."""
+def _describe_wrong_blocks(part: Part, is_wrong: NDArray[np.bool_]) -> str:
+    """Say which blocks are wrong, such as "the linear half of columns 1, 3"."""
+    if part.kind == "column":
+        halves = [
+            half for half, wrong in zip(("linear", "angular"), is_wrong, strict=True) if wrong
+        ]
+        return f"Not right: the {' and the '.join(halves)} half."
     if part.kind != "jacobian":
-        return _counted("column" if part.kind == "rotation" else "number", found)
-    halves = zip(("linear", "angular"), found.reshape(-1, 2).T, strict=True)
-    return "; ".join(f"the {half} half of {_counted('column', c)}" for half, c in halves if c.any())
+        noun = "column" if part.kind == "rotation" else "number"
+        return f"Not right: {_count_places(noun, is_wrong)}."
+    halves = [
+        f"the {half} half of {_count_places('column', wrong)}"
+        for half, wrong in zip(("linear", "angular"), is_wrong.reshape(-1, 2).T, strict=True)
+        if wrong.any()
+    ]
+    return f"Not right: {'; '.join(halves)}."
 
 
-def _counted(noun: str, found: NDArray[np.bool_]) -> str:
-    places = [str(n + 1) for n in np.flatnonzero(found)]
+def _count_places(noun: str, is_wrong: NDArray[np.bool_]) -> str:
+    places = [str(n + 1) for n in np.flatnonzero(is_wrong)]
     return f"{noun}{'s' * (len(places) > 1)} {', '.join(places)}"
 
 
-def _judged(question: Question, part: Part, answer: Any) -> list[str]:
-    """What the book's own checker says of a Jacobian or torques."""
-    given = question.given
-    if part.kind == "jacobian":
-        return str(checks.compare_jacobian(answer, question.arm, given["q"])).splitlines()
-    if part.kind == "torques":
-        wrench = np.r_[given["force"] if part.name == "tau" else [0, 0, 0], 0, 0, 0]
-        return str(checks.compare_torques(answer, question.arm, given["q"], wrench)).splitlines()
-    return []
+def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
+    """Mark six formulas by their values at the secret poses."""
+    answer = _fill_blanks(answer)
+    if isinstance(answer, list):
+        answer = [row[0] if isinstance(row, list) and len(row) == 1 else row for row in answer]
+        if len(answer) != 6:
+            raise ArmError("expected six formulas, one for each of v and ω")
+        answer = [str(entry) for entry in answer]
+    camera = topics.make_camera_arm(question.arm, question.numbers)
+    poses = np.array(question.numbers["poses"])[:, : camera.dof].tolist()
+    found = ask_judge("formulas", mine=answer, arm=judge_data(camera), poses=poses)
+    if len(found) != np.size(part.value) or None in found:
+        raise ArmError("expected six formulas, one for each of v and ω, with a value at every pose")
+    values = np.array(found, dtype=float).reshape(-1, 6)
+    return _mark_values(part, TypedNumbers(values, np.zeros_like(values)))
 
 
-# What has no one right value: tables, formulas, joint values
+# Tables and joint values, which have no one right value
 
 
-def _table(_: Question, part: Part, answer: Any) -> tuple[float, str]:
-    """Every choice of frames is right. Otherwise, where the checker names the slips, the rows
-    without one count."""
-    report = checks.compare_tables(
-        answer, part.value, columns="a alpha d theta", lengths="m", angles="rad",
-        convention="standard",
-    )  # fmt: skip
-    if report.grade == "so far":  # the rows of the last joints are missing
-        return report.figures["right"] / report.figures["of"], str(report)
-    if report.grade != "wrong":
-        return 1.0, str(report)
-    named = report.causes[0].split(" + ") if report.causes else []
-    rows = {cause.rpartition(":")[2] for cause in named}  # such as table.sign:d:1
-    told = rows and all(row.isdecimal() for row in rows)
-    return (1 - len(rows) / len(part.value.rows) if told else 0.0), str(report)
+def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
+    """Mark a table in any choice of frames: right, one mistake, or another arm."""
+    options = {
+        "columns": "a alpha d theta", "lengths": "m", "angles": "rad", "convention": "standard",
+        "tolerance": part.unit,
+    }  # fmt: skip
+    arm = judge_data(part.value)
+    found = ask_judge("table mistake", mine=format_table(answer), arm=arm, options=options)
+    if found["right"]:
+        return Mark(part.name, 1.0, found["headline"], _NOTHING_SEEN)
+    if "share" in found:  # the rows of the last joints are missing
+        return Mark(part.name, MISTAKE_SHARE * found["share"], found["headline"], _NOTHING_SEEN)
+    if not found["name"]:
+        message = "Not right: it describes another arm, and no one mistake explains it."
+        return Mark(part.name, 0.0, message, _NOTHING_SEEN)
+    message = f"This is what a mistake gives: {found['message'].rstrip('.')}."
+    has_size = found["name"].startswith(("course.entry", "table.number", "table.angle"))
+    hint = _NOTHING_SEEN if has_size else message
+    return Mark(part.name, MISTAKE_SHARE, message, hint, (found["name"],))
 
 
-def _column(question: Question, part: Part, answer: Any) -> tuple[float, str]:
-    """Six formulas, judged as that column of an otherwise right Jacobian at a generic pose, each
-    half by itself."""
-    if not (isinstance(answer, list) and len(answer) == 6):
-        raise ArmError("expected a list of six formulas, one text for each of v and ω")
-    mine = [str(entry[0] if isinstance(entry, list) and entry else entry) for entry in answer]
-    column, arm = int(question.given["column"]) - 1, topics.camera_arm(question.arm, question.given)
-
-    def judged(six: list[str]) -> checks.Verdict:
-        J = [[str(entry) for entry in row] for row in symbolic.jacobian(arm).tolist()]
-        for row, formula in zip(J, six, strict=True):
-            row[column] = formula
-        return checks.compare_jacobian(J, arm)
-
-    whole = judged(mine)
-    if whole.agrees:
-        return 1.0, str(whole)
-    halves = [[*mine[:3], *part.value[3:]], [*part.value[:3], *mine[3:]]]
-    counting = sum(set(half) != {"0"} for half in (part.value[:3], part.value[3:]))
-    wrong = sum(not judged(half).agrees for half in halves)
-    return max(0.0, 1 - wrong / counting), str(whole)
-
-
-def _branches(question: Question, part: Part, answer: Any) -> tuple[float, str]:
-    """The share of the ways that were found; one that is none counts where there are too many."""
-    known = topics.closed_form(question.arm)(question.arm, _target(question))  # type: ignore[misc]
-    asked = replace(known, valid=known.within_limits)
-    report = checks.compare_branches(answer, asked, tolerance=part.unit)
-    right, every = report.figures.get("right", 0), len(part.value)
-    share = right / max(every, right + report.figures.get("wrong", 0))
-    return (1.0 if report.agrees else share), str(report)
+def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
+    """Mark the share of the branches that are among the first rows."""
+    typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
+    count, dof = part.value.shape
+    if typed.values.size % dof:
+        raise ArmError(f"{typed.values.size} numbers given, expected rows of {dof}")
+    rows, units = (x.reshape(-1, dof) for x in (typed.values, typed.units))
+    hits = _match_branches(question, part, rows[:count], part.unit)
+    credit = float(hits.any(axis=0).sum() / count)
+    wrong = np.asarray(~hits.any(axis=1))
+    if credit == 1:
+        return Mark(part.name, 1.0, _RIGHT, _NOTHING_SEEN)
+    lines = [f"{hits.any(axis=0).sum()} of {count} branches are right."]
+    if len(rows) > count:
+        lines.append(f"{len(rows)} rows are given; the first {count} count.")
+    coarse = _match_branches(question, part, rows[:count], np.maximum(part.unit, units[:count]))
+    if wrong.any() and coarse.any(axis=1).all():
+        lines.append(f"Too few decimals: {part.digits} were asked.")
+    elif wrong.any():
+        lines.append(f"Not right: {_count_places('row', wrong)}.")
+    return Mark(part.name, credit, "\n".join(lines), _NOTHING_SEEN)
 
 
-def _pose(question: Question, part: Part, answer: Any) -> tuple[float, str]:
-    """Whether joint values reach the target: any that do are right."""
-    report = checks.compare_pose(answer, question.arm, _target(question), tolerance=part.unit)
-    return float(report.agrees), str(report)
+def _match_branches(question: Question, part: Part, rows: Array, tolerance: Any) -> NDArray:
+    """Return which row is which branch, shape (rows, branches), whole turns aside."""
+    gaps = rows[:, None] - part.value[None]
+    turns = np.asarray(question.arm.turning)
+    gaps = np.where(turns, (gaps + np.pi) % (2 * np.pi) - np.pi, gaps)
+    limits = np.broadcast_to(np.asarray(tolerance) * _ROUND_OFF, rows.shape)[:, None]
+    return np.asarray((np.abs(gaps) <= limits).all(axis=2))
 
 
-def _target(question: Question) -> Array:
-    return topics.pose_of(np.array(question.given["target"]))
+def _mark_pose(question: Question, part: Part, answer: Any) -> Mark:
+    """Mark joint values by whether they reach the target: any that do are right."""
+    target = topics.make_target_pose(np.array(question.numbers["target"]))
+    typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
+    if typed.values.size != question.arm.dof:
+        raise ArmError(f"{typed.values.size} numbers given, expected {question.arm.dof}")
+    values = typed.values.ravel()
+    verdict = checks.compare_pose(values, question.arm, target, tolerance=part.unit)
+    if verdict.agrees:
+        return Mark(part.name, 1.0, _HINT.sub("", str(verdict)), _NOTHING_SEEN)
+    return Mark(part.name, 0.0, _HINT.sub("", str(verdict)), _NOTHING_SEEN, verdict.causes)
 
 
-_JUDGED = {"table": _table, "column": _column, "branches": _branches, "pose": _pose}
+_BY_KIND = {
+    "table": _mark_table,
+    "column": _mark_column,
+    "branches": _mark_branches,
+    "pose": _mark_pose,
+}

@@ -11,21 +11,29 @@ from functools import cached_property
 
 import numpy as np
 
-from course.topics import BY_NAME, Given, Part, Rng, drawn, lacks, question_parts
+from course.topics import (
+    BY_NAME,
+    Numbers,
+    Part,
+    Rng,
+    draw_numbers,
+    find_missing_property,
+    make_question,
+)
 from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
 
 __all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
 TOPICS = tuple(BY_NAME)
-# What of a part is marked by itself, by its kind.
+# What of a part counts by itself, by its kind.
 _COUNTS = {
     "numbers": "each number counts",
     "rotation": "each column counts",
     "jacobian": "each column counts by halves, linear and angular",
     "column": "the linear and the angular half count",
     "torques": "each number counts",
-    "table": "a row with a mistake that can be named costs its share",
+    "table": "they count as a whole",
     "branches": "each row counts",
     "pose": "they count as a whole",
 }
@@ -37,7 +45,7 @@ class Question:
 
     topic: str
     arm: Arm
-    given: Given
+    numbers: Numbers
     text: str
     parts: tuple[Part, ...]
 
@@ -61,7 +69,7 @@ class Sheet:
     """All questions of one student about one arm, whose lengths are the student's own."""
 
     arm: Arm
-    drawn: Mapping[str, Given]
+    drawn: Mapping[str, Numbers]
 
     @cached_property
     def questions(self) -> tuple[Question, ...]:
@@ -85,10 +93,12 @@ def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> S
     if topics is None:
         topics = suiting(arm)
     for topic in tuple_of_items(topics, "topics", f"some of {', '.join(TOPICS)}"):
-        if lacking := lacks(require_choice(topic, "topic", TOPICS), arm):
+        if lacking := find_missing_property(require_choice(topic, "topic", TOPICS), arm):
             raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
     own = _with_other_lengths(arm, seed)
-    return Sheet(own, {topic: drawn(topic, own, _generator(seed, topic)) for topic in topics})
+    return Sheet(
+        own, {topic: draw_numbers(topic, own, _generator(seed, topic)) for topic in topics}
+    )
 
 
 def variant(topic: str, arm: Arm, seed: int | str) -> Question:
@@ -96,9 +106,9 @@ def variant(topic: str, arm: Arm, seed: int | str) -> Question:
     return sheet(arm, seed, (topic,)).questions[0]
 
 
-def question(topic: str, arm: Arm, given: Given) -> Question:
+def question(topic: str, arm: Arm, numbers: Numbers) -> Question:
     """The question and its key from an arm and the numbers that were drawn."""
-    return Question(topic, arm, given, *question_parts(topic, arm, given))
+    return Question(topic, arm, numbers, *make_question(topic, arm, numbers))
 
 
 def _asked(part: Part) -> str:
@@ -110,7 +120,7 @@ def _asked(part: Part) -> str:
 
 def suiting(arm: Arm) -> tuple[str, ...]:
     """The topics that can be asked about an arm."""
-    return tuple(topic for topic in TOPICS if not lacks(topic, arm))
+    return tuple(topic for topic in TOPICS if not find_missing_property(topic, arm))
 
 
 def _generator(seed: int | str, label: str) -> Rng:

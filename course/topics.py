@@ -1,19 +1,19 @@
-"""The topics of the homework: for each what is drawn, how it is asked, and what is right.
+"""The topics of the homework: how numbers are drawn, how they are asked, and what is right.
 
-Drawing and asking are apart, and what is drawn are plain numbers: a later NumPy, whose generators
-may draw others, asks the same questions of them still.
+Drawn numbers are plain data. A later NumPy may draw other numbers from the same seed, and still
+asks the same questions about stored ones.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from course.slips import Slip, made
+from course.mistakes import Mistake, list_mistakes, name_mistake, select_visible
 from helpers import inverse, symbolic
 from helpers.arm import Arm, Joint, Row, fixed
 from helpers.inputs import ArmError
@@ -23,79 +23,98 @@ from helpers.statics import gravity_torque, static_torque
 
 Array = NDArray[np.float64]
 Rng = np.random.Generator
-Given = Mapping[str, Any]
+Numbers = Mapping[str, Any]  # what was drawn for a topic
 Kind = Literal["numbers", "rotation", "table", "jacobian", "column", "torques", "branches", "pose"]
 
-_TRIES = 500
-_EULER = 1000  # steps that the sheet asks for, or more
-_STEPS = 100  # of the key's own run, which is exact at each of them
-_SMALLEST = 0.04  # no question is asked nearer to a singular pose than this singular value
-_POSE_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 rad at most
-_FEWEST, _MOST = 3, 4  # decimals that are asked, mm at least: a list of slips is never complete
-_BY_EULER = 2, 2  # those that 1000 steps give
+_MAX_TRIES = 500
+_EULER_STEPS = 1000  # steps that the sheet asks for, or more
+_KEY_STEPS = 100  # of the key's own trace, which is exact at each of them
+_SMALLEST_SINGULAR_VALUE = 0.04  # questions keep this distance from singular poses
+_TARGET_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 rad at most
+_FEWEST_DIGITS, _MOST_DIGITS = 3, 4  # decimals that are asked
+_EULER_DIGITS = 2  # decimals that 1000 Euler steps give
+_SECRET_POSES = 4  # at which formulas are judged
+_FORMULA_SHARE = 1e-4  # of the largest number: formulas may hold constants of four digits
+_EVEN_LENGTH = 1.25  # columns are drawn within this factor of the usual length of their formulas
 
 
 @dataclass(frozen=True)
 class Part:
-    """One line of a key: the name to answer by, what is asked, the right value, and what known
-    slips make of it.
+    """One answer that a question asks for.
 
-    `kind` says how it is judged. `value` is an array, an `Arm` for a table, six formulas for a
-    column, or the branches, shape (k, dof), for inverse kinematics. `idle` is what can be written
-    without any work: zeros, or what the question itself gives.
+    Attributes:
+        name: Name to answer by.
+        what: What is asked.
+        kind: How it is judged.
+        value: Right answer: an array; an `Arm` for a table; for a column its values at the secret
+            poses, shape (k, 6); the branches, shape (k, dof), for inverse kinematics.
+        mistakes: Usual mistakes with their answers.
+        idle: Values that need no work: zeros, or what the question or another part gives.
+        formulas: Six formulas of a column.
     """
 
     name: str
     what: str
     kind: Kind
     value: Any
-    slips: tuple[tuple[str, Array], ...] = ()
+    mistakes: tuple[Mistake, ...] = ()
     idle: Any = 0.0
+    formulas: tuple[str, ...] = ()
 
     @cached_property
     def digits(self) -> int:
-        """The decimals asked: the fewest at which no number is within a unit of the right one and
-        of a slip's as well; 0 where as many as may be asked do not tell them apart."""
-        fewest, most = _BY_EULER if self.name in ("quarter", "half") else (_FEWEST, _MOST)
-        nearest = min((np.abs(wrong - self.value).max() for _, wrong in self.slips), default=np.inf)
-        return next((n for n in range(fewest, most + 1) if 2 * 10.0**-n < nearest), 0)
+        """Decimals asked: the fewest that tell every mistake from the right answer; 0 if none do.
+
+        A mistake counts as told if some number differs by more than two units, so that no answer
+        is within a unit of both.
+        """
+        if self.name in ("quarter", "half"):
+            digits = range(_EULER_DIGITS, _EULER_DIGITS + 1)
+        else:
+            digits = range(_FEWEST_DIGITS, _MOST_DIGITS + 1)
+        differences = [np.abs(m.values - self.value).max() for m in self.mistakes]
+        nearest = min(differences, default=np.inf)
+        return next((n for n in digits if 2 * 10.0**-n < nearest), 0)
 
     @property
     def unit(self) -> float:
-        """The unit of the last place asked, which is forgiven."""
+        """Largest error that is forgiven: one unit of the last decimal asked."""
+        if self.kind == "column":
+            return _FORMULA_SHARE * max(1.0, float(np.abs(self.value).max()))
         return 10.0**-self.digits
 
 
-def _pose(arm: Arm, rng: Rng) -> list[float]:
-    """Joint values to two decimals, well inside their range and away from singular poses."""
+def _draw_pose(arm: Arm, rng: Rng) -> list[float]:
+    """Draw joint values of two decimals, inside their range and away from singular poses."""
     lower, upper = (np.clip(limit, -2.4, 2.4) for limit in arm.limits)
     somewhere = np.linspace(0.3, 0.9, arm.dof)
     rows = 6 if arm.dof >= 6 else 3  # fewer joints hold the tip's place alone
     rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[:rows])  # 2 for an arm that is plane
-    for _ in range(_TRIES):
+    for _ in range(_MAX_TRIES):
         q = (lower + (upper - lower) * rng.uniform(0.1, 0.9, arm.dof)).round(2) + 0.0
         smallest = np.linalg.svd(jacobian(arm, q)[:rows], compute_uv=False)[rank - 1]
-        if smallest > _SMALLEST and q.all():  # the sign of 0 shows nowhere
+        if smallest > _SMALLEST_SINGULAR_VALUE and q.all():  # the sign of 0 shows nowhere
             return list(q.tolist())
-    raise ArmError(f"{arm.name}: no pose away from a singular one was found in {_TRIES} tries")
+    raise ArmError(f"{arm.name}: no pose away from a singular one was found in {_MAX_TRIES} tries")
 
 
-def _draw_table(arm: Arm, rng: Rng) -> Given | None:
-    """An arm of four joints that no other question mentions, since their tables stand on the
-    sheet; each of its joints moves the tip or turns it in a way of its own.
+def _draw_table(arm: Arm, rng: Rng) -> Numbers | None:
+    """Draw an arm of four joints, each of which moves or turns the tip in another direction.
+
+    It is not the arm of the other questions, whose table stands on the sheet.
     """
-    rows = [_drawn_row(rng) for _ in range(4)]
+    rows = [_draw_row(rng) for _ in range(4)]
     rows[-1]["alpha"] = "0"
     if [row["kind"] for row in rows].count("prismatic") > 1:
         return None
     along = (rng.integers(-4, 5, len(rows)) * 0.05).round(2).tolist()
-    given = {"rows": rows, "along": along}
-    J = jacobian(drawn_arm(given), [0.3, 0.5, 0.7, 0.9])
+    numbers = {"rows": rows, "along": along}
+    J = jacobian(make_drawn_arm(numbers), [0.3, 0.5, 0.7, 0.9])
     full_rank = np.linalg.svd(J, compute_uv=False)[-1] > 0.05
-    return given if full_rank and all(row["alpha"] != "0" or row["a"] for row in rows) else None
+    return numbers if full_rank and all(row["alpha"] != "0" or row["a"] for row in rows) else None
 
 
-def _drawn_row(rng: Rng) -> dict[str, Any]:
+def _draw_row(rng: Rng) -> dict[str, Any]:
     return {
         "kind": str(rng.choice(["revolute", "revolute", "prismatic"])),
         "a": int(rng.choice([0, 0, 2, 3, 4, 5])) / 10,
@@ -105,184 +124,271 @@ def _drawn_row(rng: Rng) -> dict[str, Any]:
     }
 
 
-def drawn_arm(given: Given) -> Arm:
-    """The arm of a table question, from the rows that were drawn."""
+def make_drawn_arm(numbers: Numbers) -> Arm:
+    """Return the arm of a table question from its drawn rows."""
     rows = [
         Row(row["a"], row["alpha"], row["d"], row["theta"], Joint(row["kind"]))
-        for row in given["rows"]
+        for row in numbers["rows"]
     ]
     return Arm("the arm asked", rows)
 
 
-def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    right = drawn_arm(given)
+def _ask_table(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    right = make_drawn_arm(numbers)
     frames = link_frames(right, np.zeros(right.dof))
     lines = ["| joint | it | a point on its axis (m) | direction |", "|:-:|:--|:--|:--|"]
-    for i, (row, shift) in enumerate(zip(right.rows, given["along"], strict=True)):
+    for i, (row, shift) in enumerate(zip(right.rows, numbers["along"], strict=True)):
         verb = {"revolute": "turns", "prismatic": "slides"}[row.joint.kind]
         point, z = frames[i, :3, 3] + shift * frames[i, :3, 2], frames[i, :3, 2]
-        lines.append(f"| {i + 1} | {verb} | ${matrix(point)}$ | ${matrix(z)}$ |")
+        lines.append(f"| {i + 1} | {verb} | ${format_matrix(point)}$ | ${format_matrix(z)}$ |")
     tip = frames[-1]
     text = (
         "Another arm. Its joint axes at $q = 0$, in the base frame, whose $z$ axis is the"
         " first joint axis:\n\n"
         + "\n".join(lines)
-        + f"\n\nThe tip is at $p = {matrix(tip[:3, 3])}$; its frame has the axes"
-        f" $x = {matrix(tip[:3, 0])}$ and $z = {matrix(tip[:3, 2])}$. Write a table of this arm"
-        " in the standard convention. Every choice of frames that the convention allows is right."
+        + f"\n\nThe tip is at $p = {format_matrix(tip[:3, 3])}$; its frame has the axes"
+        f" $x = {format_matrix(tip[:3, 0])}$ and $z = {format_matrix(tip[:3, 2])}$. Write a table"
+        " of this arm in the standard convention. Every choice of frames that the convention allows"
+        " is right."
     )
     what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, the joint's"
     what += " variable (q_1, q_2, ...) in theta or d"
     return text, (Part("table", what, "table", right),)
 
 
-def _ask_pose(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    right, q = _results(given, arm, given["q"]), matrix(given["q"])
+def _ask_pose(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    right, q = _compute_at_pose(numbers, arm, numbers["q"]), format_matrix(numbers["q"])
     text = f"Where is the tip of this arm, and how is it turned, at $q = {q}$?"
+    mistakes = list_mistakes("tip", arm, q=numbers["q"])
+    positions = [m._replace(values=m.values[:3]) for m in mistakes]
+    rotations = [m._replace(values=m.values[3:]) for m in mistakes]
     return text, (
-        Part("p", "the tip's position (m)", "numbers", right["p"]),
-        Part("R", "its rotation, a 3 × 3 matrix", "rotation", right["R"]),
+        _make_part("p", "the tip's position (m)", "numbers", right["p"], positions),
+        _make_part("R", "its rotation, a 3 × 3 matrix", "rotation", right["R"], rotations),
     )
 
 
-def _draw_jacobian(arm: Arm, rng: Rng) -> Given | None:
+def _draw_jacobian(arm: Arm, rng: Rng) -> Numbers | None:
     return {
-        "q": _pose(arm, rng),
+        "q": _draw_pose(arm, rng),
         "q_dot": (rng.uniform(-1, 1, arm.dof).round(1) + 0.0).tolist(),
         **_draw_camera(arm, rng),
+        "poses": [_draw_pose(arm, rng) for _ in range(_SECRET_POSES)],
     }
 
 
 def _draw_camera(arm: Arm, rng: Rng) -> dict[str, Any]:
-    """A place on a link beyond the first, and a joint before it."""
-    link = int(rng.integers(min(2, len(arm.rows)), len(arm.rows) + 1))
-    before = sum(row <= link for row in arm.joints)
-    place = [int(x) / 100 for x in rng.choice([-1, 1], 2) * rng.integers(3, 20, 2)]
-    return {"link": link, "column": int(rng.integers(1, max(before, 1) + 1)), "camera": place}
+    """Draw a link, a joint before it and a point, so that all students have like formulas."""
+    choices = _list_even_columns(arm.rows, tuple(arm.values))
+    link, column = choices[rng.integers(len(choices))]
+    position = [int(x) / 100 for x in rng.choice([-1, 1], 2) * rng.integers(3, 20, 2)]
+    return {"link": link, "column": column, "camera": position}
 
 
-def camera_arm(arm: Arm, given: Given) -> Arm:
-    """The arm up to the camera: at (x, 0, z) in the frame of its link, turned like it."""
-    x, z = given["camera"]
-    rows = [*arm.rows[: given["link"]], fixed(a=x, d=z)]
+@lru_cache(maxsize=64)
+def _list_even_columns(rows: tuple[Row, ...], names: tuple[str, ...]) -> list[tuple[int, int]]:
+    """List the links and joints whose column has about the usual length as formulas."""
+    arm = Arm("measured", rows, dict.fromkeys(names, 0.5))
+    lengths = dict[tuple[int, int], int]()
+    for link in range(min(2, len(rows)), len(rows) + 1):
+        camera = make_camera_arm(arm, {"link": link, "camera": [0.11, 0.13]})
+        J: Any = symbolic.jacobian(camera) if camera.dof else None
+        for column in range(camera.dof):
+            lengths[link, column + 1] = len("".join(map(str, J[:, column])))
+    usual = float(np.median([*lengths.values()]))
+    even = [x for x, n in lengths.items() if usual / _EVEN_LENGTH <= n <= usual * _EVEN_LENGTH]
+    return even or [*lengths]
+
+
+def make_camera_arm(arm: Arm, numbers: Numbers) -> Arm:
+    """Return the arm up to the camera, at (x, 0, z) in the frame of its link."""
+    x, z = numbers["camera"]
+    rows = [*arm.rows[: numbers["link"]], fixed(a=x, d=z)]
     return Arm("the arm up to its camera", rows, arm.values)
 
 
-def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    q, q_dot, column = np.array(given["q"]), np.array(given["q_dot"]), int(given["column"])
-    right = _results(given, arm, q)
-    seen = camera_arm(arm, given)
-    entries = [str(entry) for entry in symbolic.jacobian(seen)[:, column - 1]]
-    names = ", ".join(f"`{name}`" for name in seen.variables)
-    x, z = given["camera"]
+def _ask_jacobian(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    q, q_dot, column = np.array(numbers["q"]), np.array(numbers["q_dot"]), int(numbers["column"])
+    right, camera = _compute_at_pose(numbers, arm, q), make_camera_arm(arm, numbers)
+    names = ", ".join(f"`{name}`" for name in camera.variables)
+    x, z = numbers["camera"]
     text = (
-        f"At $q = {matrix(q)}$ the joints move at the rates $\\dot q = {matrix(q_dot)}$."
-        " How does the tip move?\n\n"
-        f"A camera is fixed to link {given['link']}, at ${matrix([x, 0, z])}$ m in that link's"
-        f" frame, its axes parallel to the frame's. How does `{seen.variables[column - 1]}` alone"
+        f"At $q = {format_matrix(q)}$ the joints move at the rates $\\dot q ="
+        f" {format_matrix(q_dot)}$. How does the tip move?\n\n"
+        f"A camera is fixed to link {numbers['link']}, at ${format_matrix([x, 0, z])}$ m in that"
+        f" link's frame, its axes parallel to the frame's. How does"
+        f" `{camera.variables[column - 1]}` alone"
         f" move it, for any $q$? Write {names}, and the lengths by their names."
     )
-    formula = f"column {column} of the camera's Jacobian in symbols, six formulas (v, ω) in base"
-    formula += " axes"
+    mistakes = list_mistakes("jacobian", arm, q=q)
+    velocities = [m._replace(values=m.values.reshape(6, -1) @ q_dot) for m in mistakes]
     return text, (
-        Part("J", "the Jacobian, rows (v, ω) in base axes", "jacobian", right["J"]),
-        Part("xi", "the tip's velocity (m/s, rad/s)", "numbers", right["xi"]),
-        Part("J_column", formula, "column", entries),
+        _make_part("J", "the Jacobian, rows (v, ω) in base axes", "jacobian", right["J"], mistakes),
+        _make_part("xi", "the tip's velocity (m/s, rad/s)", "numbers", right["xi"], velocities),
+        _make_column_part(camera, numbers, column),
     )
 
 
-def _draw_circle(arm: Arm, rng: Rng) -> Given | None:
-    """A circle that the arm can draw, along which each joint moves: a still one hides its sign."""
-    given = {
-        "q": _pose(arm, rng),
+def _make_column_part(camera: Arm, numbers: Numbers, column: int) -> Part:
+    """Return the part that asks for a column in symbols, judged at the secret poses."""
+    what = f"column {column} of the camera's Jacobian in symbols, six formulas (v, ω) in base axes"
+    poses = np.array(numbers["poses"])[:, : camera.dof]
+    values = jacobian(camera, poses)[:, :, column - 1]
+    mistakes = [
+        m._replace(values=m.values.reshape(len(poses), 6, camera.dof)[:, :, column - 1])
+        for m in list_mistakes("jacobian", camera, poses=poses)
+    ]
+    entries = symbolic.jacobian(camera)[:, column - 1]
+    part = _make_part("J_column", what, "column", values, mistakes)
+    return replace(part, formulas=tuple(str(entry) for entry in entries))
+
+
+def _make_part(name: str, what: str, kind: Kind, value: Array, mistakes: list[Mistake]) -> Part:
+    return Part(name, what, kind, value, select_visible(mistakes, value))
+
+
+def _draw_circle(arm: Arm, rng: Rng) -> Numbers | None:
+    """Draw a circle that the arm can follow and along which each joint moves.
+
+    A joint that stands still hides the sign of its variable.
+    """
+    numbers = {
+        "q": _draw_pose(arm, rng),
         "radius": int(rng.integers(5, 11)) / 100,
         "plane": str(rng.choice(["xy", "yz", "zx"])),
         "duration": int(rng.integers(2, 7)) * 5,
     }
     try:
-        run = traced(arm, given)
+        run = trace_circle(arm, numbers)
     except (SingularError, ArmError):
         return None
-    moved = np.abs(run.q[[_STEPS // 4, _STEPS // 2]] - run.q[0]).max(axis=0).min() > 0.02
-    good = run.report.executable and run.report.smallest_singular_value > _SMALLEST
-    return given if good and moved else None
+    moved = np.abs(run.q[[_KEY_STEPS // 4, _KEY_STEPS // 2]] - run.q[0]).max(axis=0).min() > 0.02
+    good = run.report.executable and run.report.smallest_singular_value > _SMALLEST_SINGULAR_VALUE
+    return numbers if good and moved else None
 
 
-def traced(arm: Arm, given: Given) -> Trace:
-    """The exact run along the circle that was drawn: its start is the farthest point along the
-    plane's first axis.
-    """
-    first = np.eye(3)["xyz".index(given["plane"][0])]
-    centre = forward_kinematics(arm, given["q"])[:3, 3] - given["radius"] * first
-    path = circle(centre, given["radius"], given["plane"], given["duration"], _STEPS)
-    return trace(arm, given["q"], path, method="exact", rates=plain_inverse(1e-4))
+def trace_circle(arm: Arm, numbers: Numbers) -> Trace:
+    """Trace the drawn circle exactly, from its farthest point along the plane's first axis."""
+    first = np.eye(3)["xyz".index(numbers["plane"][0])]
+    centre = forward_kinematics(arm, numbers["q"])[:3, 3] - numbers["radius"] * first
+    path = circle(centre, numbers["radius"], numbers["plane"], numbers["duration"], _KEY_STEPS)
+    return trace(arm, numbers["q"], path, method="exact", rates=plain_inverse(1e-4))
 
 
-def _ask_circle(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    right, (first, second), start = solve(arm, given), given["plane"], np.array(given["q"])
+def _ask_circle(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    right, (first, second), start = (
+        _compute_circle(arm, numbers),
+        numbers["plane"],
+        np.array(numbers["q"]),
+    )
     text = (
-        f"The tip starts at $q = {matrix(given['q'])}$ and draws a circle of radius"
-        f" {given['radius']:g} m in the {first}{second} plane in {given['duration']:g} s, at even"
-        f" speed and held orientation. The start is the circle's farthest point along $+{first}$;"
-        f" from there the tip moves towards $+{second}$. Use {_EULER} Euler steps or more, or a"
-        " better method."
+        f"The tip starts at $q = {format_matrix(numbers['q'])}$ and draws a circle of radius"
+        f" {numbers['radius']:g} m in the {first}{second} plane in {numbers['duration']:g} s,"
+        f" at even speed and held orientation. The start is the circle's farthest point along"
+        f" $+{first}$;"
+        f" from there the tip moves towards $+{second}$. Use {_EULER_STEPS} Euler steps or more,"
+        " or a better method."
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
+    other_side = 2 * forward_kinematics(arm, start)[:3, 3] - right["centre"]
+    centres = (name_mistake("trace.other side", other_side),)
+    backwards = (name_mistake("trace.backwards", right["three quarters"]),)
     return text, (
-        Part("centre", "the circle's centre (m)", "numbers", right["centre"]),
-        Part("quarter", joints.format("a quarter"), "numbers", right["quarter"], idle=start),
+        Part("centre", "the circle's centre (m)", "numbers", right["centre"], centres),
+        Part("quarter", joints.format("a quarter"), "numbers", right["quarter"], backwards, start),
         Part("half", joints.format("half"), "numbers", right["half"], idle=start),
     )
 
 
-def _draw_torque(arm: Arm, rng: Rng) -> Given | None:
-    q, force = _pose(arm, rng), np.zeros(3)
+def _draw_torque(arm: Arm, rng: Rng) -> Numbers | None:
+    q, force = _draw_pose(arm, rng), np.zeros(3)
     force[rng.integers(3)] = float(rng.choice([-1, 1])) * float(rng.integers(10, 41)) / 2
     return {"q": q, "force": force.tolist()}
 
 
-def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    q, force, right = matrix(given["q"]), matrix(given["force"]), _results(given, arm, given["q"])
+def _ask_torque(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    q, force, right = (
+        format_matrix(numbers["q"]),
+        format_matrix(numbers["force"]),
+        _compute_at_pose(numbers, arm, numbers["q"]),
+    )
     text = (
         f"At $q = {q}$ the world acts on the tip with the force ${force}$ N (base"
         " axes, no moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
         " Masses, and centres of mass, each in the frame of its own link: that of row $i$ for"
-        f" link $i$.\n\n{_bodies(arm)}"
+        f" link $i$.\n\n{_format_bodies(arm)}"
     )
-    return text, (
-        Part("g", "the torques that hold the weight (N m)", "torques", right["g"]),
-        Part("tau", "the torques with the force (N m)", "torques", right["tau"]),
-    )
+    wrench = [*numbers["force"], 0, 0, 0]
+    g_mistakes = list_mistakes("torques", arm, q=numbers["q"], wrench=np.zeros(6))
+    tau_mistakes = list_mistakes("torques", arm, q=numbers["q"], wrench=wrench)
+    g = _make_part("g", "the torques that hold the weight (N m)", "torques", right["g"], g_mistakes)
+    what = "the torques with the force (N m)"
+    tau = _make_part("tau", what, "torques", right["tau"], tau_mistakes)
+    return text, (g, replace(tau, idle=right["g"]))
 
 
-def _draw_target(arm: Arm, rng: Rng) -> Given | None:
-    q = _pose(arm, rng)
-    asked = forward_kinematics(arm, q)[:3, 0 if arm.dof >= 6 else 3 :]
-    return {"target": (asked.round(_POSE_DIGITS) + 0.0).tolist(), "one way": q}
+def _draw_target(arm: Arm, rng: Rng) -> Numbers | None:
+    """Draw a target that has the usual number of branches, the same for every student."""
+    usual = _count_usual_branches(arm) if find_closed_form(arm) else 0
+    q = _draw_pose(arm, rng)
+    numbers = _make_target(arm, q)
+    return numbers if not usual or len(_find_branches(arm, numbers)) == usual else None
 
 
-def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    target, solver = np.array(given["target"]), closed_form(arm)
+def _make_target(arm: Arm, q: list[float]) -> dict[str, Any]:
+    rounded = forward_kinematics(arm, q)[:3, 0 if arm.dof >= 6 else 3 :].round(_TARGET_DIGITS)
+    return {"target": (rounded.reshape(3, -1) + 0.0).tolist(), "solution": q}
+
+
+def _find_branches(arm: Arm, numbers: Numbers) -> Array:
+    """Return the branches within the limits, shape (k, dof)."""
+    find_all = find_closed_form(arm)
+    assert find_all
+    solutions = find_all(arm, make_target_pose(np.array(numbers["target"])))
+    return np.asarray(solutions.q[solutions.within_limits])
+
+
+def _count_usual_branches(arm: Arm) -> int:
+    """Return the commonest number of branches of an arm, whatever its lengths within a tenth."""
+    lengths = tuple(sorted((name, round(x, 1)) for name, x in arm.values.items()))
+    return _count_branches_of(replace(arm, name=""), lengths)
+
+
+@lru_cache(maxsize=16)
+def _count_branches_of(arm: Arm, _lengths: tuple[tuple[str, float], ...]) -> int:
+    rng = np.random.default_rng(0)
+    counts = [len(_find_branches(arm, _make_target(arm, _draw_pose(arm, rng)))) for _ in range(40)]
+    return int(np.bincount(counts).argmax())
+
+
+def _ask_target(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    target = np.array(numbers["target"])
     asked = "pose $[R\\ p]$" if target.shape[1] == 4 else "position $p$"
-    asked += f" $= {matrix(target, _POSE_DIGITS)}$."
-    if not solver:
+    asked += f" $= {format_matrix(target, _TARGET_DIGITS)}$."
+    if not find_closed_form(arm):
         what = "joint values (rad; m where one slides) that give this"
-        way = Part("q", what, "pose", np.array(given["one way"]))
-        return f"Find joint values that give the tip the {asked}", (way,)
-    text = f"Find every set of joint values within the limits that give the tip the {asked}"
+        part = Part("q", what, "pose", np.array(numbers["solution"]))
+        return f"Find joint values that give the tip the {asked}", (part,)
+    branches = _find_branches(arm, numbers)
+    text = (
+        f"Find every set of joint values within the limits that give the tip the {asked} There are"
+        f" {len(branches)}; of more rows the first {len(branches)} count."
+    )
     limits = "; ".join(
         f"${name.replace('q_', 'q_{')}}}$ from {low:g} to {high:g}"
         for name, low, high in zip(arm.variables, *arm.limits, strict=True)
         if np.isfinite([low, high]).all()
     )
     text += f" Limits: {limits}; whole turns count as the same." if limits else ""
-    found = solver(arm, pose_of(target))
     what = "the branches, one row of joint values each (rad; m where one slides)"
-    return text, (Part("q", what, "branches", found.q[found.within_limits]),)
+    return text, (Part("q", what, "branches", branches),)
 
 
-def pose_of(target: Array) -> Array:
-    """A target as printed, 3 × 4, as a rigid motion: the nearest rotation beside its position."""
+def make_target_pose(target: Array) -> Array:
+    """Return a printed target as a point, shape (3,), or as a rigid motion, shape (4, 4).
+
+    The rotation is the nearest one to the rounded entries.
+    """
     if target.shape[1] == 1:
         return target[:, 0]
     U, _, V = np.linalg.svd(target[:, :3])
@@ -292,16 +398,15 @@ def pose_of(target: Array) -> Array:
 
 
 class Topic(NamedTuple):
-    """How the numbers of a topic are drawn, None where a draw is of no use, and how an arm and
-    they make a question and its key."""
+    """How a topic draws its numbers, or None for a useless draw, and how it asks about them."""
 
-    draw: Callable[[Arm, Rng], Given | None]
-    ask: Callable[[Arm, Given], tuple[str, tuple[Part, ...]]]
+    draw: Callable[[Arm, Rng], Numbers | None]
+    ask: Callable[[Arm, Numbers], tuple[str, tuple[Part, ...]]]
 
 
 BY_NAME = {
     "DH table": Topic(_draw_table, _ask_table),
-    "forward kinematics": Topic(lambda arm, rng: {"q": _pose(arm, rng)}, _ask_pose),
+    "forward kinematics": Topic(lambda arm, rng: {"q": _draw_pose(arm, rng)}, _ask_pose),
     "Jacobian": Topic(_draw_jacobian, _ask_jacobian),
     "circle tracing": Topic(_draw_circle, _ask_circle),
     "static torque": Topic(_draw_torque, _ask_torque),
@@ -309,51 +414,45 @@ BY_NAME = {
 }
 
 
-def solve(arm: Arm, given: Given) -> dict[str, Array]:
-    """The numbers of a question with a pose, by the names of the parts."""
-    if "radius" not in given:
-        return _results(given, arm, np.array(given["q"]))
-    run, first = traced(arm, given), np.eye(3)["xyz".index(given["plane"][0])]
+def _compute_circle(arm: Arm, numbers: Numbers) -> dict[str, Array]:
+    """Compute the right numbers of a circle, by the names of the parts."""
+    run, first = trace_circle(arm, numbers), np.eye(3)["xyz".index(numbers["plane"][0])]
     shares = {"quarter": 1, "half": 2, "three quarters": 3}
-    joints = {name: run.q[n * _STEPS // 4] for name, n in shares.items()}
-    return {"centre": run.path.positions[0] - given["radius"] * first, **joints}
+    joints = {name: run.q[n * _KEY_STEPS // 4] for name, n in shares.items()}
+    return {"centre": run.path.positions[0] - numbers["radius"] * first, **joints}
 
 
-def question_parts(topic: str, arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    """A topic's text and key, each part with what the known slips make of it."""
-    text, parts = BY_NAME[topic].ask(arm, given)
-    slips = made(arm, given, solve) if "q" in given else ()
-    return text, tuple(replace(part, slips=_changed(part.name, slips)) for part in parts)
+def make_question(topic: str, arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    """Return a topic's text and the parts of its key."""
+    return BY_NAME[topic].ask(arm, numbers)
 
 
-def _changed(name: str, slips: Sequence[Slip]) -> tuple[tuple[str, Array], ...]:
-    return tuple((slip.words, slip.answers[name]) for slip in slips if name in slip.answers)
+def draw_numbers(topic: str, arm: Arm, rng: Rng) -> Numbers:
+    """Draw numbers for a topic until they can be asked and every mistake shows."""
+    for _ in range(_MAX_TRIES):
+        numbers = BY_NAME[topic].draw(arm, rng)
+        if numbers and all(part.digits for part in make_question(topic, arm, numbers)[1]):
+            return numbers
+    raise ArmError(
+        f"{arm.name}: no {topic} that shows every mistake was found in {_MAX_TRIES} tries"
+    )
 
 
-def drawn(topic: str, arm: Arm, rng: Rng) -> Given:
-    """What is drawn for a topic, anew until it can be asked and every slip shows."""
-    for _ in range(_TRIES):
-        given = BY_NAME[topic].draw(arm, rng)
-        if given and all(p.digits for p in question_parts(topic, arm, given)[1]):
-            return given
-    raise ArmError(f"{arm.name}: no {topic} that shows every slip was found in {_TRIES} tries")
-
-
-def _results(given: Given, arm: Arm, q: Array) -> dict[str, Array]:
-    """What follows at once from an arm and q, shape (..., dof), by the names of the parts."""
+def _compute_at_pose(numbers: Numbers, arm: Arm, q: Array) -> dict[str, Array]:
+    """Compute the right numbers at one pose, by the names of the parts."""
     T = forward_kinematics(arm, q)
     found = {"p": T[..., :3, 3], "R": T[..., :3, :3]}
-    if "q_dot" in given:
+    if "q_dot" in numbers:
         J = jacobian(arm, q)
-        found |= {"J": J, "xi": J @ np.array(given["q_dot"])}
-    if "force" in given:
-        tau = static_torque(arm, q, np.r_[given["force"], 0, 0, 0])
+        found |= {"J": J, "xi": J @ np.array(numbers["q_dot"])}
+    if "force" in numbers:
+        tau = static_torque(arm, q, np.r_[numbers["force"], 0, 0, 0])
         found |= {"g": gravity_torque(arm, q), "tau": tau}
     return found
 
 
-def _bodies(arm: Arm) -> str:
-    """The links' masses and centres of mass as a Markdown table."""
+def _format_bodies(arm: Arm) -> str:
+    """Format the links' masses and centres of mass as a Markdown table."""
     lines = ["| link | mass (kg) | $x$ (m) | $y$ (m) | $z$ (m) |", "|:-:|:-:|:-:|:-:|:-:|"]
     for i, body in enumerate(arm.bodies, 1):
         numbers = [repr(arm.number(entry)) for entry in (body.mass, *body.com)]
@@ -361,14 +460,15 @@ def _bodies(arm: Arm) -> str:
     return "\n".join(lines)
 
 
-def matrix(values: Any, digits: int = 4) -> str:
-    """A vector or a matrix in LaTeX, rounded to that many decimals."""
+def format_matrix(values: Any, digits: int = 4) -> str:
+    """Format a vector or a matrix in LaTeX, rounded to some decimals."""
     rows = np.atleast_2d(np.round(np.asarray(values, dtype=float), digits) + 0.0)
     lines = [" & ".join(f"{x:.{digits + 1}g}" for x in row) for row in rows]
     return "\\begin{bmatrix}" + " \\\\ ".join(lines) + "\\end{bmatrix}"
 
 
-def lacks(topic: str, arm: Arm) -> str:
+def find_missing_property(topic: str, arm: Arm) -> str:
+    """Return what an arm lacks for a topic, or ""."""
     if not arm.dof:
         return "a joint that moves"
     if topic == "circle tracing" and arm.dof != 6:
@@ -376,8 +476,8 @@ def lacks(topic: str, arm: Arm) -> str:
     return "masses" if topic == "static torque" and not arm.bodies else ""
 
 
-def closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
-    """The closed form that finds every branch of an arm, None where the book has none."""
+def find_closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
+    """Return the closed form that finds every branch of an arm, or None."""
     probe = forward_kinematics(arm, np.full(arm.dof, 0.4))
     for solver in (inverse.elbow, inverse.ur, inverse.stanford, inverse.spherical_wrist):
         with suppress(ArmError):

@@ -5,6 +5,7 @@ import { formulaOf } from "./reading/entry.js";
 import { meant, read } from "./reading/table.js";
 import { ENTRIES } from "./reading/table_rows.js";
 import { numbers, pose } from "./reading/numbers.js";
+import { evaluateFormulas, findTableMistake, listMistakes } from "./mistakes.js";
 import { ArmError, formatMessage } from "./sentences.js";
 import { compareBranches } from "./topics/branches.js";
 import { compareJacobian } from "./topics/jacobian.js";
@@ -36,6 +37,9 @@ const TOPICS = {
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
   rows: ({ mine, options }) => meant(read(mine, options, options.values)[0], []),
   entry: ({ text, kinds }) => formulaOf(text, kinds),
+  mistakes: (question) => listMistakes(/** @type {any} */ (question)),
+  formulas: (question) => evaluateFormulas(/** @type {any} */ (question)),
+  "table mistake": (question) => findTableMistake(/** @type {any} */ (question)),
   words: ({ key, fields }) => formatMessage(key, fields),
 };
 

@@ -135,12 +135,12 @@ def test_a_term_from_roster_to_grades(here, capsys):
     lines = Path("out/grades.csv").read_text("utf-8").splitlines()
     assert lines[0] == "id,name,total,J,xi,J_column,note"
     assert lines[1:] == [
-        "ab,Ada Ü,2.6,0.6,1.0,1.0,",
+        "ab,Ada Ü,2.5,0.5,1.0,1.0,",
         "cd,Bo,0.0,0.0,0.0,0.0,nothing was answered",
     ]
     words = Path("out/ab/feedback.txt").read_text("utf-8")
-    assert words.startswith("Ä, Ada Ü (ab): 2.6 of 3\n\nJ: 0.6 of 1 for the Jacobian, ")
-    assert "    The Jacobian of An arm" in words
+    assert words.startswith("Ä, Ada Ü (ab): 2.5 of 3\n\nJ: 0.5 of 1 for the Jacobian, ")
+    assert "    Not right: the linear half of columns" in words
     words = Path("out/cd/feedback.txt").read_text("utf-8")
     assert words.startswith("Ä, Bo (cd): 0 of 3\nNote: nothing was answered.\n\nJ: 0")
     assert typed("gradescope hw --out a/b.zip", capsys).startswith("autograder for 2")

@@ -10,10 +10,15 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from course.marking import mark
+from course.marking import mark_part
 from course.sheets import TOPICS, question, sheet, suiting, variant
 from course.sheets import _generator as generator
-from course.topics import closed_form, drawn, matrix, pose_of
+from course.topics import (
+    draw_numbers,
+    find_closed_form,
+    format_matrix,
+    make_target_pose,
+)
 from helpers.arm import Arm, ArmError, Body, fixed, revolute
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
@@ -34,7 +39,7 @@ every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
 
 def draw(topic, arm, seed):
     """What is drawn about the arm itself, its own lengths unchanged."""
-    return drawn(topic, arm, generator(seed, topic))
+    return draw_numbers(topic, arm, generator(seed, topic))
 
 
 @cache
@@ -129,8 +134,9 @@ def test_the_tip_and_the_jacobian_in_the_keys(arm):
     assert key["J"] == pytest.approx(J, abs=1e-8)
     assert key["xi"] == pytest.approx(J @ q_dot, abs=1e-8)
     put_in = {**found.arm.values, **dict(zip(found.arm.variables, q, strict=True))}
-    column = [float(sp.sympify(entry).subs(put_in)) for entry in key["J_column"]]
-    link, joint = found.given["link"], found.given["column"] - 1
+    formulas = found.parts[2].formulas
+    column = [float(sp.sympify(entry).subs(put_in)) for entry in formulas]
+    link, joint = found.numbers["link"], found.numbers["column"] - 1
     assert f"fixed to link {link}, at" in found.text
     assert f"`{found.arm.variables[joint]}` alone" in found.text
 
@@ -205,9 +211,9 @@ def test_a_question_can_be_solved_from_what_it_prints(arm):
     assert {*map(float, told)} <= {*printed.arm.values.values()}
     for mine in found.values():
         for name in ("q", "q_dot", "force"):
-            if name in mine.given:
+            if name in mine.numbers:
                 assert any(
-                    np.array_equal(m, np.array(mine.given[name], dtype=float))
+                    np.array_equal(m, np.array(mine.numbers[name], dtype=float))
                     for m in matrices(mine.text)
                 )
     if arm.bodies:
@@ -237,50 +243,52 @@ def test_what_cannot_be_asked_is_said(topic, arm, words):
 
 def test_a_matrix_has_four_digits_or_as_many_as_asked():
     begin, end = "\\begin{bmatrix}", "\\end{bmatrix}"
-    assert matrix([1.23456789, -1e-5]) == f"{begin}1.2346 & 0{end}"
-    assert matrix([[123.456789], [2]]) == f"{begin}123.46 \\\\ 2{end}"
-    assert matrix([1.23456789], 6) == f"{begin}1.234568{end}"
+    assert format_matrix([1.23456789, -1e-5]) == f"{begin}1.2346 & 0{end}"
+    assert format_matrix([[123.456789], [2]]) == f"{begin}123.46 \\\\ 2{end}"
+    assert format_matrix([1.23456789], 6) == f"{begin}1.234568{end}"
 
 
 @pytest.mark.parametrize("arm", [*ARMS, PANDA, WRISTED], ids=lambda arm: arm.name)
 def test_a_target_is_a_pose_of_the_arm_and_its_limits_are_told(arm):
     """That no branch is missing is proved of the closed forms in test_inverse."""
     found = variant("inverse kinematics", arm, 3)
-    target = np.array(found.given["target"])
+    target = np.array(found.numbers["target"])
     assert target.shape == ((3, 4) if arm.dof >= 6 else (3, 1))
     np.testing.assert_array_equal(target, target.round(6))
     (printed,) = matrices(found.text)
     assert printed == pytest.approx(target.ravel(), abs=1e-9)
     asked = "pose $[R\\ p]$" if arm.dof >= 6 else "position $p$"
-    sought = "every set of joint values within the limits" if closed_form(arm) else "joint values"
+    sought = (
+        "every set of joint values within the limits" if find_closed_form(arm) else "joint values"
+    )
     assert found.text.startswith(f"Find {sought} that give the tip the {asked} $= ")
     told = re.findall(r"\$q_\{(\d)\}\$ from (-?[\d.]*\d) to (-?[\d.]*\d)[;.]?", found.text)
-    limits = zip(arm.joints, *arm.limits, strict=True) if closed_form(arm) else ()
+    limits = zip(arm.joints, *arm.limits, strict=True) if find_closed_form(arm) else ()
     assert [(int(i), float(low), float(high)) for i, low, high in told] == [
         (i, float(f"{low:g}"), float(f"{high:g}")) for i, low, high in limits if np.isfinite(low)
     ]
     assert found.text.endswith("; whole turns count as the same.") == bool(told)
     (part,) = found.parts
-    assert part.kind == ("branches" if closed_form(arm) else "pose")
+    assert part.kind == ("branches" if find_closed_form(arm) else "pose")
     assert (part.name, part.unit) == ("q", 1e-3)
     lower, upper = found.arm.limits
     for q in np.atleast_2d(part.value):
         assert product(found.arm, q)[:3, -target.shape[1] :] == pytest.approx(target, abs=5e-6)
         assert (q >= lower - 1e-9).all()
         assert (q <= upper + 1e-9).all()
-    if closed_form(arm):
-        every = closed_form(arm)(found.arm, pose_of(target))
+    if find_closed_form(arm):
+        every = find_closed_form(arm)(found.arm, make_target_pose(target))
         assert len(part.value) == every.within_limits.sum()
 
 
 def test_a_pose_as_printed_is_taken_for_the_nearest_rigid_motion():
     T = product(UR10E, [0.3, -1.1, 1.4, -0.8, 0.9, 0.2])
-    found = pose_of(T[:3].round(3))
+    found = make_target_pose(T[:3].round(3))
     np.testing.assert_allclose(found[:3, :3] @ found[:3, :3].T, np.eye(3), atol=1e-12)
     np.testing.assert_allclose(found[:3, :3], T[:3, :3], atol=2e-3)
     np.testing.assert_array_equal(found[:, 3], [*T[:3, 3].round(3), 1])
     np.testing.assert_array_equal(found[3], [0, 0, 0, 1])
-    np.testing.assert_array_equal(pose_of(np.array([[1], [2], [3]])), [1, 2, 3])
+    np.testing.assert_array_equal(make_target_pose(np.array([[1], [2], [3]])), [1, 2, 3])
 
 
 def planted(arm):
@@ -329,4 +337,4 @@ def test_a_slip_that_the_first_draw_would_forgive_is_seen(arm, topic, seed):
                 max(off) > 1e-6
             ):  # of central central_differences; what moves the energy alone is noise
                 assert off[0] > 2 * mine.parts[name].unit
-                assert mark(mine, name, wrong[0][name].round(4).tolist()).credit < 1
+                assert mark_part(mine, name, wrong[0][name].round(4).tolist()).credit < 1

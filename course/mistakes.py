@@ -1,0 +1,67 @@
+"""List what usual mistakes make of right work.
+
+The judge has the list (judge/causes), so that marks and messages come from one place.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm
+from helpers.checks.arms import judge_data
+from helpers.checks.engine import ask_judge, format_sentence
+
+Array = NDArray[np.float64]
+
+_ROUND_OFF = 1e-9  # a smaller difference from the right answer is no difference
+
+
+class Mistake(NamedTuple):
+    """A usual mistake.
+
+    Attributes:
+        name: Key in the judge's catalogue, such as "table.sign:d:2".
+        message: Sentence to the student, without a full stop.
+        values: What it makes of the right answer, in the same shape.
+    """
+
+    name: str
+    message: str
+    values: Array
+
+
+def list_mistakes(
+    kind: str, arm: Arm, *, q: ArrayLike = (), poses: ArrayLike = (), wrench: ArrayLike = ()
+) -> list[Mistake]:
+    """List the mistakes in a question of some kind.
+
+    Args:
+        kind: "tip" (position, then rotation row by row: 12 numbers), "jacobian" (6 x dof) or
+            "torques" (dof).
+        arm: The arm of the question.
+        q: Joint values, shape (dof,).
+        poses: Several of them, shape (k, dof), in place of `q`; each mistake then has k answers.
+        wrench: Force and moment on the tip, shape (6,), for torques.
+    """
+    question: dict[str, Any] = {"kind": kind, "arm": judge_data(arm)}
+    for name, value in (("q", q), ("poses", poses), ("wrench", wrench)):
+        if np.size(value):
+            question[name] = np.asarray(value, dtype=float).tolist()
+    answers = ask_judge("mistakes", **question)
+    return [
+        Mistake(answer["name"], answer["message"], np.array(answer["values"], dtype=float))
+        for answer in answers
+        if None not in answer["values"]  # a mistake that leads to no number
+    ]
+
+
+def name_mistake(key: str, values: Array) -> Mistake:
+    """Return a mistake of the judge's catalogue whose numbers the caller computed."""
+    return Mistake(key, format_sentence(key), values)
+
+
+def select_visible(mistakes: list[Mistake], right: Array) -> tuple[Mistake, ...]:
+    """Return the mistakes that change the right answer, reshaped like it."""
+    shaped = [m._replace(values=m.values.reshape(right.shape)) for m in mistakes]
+    return tuple(m for m in shaped if np.abs(m.values - right).max() > _ROUND_OFF)

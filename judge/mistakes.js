@@ -1,0 +1,165 @@
+// Lists what usual mistakes make of right work, and finds one wrong entry in a DH table in any
+// choice of frames. The course marks by these lists, so that marks and messages agree.
+
+import { poseMistakes, tableMistakes } from "./causes/chain.js";
+import { listJacobianSteps, singleMistakes } from "./causes/jacobian.js";
+import { causeMessage, causeName, makeCause } from "./causes/ranking.js";
+import {
+  listTorqueSteps,
+  makeLoad,
+  singleMistakes as torqueMistakes,
+  torqueMaker,
+} from "./causes/torques.js";
+import { RIGHT, ROUNDED, SO_FAR } from "./digits.js";
+import { compareAxes, describeAxes } from "./geometry/axes.js";
+import { chainFrames, makeChain } from "./geometry/chains.js";
+import { linkFrames, minus, movingRows, norm, rotationBetween } from "./geometry/kinematics.js";
+import { isAngleColumn, jointColumn, snapRows } from "./geometry/rows.js";
+import { lookup, numbers } from "./reading/numbers.js";
+import { ENTRIES } from "./reading/table_rows.js";
+import { compareTables } from "./topics/table.js";
+
+/** @typedef {import("./geometry/arm.js").Arm} Arm */
+/** @typedef {import("./geometry/arm.js").Row} Row */
+/** @typedef {import("./causes/ranking.js").Cause} Cause */
+/** @typedef {import("./causes/ranking.js").Mistake} Mistake */
+
+const GRAVITY = [0, 0, -9.81]; // m/s²
+const LENGTH_STEP = 0.05; // m: lengths of the tables that a course draws are multiples of it
+const LONGEST = 0.7; // m: lengths that are drawn add up to less on parallel axes
+const SAME_LENGTH = 1e-3; // m: the decimals that a sheet asks for
+const SAME_ANGLE = 0.02; // rad: a right angle in two decimals
+
+/** The right answers and the mistakes of each kind of question. */
+const LISTS = {
+  tip: ({ arm }) => tipMistakes(arm),
+  jacobian: ({ arm, q }) => singleMistakes(arm, 0, listJacobianSteps(arm, q, 0)),
+  torques({ arm, q, wrench }) {
+    const load = makeLoad(arm, [wrench], GRAVITY);
+    const maker = torqueMaker(load, movingRows(arm).length, q);
+    return torqueMistakes(listTorqueSteps(arm, load), maker);
+  },
+};
+
+/**
+ * List the mistakes that can be made in a question, with their messages and what each makes of the
+ * right answer.
+ * @param {{ kind: "tip" | "jacobian" | "torques", arm: Arm, q: number[], wrench?: number[],
+ *   poses?: number[][] }} question joint values; `poses` in place of q for a list of poses
+ */
+export function listMistakes({ kind, poses, ...question }) {
+  const list = LISTS[kind](/** @type {any} */ ({ ...question, q: question.q ?? poses?.[0] }));
+  return Array.from(list, ({ cause, make }) => ({
+    name: causeName(cause),
+    message: causeMessage(cause),
+    values: poses ? poses.flatMap((q) => make(q)) : make(question.q),
+  }));
+}
+
+/** Position and then rotation of the tip, row by row, with some mistake. @param {Arm} arm */
+function* tipMistakes(arm) {
+  const tipAfter = (change) => (q) => {
+    const { x, y, z, o } = chainFrames(change(makeChain(arm, q))).at(-1);
+    return [...o, ...[0, 1, 2].flatMap((i) => [x[i], y[i], z[i]])];
+  };
+  for (const [cause, change] of [...poseMistakes("J.degrees", arm), ...tableMistakes(arm)])
+    yield { cause, make: tipAfter(change) };
+  const right = tipAfter((c) => c);
+  const inMillimetres = (q) => right(q).map((x, i) => (i < 3 ? 1000 * x : x));
+  yield { cause: makeCause("course.tip millimetres"), make: inMillimetres };
+  const transposed = (q) => {
+    const values = right(q);
+    const R = values.slice(3);
+    return [...values.slice(0, 3), ...R.map((_, i) => R[3 * (i % 3) + Math.floor(i / 3)])];
+  };
+  yield { cause: makeCause("course.tip transposed"), make: transposed };
+}
+
+/**
+ * Evaluate six formulas at several poses.
+ * @param {{ mine: any, arm: Arm, poses: number[][] }} question
+ * @returns {number[]} six values for each pose
+ */
+export const evaluateFormulas = ({ mine, arm, poses }) =>
+  poses.flatMap((q) => {
+    const wants = [
+      { rows: 6, columns: 1 },
+      { rows: 1, columns: 6 },
+    ];
+    return numbers(mine, "your formulas", lookup(arm, q), "six formulas", { wants }).values;
+  });
+
+/**
+ * Compare a table with an arm in the pose q = 0, and name the one mistake in it.
+ * @param {{ mine: any, arm: Arm, options: any }} question
+ * @returns {{ right: boolean, name: string, message: string, headline: string, share?: number }}
+ *   `share` of the joints is right if the rows of the last ones are missing
+ */
+export function findTableMistake({ mine, arm, options }) {
+  const verdict = compareTables(mine, arm, options);
+  const { headline } = verdict;
+  if ([RIGHT, ROUNDED].includes(verdict.grade))
+    return { right: true, name: "", message: "", headline };
+  if (verdict.grade === SO_FAR) {
+    const { right, of } = verdict.figures;
+    return { right: false, name: "", message: headline, headline, share: right / of };
+  }
+  const rows = verdict.table?.rows ?? [];
+  const cause = rows.length ? findWrongEntry(rows, arm) : null;
+  if (cause)
+    return { right: false, name: causeName(cause), message: causeMessage(cause), headline };
+  const isWhole = verdict.findings.every(({ what }) => what === "cause");
+  const [name = ""] = isWhole ? verdict.causes : [];
+  const message = name && !name.includes("+") ? (verdict.findings[0]?.words ?? "") : "";
+  return { right: false, name: message ? name : "", message, headline };
+}
+
+/**
+ * Find an entry without which a table would describe the arm, and name the mistake in it.
+ * @param {any[]} rows @param {Arm} arm @returns {Cause | null}
+ */
+function findWrongEntry(rows, arm) {
+  const wanted = snapRows(arm.rows);
+  const axes = describeAxes(wanted);
+  const home = movingRows(arm).map(() => 0);
+  const tip = linkFrames({ ...arm, rows: wanted }, home).at(-1);
+  const isRight = (tried) => {
+    const snapped = snapRows(tried);
+    if (compareAxes(describeAxes(snapped), axes, SAME_LENGTH).differences.length) return false;
+    const here = linkFrames({ ...arm, rows: snapped }, home).at(-1);
+    return norm(minus(here.o, tip.o)) <= SAME_LENGTH && rotationBetween(here, tip) <= SAME_ANGLE;
+  };
+  const kinds = rows.map(({ kind }) => kind).join();
+  if (kinds !== arm.rows.map(({ kind }) => kind).join()) return null;
+  for (const [k, row] of rows.entries())
+    for (const column of ENTRIES)
+      for (const value of isAngleColumn(column) ? QUARTER_TURNS : listLengths(row[column])) {
+        if (value === row[column]) continue;
+        const tried = rows.map((other, i) => (i === k ? { ...row, [column]: value } : other));
+        if (isRight(tried)) return nameEntryMistake(column, k + 1, row, value);
+      }
+  return null;
+}
+
+const QUARTER_TURNS = [0, Math.PI / 2, -Math.PI / 2, Math.PI];
+
+/** List the lengths that may be right in place of a typed one. @param {number} typed */
+function listLengths(typed) {
+  const count = 2 * Math.round(LONGEST / LENGTH_STEP) + 1;
+  const multiples = Array.from({ length: count }, (_, i) => LENGTH_STEP * (i - (count - 1) / 2));
+  return [-typed, ...multiples, ...multiples.map((x) => typed + x)];
+}
+
+/** @param {string} column @param {number} row @param {any} typed @param {number} value */
+function nameEntryMistake(column, row, typed, value) {
+  const actual = typed[column];
+  const isMissing = Math.abs(actual) < 1e-9;
+  const isReversed = Math.abs(actual + value) < 1e-9;
+  if (!isMissing && !isReversed) return makeCause("course.entry", { column, row });
+  if (column === "alpha") return makeCause(isMissing ? "table.no twist" : "table.twist", { row });
+  if (column === "theta")
+    return makeCause(isMissing ? "table.offset" : "table.offset sign", { row });
+  if (column === jointColumn(typed.kind) && !isMissing)
+    return makeCause("course.entry", { column, row });
+  return makeCause(isMissing ? "table.missing" : "table.sign", { column, row });
+}
