@@ -10,7 +10,7 @@ import {
   singleMistakes as torqueMistakes,
   torqueMaker,
 } from "./causes/torques.js";
-import { RIGHT, ROUNDED, SO_FAR } from "./digits.js";
+import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR } from "./digits.js";
 import { compareAxes, describeAxes } from "./geometry/axes.js";
 import { chainFrames, makeChain } from "./geometry/chains.js";
 import { linkFrames, minus, movingRows, norm, rotationBetween } from "./geometry/kinematics.js";
@@ -98,14 +98,15 @@ export const evaluateFormulas = ({ mine, arm, poses }) =>
 export function findTableMistake({ mine, arm, options }) {
   const verdict = compareTables(mine, arm, options);
   const { headline } = verdict;
-  if ([RIGHT, ROUNDED].includes(verdict.grade))
+  const rows = verdict.table?.rows ?? [];
+  const isSame = makeComparison(arm);
+  if ([RIGHT, ROUNDED, RIGHT_BY_MAP].includes(verdict.grade) && isSame(rows))
     return { right: true, name: "", message: "", headline };
   if (verdict.grade === SO_FAR) {
     const { right, of } = verdict.figures;
     return { right: false, name: "", message: headline, headline, share: right / of };
   }
-  const rows = verdict.table?.rows ?? [];
-  const cause = rows.length ? findWrongEntry(rows, arm) : null;
+  const cause = rows.length ? findWrongEntry(rows, arm, isSame) : null;
   if (cause)
     return { right: false, name: causeName(cause), message: causeMessage(cause), headline };
   const isWhole = verdict.findings.every(({ what }) => what === "cause");
@@ -115,20 +116,29 @@ export function findTableMistake({ mine, arm, options }) {
 }
 
 /**
- * Find an entry without which a table would describe the arm, and name the mistake in it.
- * @param {any[]} rows @param {Arm} arm @returns {Cause | null}
+ * Return a function that says whether rows are an arm in any choice of frames, with the tip where
+ * it belongs at q = 0.
+ * @param {Arm} arm @returns {(rows: any[]) => boolean}
  */
-function findWrongEntry(rows, arm) {
-  const wanted = snapRows(arm.rows);
-  const axes = describeAxes(wanted);
+function makeComparison(arm) {
+  const expected = snapRows(arm.rows);
+  const axes = describeAxes(expected);
   const home = movingRows(arm).map(() => 0);
-  const tip = linkFrames({ ...arm, rows: wanted }, home).at(-1);
-  const isRight = (tried) => {
-    const snapped = snapRows(tried);
+  const tip = linkFrames({ ...arm, rows: expected }, home).at(-1);
+  return (rows) => {
+    const snapped = snapRows(rows);
     if (compareAxes(describeAxes(snapped), axes, SAME_LENGTH).differences.length) return false;
     const here = linkFrames({ ...arm, rows: snapped }, home).at(-1);
     return norm(minus(here.o, tip.o)) <= SAME_LENGTH && rotationBetween(here, tip) <= SAME_ANGLE;
   };
+}
+
+/**
+ * Find an entry without which a table would describe the arm, and name the mistake in it.
+ * @param {any[]} rows @param {Arm} arm @param {(rows: any[]) => boolean} isSame
+ * @returns {Cause | null}
+ */
+function findWrongEntry(rows, arm, isSame) {
   const kinds = rows.map(({ kind }) => kind).join();
   if (kinds !== arm.rows.map(({ kind }) => kind).join()) return null;
   for (const [k, row] of rows.entries())
@@ -136,7 +146,7 @@ function findWrongEntry(rows, arm) {
       for (const value of isAngleColumn(column) ? QUARTER_TURNS : listLengths(row[column])) {
         if (value === row[column]) continue;
         const tried = rows.map((other, i) => (i === k ? { ...row, [column]: value } : other));
-        if (isRight(tried)) return nameEntryMistake(column, k + 1, row, value);
+        if (isSame(tried)) return nameEntryMistake(column, k + 1, row, value);
       }
   return null;
 }
