@@ -97,22 +97,28 @@ export const evaluateFormulas = ({ mine, arm, poses }) =>
  */
 export function findTableMistake({ mine, arm, options }) {
   const verdict = compareTables(mine, arm, options);
-  const { headline } = verdict;
+  const { grade, headline, figures } = verdict;
   const rows = verdict.table?.rows ?? [];
   const isSame = makeComparison(arm);
-  if ([RIGHT, ROUNDED, RIGHT_BY_MAP].includes(verdict.grade) && isSame(rows))
-    return { right: true, name: "", message: "", headline };
-  if (verdict.grade === SO_FAR) {
-    const { right, of } = verdict.figures;
-    return { right: false, name: "", message: headline, headline, share: right / of };
-  }
+  const answer = { right: false, name: "", message: "", headline };
+  if ([RIGHT, ROUNDED, RIGHT_BY_MAP].includes(grade) && isSame(rows))
+    return { ...answer, right: true };
+  if (grade === SO_FAR)
+    return { ...answer, message: headline, share: figures?.right / figures?.of };
   const cause = rows.length ? findWrongEntry(rows, arm, isSame) : null;
-  if (cause)
-    return { right: false, name: causeName(cause), message: causeMessage(cause), headline };
-  const isWhole = verdict.findings.every(({ what }) => what === "cause");
-  const [name = ""] = isWhole ? verdict.causes : [];
-  const message = name && !name.includes("+") ? (verdict.findings[0]?.words ?? "") : "";
-  return { right: false, name: message ? name : "", message, headline };
+  if (cause) return { ...answer, name: causeName(cause), message: causeMessage(cause) };
+  return { ...answer, ...nameWholeMistake(verdict) };
+}
+
+/**
+ * Name the mistake that explains all of a table, such as another convention; none if several or
+ * something besides are needed.
+ * @param {import("./verdict.js").Verdict} verdict
+ */
+function nameWholeMistake({ findings, causes }) {
+  const [name] = causes;
+  const isWhole = name && !name.includes("+") && findings.every(({ what }) => what === "cause");
+  return isWhole && findings.length ? { name, message: findings[0].words } : {};
 }
 
 /**
