@@ -14,9 +14,11 @@ import {
 import { Box3, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { isShared } from "./shapes.js";
+import { waitForReader } from "./start.js";
 
 let sharedRenderer = null;
 let frameRequest = null;
+let isDrawing = false; // whether the pictures are drawn; their still pictures stand until then
 const figures = new Set();
 
 // Return the renderer. Throws if the browser has no WebGL.
@@ -41,6 +43,24 @@ function getRenderer() {
     });
   });
   return sharedRenderer;
+}
+
+// Return the renderer once drawing has begun; null without WebGL, which every figure is told.
+function findRenderer() {
+  if (!isDrawing) return null;
+  try {
+    return getRenderer();
+  } catch {
+    for (const figure of [...figures]) figure.onUnavailable();
+    return null;
+  }
+}
+
+/** Draw every picture near the window, now and from now on. */
+export function startDrawing() {
+  if (isDrawing) return;
+  isDrawing = true;
+  for (const figure of figures) figure.request();
 }
 
 // Return the GPU memory in use, the draw calls of the last picture and the number of figures; for
@@ -75,9 +95,10 @@ function drawDirty() {
   pendingSteps.clear();
   try {
     now.forEach((act) => act());
-    if (!sharedRenderer || sharedRenderer.getContext().isContextLost()) return;
+    const renderer = findRenderer();
+    if (!renderer || renderer.getContext().isContextLost()) return;
     for (const figure of figures)
-      if (figure.dirty && figure.visible && figure.width) figure.draw(sharedRenderer);
+      if (figure.dirty && figure.visible && figure.width) figure.draw(renderer);
   } finally {
     frameRequest = pendingSteps.size ? requestAnimationFrame(drawDirty) : null;
   }
@@ -108,15 +129,19 @@ export const INITIAL_VIEW = [0.687, -0.639, 0.344];
 
 /**
  * A 3D picture in a host element: scene, lights, camera and pointer positions in pixels.
- * `onDraw(figure)` is called after each drawing. Throws if the browser has no WebGL.
+ * `onDraw(figure)` is called after each drawing, `onResize` after each change of size before the
+ * first drawing, and `onUnavailable` if the browser turns out to have no WebGL. Throws if that is
+ * known at once.
  */
 export class Figure {
-  constructor(host, { onDraw, onLost = (_) => {} }) {
-    getRenderer();
+  constructor(host, { onDraw, onResize, onLost = (_) => {}, onUnavailable = () => {} }) {
+    if (typeof WebGL2RenderingContext === "undefined") throw new Error("no WebGL");
     this.host = host;
     this.size = 1;
     this.onDraw = onDraw;
+    this.onResize = onResize;
     this.onLost = onLost;
+    this.onUnavailable = onUnavailable;
     this.dirty = true;
     this.visible = true;
     this.abort = new AbortController();
@@ -143,6 +168,7 @@ export class Figure {
     this.lights();
     figures.add(this);
     visibilityObserver?.observe(this.canvas);
+    waitForReader(host, () => this.visible, startDrawing, this.signal);
     this.resizes = new ResizeObserver(() => this.resize());
     this.resizes.observe(host);
   }
@@ -206,6 +232,7 @@ export class Figure {
     // Draw at once, because a resized canvas is blank.
     if (sharedRenderer && !sharedRenderer.getContext().isContextLost()) this.draw(sharedRenderer);
     else this.request();
+    if (!isDrawing) this.onResize();
   }
 
   // Render the scene and copy the image to this figure's canvas.
@@ -258,6 +285,7 @@ export class Figure {
       camera.position.copy(controls.target).add(away);
     }
     controls.update();
+    camera.updateMatrixWorld(); // for points that are projected before the next drawing
     this.request();
   }
 

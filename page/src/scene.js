@@ -1,14 +1,6 @@
 // The picture of the explorer; it redraws what changed in the state.
 
-import {
-  Color,
-  DoubleSide,
-  Group,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  ShadowMaterial,
-  Vector3,
-} from "three";
+import { Color, DoubleSide, Group, MeshBasicMaterial, MeshStandardMaterial, Vector3 } from "three";
 import { isOutsideLimits, estimateReach } from "../../judge/geometry/arm.js";
 import { getFadingStrength } from "./dragging.js";
 import {
@@ -34,6 +26,7 @@ import {
   floor,
   makeGhostMaterial,
   makeRod,
+  makeShadow,
   makeSquare,
   Triads,
   makeTube,
@@ -47,9 +40,10 @@ const MAX_ARROW_SHARE = 0.36; // largest length of the force arrow as a share of
 
 export class ArmPicture {
   constructor(host, labels, options = {}) {
-    this.figure = new Figure(host, { onDraw: () => this.place(), onLost: options.onLost });
+    const onDraw = () => this.place();
+    this.figure = new Figure(host, { ...options, onDraw, onResize: () => this.placeGrip() });
     this.labels = new AxisLabels(labels);
-    this.onPlace = options.onPlace ?? (() => {});
+    this.options = options;
     /** @type {any} */
     this.world = null;
     this.arm = null;
@@ -333,7 +327,13 @@ export class ArmPicture {
     const { width, height } = this.figure;
     this.labels.host.hidden = false;
     this.labels.place((p) => this.figure.pixel(p), width, height);
-    if (this.frames) this.onPlace(this.figure.pixel(this.frames.at(-1).o));
+    this.placeGrip();
+    this.options.onDrawn?.();
+  }
+
+  // Place the tip's handle, before the first drawing too.
+  placeGrip() {
+    if (this.frames) this.options.onPlace?.(this.figure.pixel(this.frames.at(-1).o));
   }
 
   // Return the segments that can be grabbed: the links, and the x axes of drawn frames with the row
@@ -374,13 +374,6 @@ function makeBody(arm, look) {
   // white, because each joint sets its own colour
   const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 });
   return new ArmShape(arm, { link, joint, hue: new Color(look.joint) });
-}
-
-function makeShadow(size, look) {
-  const shade = makeSquare(4 * size, new ShadowMaterial({ opacity: look.shadow }));
-  shade.receiveShadow = true;
-  shade.position.z = -0.001 * size;
-  return shade;
 }
 
 // Make the barrier between a dragged tip and the pointer: a wall, and a rod along the missing

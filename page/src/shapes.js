@@ -17,6 +17,7 @@ import {
   PlaneGeometry,
   Quaternion,
   ShaderMaterial,
+  ShadowMaterial,
   SphereGeometry,
   BoxGeometry,
   Vector3,
@@ -58,6 +59,14 @@ export function makeSquare(size, material) {
   const mesh = new Mesh(SQUARE, material);
   mesh.scale.setScalar(size);
   return mesh;
+}
+
+// Make the ground that shows only the arm's shadow.
+export function makeShadow(size, look) {
+  const shade = makeSquare(4 * size, new ShadowMaterial({ opacity: look.shadow }));
+  shade.receiveShadow = true;
+  shade.position.z = -0.001 * size;
+  return shade;
 }
 
 const toVector = (v) => new Vector3().fromArray(v);

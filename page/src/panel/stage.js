@@ -1,5 +1,5 @@
-// The picture and its controls. A still picture replaces it until it is drawn, without WebGL, and
-// on paper.
+// The picture and its controls. A still picture replaces it until it is drawn (start.js), without
+// WebGL, and on paper.
 
 import { updateAttribute, h, setText } from "../dom.js";
 import { enableGrabbing, moveTipByKey } from "../pointers.js";
@@ -39,42 +39,63 @@ const SWING_STEP = 0.06; // rad along the null space for one press
 export function makeStage(store, tools) {
   const { goTo, id, announce = () => {}, signal, isGrabbable = true, hasTipBar = true } = tools;
   const handleKey = (event) => {
-    if (!picture || !moveTipByKey(picture, store, event)) return;
+    if (!live.picture || !moveTipByKey(live.picture, store, event)) return;
     announce(() => describeHold(store.state.hold));
   };
   const parts = makeStageParts(id, makeTipBar(store, hasTipBar), handleKey);
-  const { paper, grip, hold, why } = parts;
+  const { paper, grip, hold } = parts;
   const root = h("div.stage", { tabindex: 0, role: "application", "aria-label": HELP });
   root.append(...Object.values({ ...parts, hold: hold.root }));
-  const picture = makePicture(root, parts, tools.first ?? 0);
-  if (picture && isGrabbable) enableGrabbing(picture, store, { grip, goTo });
-  root.addEventListener("dblclick", () => picture?.fit());
-  root.addEventListener("keydown", (event) => {
-    if (event.target === root && turnViewByKey(picture, event.key)) event.preventDefault();
-  });
   const drawStill = () => drawStillPicture(paper, store);
   drawStill();
-  if (picture) addEventListener("beforeprint", drawStill, { signal });
+  const live = makeLivePicture(root, parts, tools.first ?? 0, drawStill);
+  if (live.picture && isGrabbable) enableGrabbing(live.picture, store, { grip, goTo });
+  root.addEventListener("dblclick", () => live.picture?.fit());
+  root.addEventListener("keydown", (event) => {
+    if (event.target === root && turnViewByKey(live.picture, event.key)) event.preventDefault();
+  });
+  if (live.picture) addEventListener("beforeprint", drawStill, { signal });
   return {
     root,
-    picture,
+    get picture() {
+      return live.picture;
+    },
     draw(state, derived, theme) {
-      if (picture) picture.draw(state, derived, theme);
+      if (live.picture) live.picture.draw(state, derived, theme);
       else drawStill();
     },
     update(state) {
-      picture?.tipView.waitForRest(store);
-      hold.update(state);
-      // Without a force, the torque view's ball stands at the tip and needs the place.
-      const isTipFree = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
-      grip.hidden = !isGrabbable || !picture || !movingRows(state.arm).length || !isTipFree;
-      const message = describeHold(state.hold);
-      setText(why, message);
-      why.hidden = !message;
+      live.picture?.tipView.waitForRest(store);
+      updateParts(parts, state, isGrabbable && Boolean(live.picture));
     },
-    fit: () => picture?.fit(),
-    dispose: () => picture?.dispose(),
+    fit: () => live.picture?.fit(),
+    dispose: () => live.picture?.dispose(),
   };
+}
+
+// Update the handle of the tip, the buttons and the message about a stopped tip.
+function updateParts({ hold, grip, why }, state, isGrabbable) {
+  hold.update(state);
+  // Without a force, the torque view's ball stands at the tip and needs the place.
+  const isTipFree = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
+  grip.hidden = !isGrabbable || !movingRows(state.arm).length || !isTipFree;
+  const message = describeHold(state.hold);
+  setText(why, message);
+  why.hidden = !message;
+}
+
+// Make the live picture, which gives way to the still one if the browser turns out to have no
+// WebGL.
+function makeLivePicture(root, parts, first, drawStill) {
+  const onUnavailable = () => {
+    live.picture?.dispose();
+    live.picture = null;
+    parts.grip.hidden = true;
+    drawStill();
+    showWithoutWebGL(root, parts);
+  };
+  const live = { picture: makePicture(root, parts, { first, onUnavailable }) };
+  return live;
 }
 
 function drawStillPicture(paper, { state, derived }) {
@@ -104,27 +125,32 @@ function describeStill({ arm, q, unit }) {
 }
 
 // Make the live picture, or return null if there is no WebGL.
-function makePicture(root, { labels, grip, hold, lost }, first) {
+function makePicture(root, parts, { first, onUnavailable }) {
+  const { labels, grip, hold, lost } = parts;
   try {
     const picture = new ArmPicture(root, labels, {
       first,
+      onUnavailable,
       onLost: (is) => (lost.hidden = !is),
-      onPlace: ([x, y]) => {
-        grip.style.transform = `translate(${x}px, ${y}px)`;
-        root.classList.add("drawn");
-      },
+      onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
+      onDrawn: () => root.classList.add("drawn"),
     });
     picture.figure.foot = () => hold.root.offsetHeight + 40; // and the foot’s own disc and label
     return picture;
   } catch {
-    root.setAttribute("role", "group");
-    root.setAttribute("aria-label", "Picture of the arm");
-    root.removeAttribute("tabindex");
-    hold.root.hidden = true;
-    setText(lost, FLAT);
-    lost.hidden = !document.defaultView; // a page that is being built knows nothing of its browser
+    showWithoutWebGL(root, parts);
     return null;
   }
+}
+
+// Turn the stage into a plain drawing.
+function showWithoutWebGL(root, { hold, lost }) {
+  root.setAttribute("role", "group");
+  root.setAttribute("aria-label", "Picture of the arm");
+  root.removeAttribute("tabindex");
+  hold.root.hidden = true;
+  setText(lost, FLAT);
+  lost.hidden = !document.defaultView; // a page that is being built knows nothing of its browser
 }
 
 // Turn the view by a key. Returns false for other keys.
