@@ -25,6 +25,7 @@ export function addFileInput(check, stub) {
     check.edit({ answer: fileText });
   };
   const { input, button } = makeFileButton(readFile);
+  button.hidden = check.question.ask !== "trace";
   const close = () => check.edit({ answer: "" });
   const description = h("span");
   const closing = h("button", { onclick: close }, "Close it");

@@ -30,6 +30,8 @@ const PRIVACY_NOTE =
   "too, and your browser keeps your last answers until you clear them. " +
   "It names the mistake and does not print the solution.";
 const CLEARED_NOTE = "Cleared: this browser keeps none of your answers.";
+// Events by which the reader turns to the form.
+const SIGNS = ["pointerover", "touchstart", "focusin", "input"];
 const DEFAULT_FIELDS = ["ask", "arm", "unit"]; // the defaults of the other fields depend on these
 
 /**
@@ -48,15 +50,48 @@ export function mount(stub, book, id) {
   addFileInput(check, stub);
   addReportButton(check);
   const { focusedKey, patch } = readStillForm(stub, Object.keys(form.fields));
-  const { verdict, joints, report, path, taken, tools, said, privacy } = check.parts;
-  const result = h("div.told", {}, verdict, joints, report, path, taken);
-  const desk = h("div.desk", {}, form.form, result, check.markedText.root);
-  stub.replaceChildren(desk, tools, said, privacy);
   const isLinked = !given && readLinks(check, stub);
-  if (!isLinked && !("answer" in patch)) check.restore();
+  const isAnswered = isLinked || (!("answer" in patch) && check.restore());
+  if (!isAnswered && !Object.keys(patch).length && keepStillVerdict(check, stub)) return;
+  const { beside, below } = groupParts(check);
+  stub.replaceChildren(h("div.desk", {}, form.form, ...beside), ...below);
   if (DEFAULT_FIELDS.some((key) => key in patch)) check.changeQuestion(patch);
   check.update(patch);
   form.fields[focusedKey]?.focus();
+}
+
+// Return the parts that stand beside the form, and those below both.
+function groupParts({ parts, markedText }) {
+  const { verdict, joints, report, path, taken, tools, said, privacy } = parts;
+  const result = h("div.told", {}, verdict, joints, report, path, taken);
+  return { beside: [result, markedText.root], below: [tools, said, privacy] };
+}
+
+// Keep the verdict on the example, which the build has written, until the reader turns to the form:
+// judging it anew is the longest task of the page. Returns false if the stub has no built form.
+function keepStillVerdict(check, stub) {
+  const desk = stub.querySelector(".desk");
+  if (!desk) return false;
+  desk.querySelector("form").replaceWith(check.form.form);
+  stub.querySelector(":scope > .unscripted")?.remove();
+  check.fillFields();
+  const waiting = new AbortController();
+  const options = { signal: waiting.signal, capture: true };
+  for (const type of SIGNS) stub.addEventListener(type, () => check.refresh(), options);
+  check.onVerdict(() => {
+    if (!waiting.signal.aborted) replaceStillParts(check, stub, desk);
+    waiting.abort();
+  });
+  return true;
+}
+
+// Replace all parts but the form, which may have the focus.
+function replaceStillParts(check, stub, desk) {
+  const { beside, below } = groupParts(check);
+  for (const part of [...desk.children].slice(1)) part.remove();
+  for (const part of [...stub.children]) if (part !== desk) part.remove();
+  desk.append(...beside);
+  stub.append(...below);
 }
 
 // Name the form among all forms of the book, for the browser's storage.
@@ -229,9 +264,9 @@ export class AnswerCheck {
     this.update(question);
   }
 
-  // Bring back the reader's last answer.
+  // Bring back the reader's last answer. Returns false if there is none.
   restore() {
-    this.#restoreFrom(this.memory.loadLast());
+    return this.#restoreFrom(this.memory.loadLast());
   }
 
   #restoreFrom(kept) {
