@@ -93,3 +93,47 @@ def test_entries_before_the_script_are_kept(browser):
     assert page.get_by_label("Question", exact=True).input_value() == "table"
     assert page.get_by_label("Arm", exact=True).input_value() == "ELBOW"
     page.close()
+
+
+CANVAS = "document.querySelector('.arm-explorer').shadowRoot.querySelector('.stage canvas')"
+STORE = "document.querySelector('.arm-explorer').explorer.store"
+LINK = f"""() => {{
+    const {{ left, top }} = {CANVAS}.getBoundingClientRect();
+    const [x, y] = {CANVAS}.figure.pixel({STORE}.derived.frames.at(4).o);
+    return [left + x, top + y];
+}}"""
+
+
+def test_drag_on_a_still_picture_is_carried_on(browser):
+    page = browser.new_page(offline=True)
+    page.goto((HTML / "explorer.html").as_uri())
+    page.wait_for_function("document.querySelector('.arm-explorer').explorer")
+    page.wait_for_function(f"{CANVAS}.width > 300")
+    assert page.evaluate("ArmExplorer.inUse().calls") is None, "nothing is drawn before a sign"
+    x, y = page.evaluate(LINK)
+    before = page.evaluate(f"{STORE}.state.q")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 20, y + 10)
+    page.locator(".stage.drawn").wait_for()
+    page.mouse.move(x + 40, y + 20)
+    page.mouse.up()
+    page.wait_for_function(f"!{STORE}.state.dragging")
+    after = page.evaluate(f"{STORE}.state.q")
+    assert [k for k in range(7) if abs(after[k] - before[k]) > 1e-3] == [3]
+    page.close()
+
+
+def test_example_is_judged_when_the_reader_turns_to_it(browser):
+    page = browser.new_page(offline=True)
+    page.add_init_script(
+        "addEventListener('DOMContentLoaded', () => {"
+        " document.querySelector('.arm-judge .headline').textContent = 'as built' })"
+    )
+    page.goto((HTML / "check_your_homework.html").as_uri())
+    page.locator(".arm-judge:not(:has(> .unscripted))").wait_for()
+    headline = page.locator(".arm-judge .headline")
+    assert headline.inner_text() == "as built"
+    page.get_by_label("Your answer", exact=True).focus()
+    page.locator(".arm-judge .headline:not(:text('as built'))").wait_for()
+    page.close()
