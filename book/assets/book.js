@@ -1,3 +1,5 @@
+const folder = document.currentScript.src; // where the scripts are
+
 // Content wider than its column scrolls in a box of its own, also by keyboard, and shows that it
 // does.
 const WIDE = ".display, .matrix, div.table, pre";
@@ -128,16 +130,90 @@ document.addEventListener("DOMContentLoaded", () => {
     if (target.closest("a") && list.matches(":popover-open")) list.hidePopover();
   }));
 
-  // Mark the current section in the list of the page's sections.
-  const links = new Map([...document.querySelectorAll(".sections a")].map((a) => [decodeURIComponent(a.hash.slice(1)), a]));
-  const sectionObserver = new IntersectionObserver((changes) => {
-    for (const { isIntersecting, target } of changes) links.get(target.id)?.classList.toggle("here", isIntersecting);
-  }, { rootMargin: "-20% 0px -70%" });
-  each("article section[id]", (section) => links.has(section.id) && sectionObserver.observe(section));
+  each(".ahead details", (contents) => contents.addEventListener("click", ({ target }) => target.closest("a") && (contents.open = false)));
+  watchSections();
 });
 
+// Mark the current section in the list of the page's sections, keep it in view there, and mark the
+// sections that were read.
+function watchSections() {
+  const list = document.querySelector("#contents");
+  const links = new Map([...list.querySelectorAll(".sections a")].map((link) => [decodeURIComponent(link.hash.slice(1)), link]));
+  const marks = new ReadMarks(list, [...links.keys()].filter((id) => links.get(id).checkVisibility()));
+  const since = new Map(); // when the reader came to each current section
+  const observer = new IntersectionObserver((changes) => {
+    for (const { isIntersecting, target: { id } } of changes) {
+      const link = links.get(id);
+      link.classList.toggle("here", isIntersecting);
+      if (isIntersecting) {
+        since.set(id, performance.now());
+        keepInView(list, link);
+      } else if (performance.now() - (since.get(id) ?? Infinity) > READING_TIME) marks.add(id);
+    }
+  }, { rootMargin: "-20% 0px -70%" });
+  for (const section of document.querySelectorAll("article section[id]"))
+    if (links.has(section.id)) observer.observe(section);
+}
+
+const READING_TIME = 5000; // ms in a section after which it counts as read
+
+// Scroll a list so that a link of it is visible, unless the pointer is on it.
+function keepInView(list, link) {
+  const { offsetTop: top, offsetHeight: height } = link;
+  if (list.matches(":hover") || (top > list.scrollTop && top + height < list.scrollTop + list.clientHeight)) return;
+  list.scrollTop = top - list.clientHeight / 3;
+}
+
+// The sections that a reader has read, kept in the browser: by page the ids of its sections, or true
+// for the whole page.
+class ReadMarks {
+  constructor(list, sections) {
+    Object.assign(this, { list, sections, page: document.documentElement.dataset.page });
+    this.show();
+  }
+
+  load() {
+    try {
+      return JSON.parse(localStorage.read ?? "{}");
+    } catch {
+      return {};
+    }
+  }
+
+  add(id) {
+    const read = this.load();
+    const ids = new Set([read[this.page]].flat()).add(id);
+    if (read[this.page] === true || !this.sections.includes(id)) return;
+    read[this.page] = this.sections.every((section) => ids.has(section)) || [...ids].filter(Boolean);
+    try {
+      localStorage.read = JSON.stringify(read);
+    } catch { /* a browser that keeps nothing */ }
+    this.show();
+  }
+
+  show() {
+    const read = this.load(), here = read[this.page] ?? [];
+    const root = new URL("..", folder).href;
+    for (const link of this.list.querySelectorAll("a")) {
+      const id = decodeURIComponent(link.hash.slice(1));
+      const page = link.href.split("#")[0].slice(root.length).replace(/\.html$/, "");
+      const isRead = id ? here === true || here.includes(id) : read[page] === true;
+      link.classList.toggle("read", isRead);
+      if (isRead) link.setAttribute("aria-description", "read");
+      else link.removeAttribute("aria-description");
+    }
+    this.list.querySelector(".forget")?.remove();
+    if (!Object.keys(read).length) return;
+    const forget = Object.assign(document.createElement("button"), { className: "forget", textContent: "Forget what I have read" });
+    forget.onclick = () => {
+      delete localStorage.read;
+      this.show();
+    };
+    this.list.append(forget);
+  }
+}
+
 // The search loads its index when a reader first uses a search field.
-const folder = document.currentScript.src;
 let searchScripts = null;
 function loadSearch() {
   searchScripts ??= ["vendor/minisearch/minisearch", "search-entries", "search"].map((name) =>
