@@ -1,8 +1,8 @@
-"""Times the helpers against their peers, in turn: `make bench` prints a table and writes the book's appendix,
-`bench.py inverse` prints one topic.
+"""Time the helpers against other programs and write the book's appendix: `make bench`.
 
-Each peer does the same work in its own best way. The programs run in turn, so that a change of the machine's speed
-meets all of them, and the medians are compared. Before anything is timed, all results must agree.
+`bench.py inverse` prints one topic only. Each program does the same work in the fastest way that it
+offers. The programs take turns, so that a change of the machine's speed affects all of them, and
+their median times are compared. Before anything is timed, all results must agree.
 """
 
 import os
@@ -30,10 +30,16 @@ APPENDIX = Path(__file__).parents[1] / "book/benchmarks.md"
 
 @dataclass(frozen=True)
 class Case:
-    """One piece of work: our program and the peers', each a function without arguments, and how closely they must agree.
+    """One task that the helpers and other programs do.
 
-    A round times `calls` calls of each. `seen` turns a result into the numbers to compare, where results have another
-    form or order.
+    Attributes:
+        name: Name of the task in the table.
+        ours: Function of the helpers.
+        peers: Functions of the other programs by their label in the table.
+        tolerance: Largest allowed difference between results.
+        rounds: Number of rounds; in each, every program runs once.
+        calls: Number of calls that a round times.
+        comparable: Turns a result into an array, where programs return other forms or orders.
     """
 
     name: str
@@ -42,59 +48,62 @@ class Case:
     tolerance: float
     rounds: int = 9
     calls: int = 1
-    seen: Callable[[object], np.ndarray] = np.asarray
+    comparable: Callable[[object], np.ndarray] = np.asarray
 
 
-def seconds(work: Callable[[], object], calls: int) -> float:
+def time_call(work: Callable[[], object], calls: int) -> float:
+    """Return the mean time of a call in seconds."""
     start = time.perf_counter()
     for _ in range(calls):
         work()
     return (time.perf_counter() - start) / calls
 
 
-def measured(case: Case) -> Iterator[str]:
-    wanted = case.seen(case.ours())
-    off = {
-        name: float(np.abs(case.seen(work()) - wanted).max()) for name, work in case.peers.items()
+def measure_case(case: Case) -> Iterator[str]:
+    """Yield the table's lines of a task; fail if a result differs from the helpers'."""
+    expected = case.comparable(case.ours())
+    differences = {
+        name: float(np.abs(case.comparable(work()) - expected).max())
+        for name, work in case.peers.items()
     }
-    for name, error in off.items():
+    for name, error in differences.items():
         assert error <= case.tolerance, f"{case.name}: {name} differs by {error:g}"
     works = {"ours": case.ours, **case.peers}
     times = {name: [] for name in works}
     for _ in range(case.rounds):
         for name, work in works.items():
             if case.rounds > 1:
-                work()  # the program before has taken the caches and the memory
-            times[name].append(seconds(work, case.calls))
+                work()  # fills the caches again, which the program before has emptied
+            times[name].append(time_call(work, case.calls))
     median = {name: 1e3 * statistics.median(t) for name, t in times.items()}
-    yield f"| {case.name} | **helpers** | {digits(median['ours'])} | | |"
+    yield f"| {case.name} | **helpers** | {format_time(median['ours'])} | | |"
     for name in case.peers:
         ratio = median["ours"] / median[name]
-        yield f"| | {name} | {digits(median[name])} | {ratio:.2f} | {scientific(off[name])} |"
+        yield f"| | {name} | {format_time(median[name])} | {ratio:.2f} | {format_error(differences[name])} |"
 
 
-def scientific(error: float) -> str:
+def format_error(error: float) -> str:
     return f"{error:.0e}" if error else "0"
 
 
-def digits(milliseconds: float) -> str:
+def format_time(milliseconds: float) -> str:
     """Format a number with three digits and no power of ten."""
     return f"{milliseconds:.0f}" if milliseconds >= 100 else f"{milliseconds:.3g}"
 
 
-def table(topics: list[ModuleType]) -> Iterator[str]:
+def table_lines(topics: list[ModuleType]) -> Iterator[str]:
     """Yield the table's lines as soon as each is measured."""
     yield "| work | who, and called how | ms | helpers / peer | largest difference |"
     yield "|:--|:--|--:|--:|--:|"
     for topic in topics:
         for case in topic.cases(Case):
-            yield from measured(case)
+            yield from measure_case(case)
 
 
-def page(lines: list[str]) -> str:
-    """Write the book's appendix."""
+def appendix_text(lines: list[str]) -> str:
+    """Return the text of the book's appendix."""
     versions = (f"{name} {version(name)}" for name in PEERS)
-    machine = f"{processor()}, {os.cpu_count()} cores, {platform.system()}"
+    machine = f"{processor_name()}, {os.cpu_count()} cores, {platform.system()}"
     return PAGE.format(
         machine=machine,
         load=os.getloadavg()[0],
@@ -105,12 +114,12 @@ def page(lines: list[str]) -> str:
     )
 
 
-def processor() -> str:
+def processor_name() -> str:
     """Return the processor's name on Linux."""
-    known = Path("/proc/cpuinfo")
+    cpu_info = Path("/proc/cpuinfo")
     names = (
-        re.findall(r"model name\s*: (.*)", known.read_text(encoding="utf-8"))
-        if known.exists()
+        re.findall(r"model name\s*: (.*)", cpu_info.read_text(encoding="utf-8"))
+        if cpu_info.exists()
         else []
     )
     return names[0] if names else platform.machine()
@@ -161,10 +170,10 @@ MuJoCo take: a loop of your own around single poses is faster with one of those.
 
 
 if __name__ == "__main__":
-    wanted = sys.argv[1:] or [topic.__name__ for topic in TOPICS]
+    names = sys.argv[1:] or [topic.__name__ for topic in TOPICS]
     lines = []
-    for line in table([topic for topic in TOPICS if topic.__name__ in wanted]):
+    for line in table_lines([topic for topic in TOPICS if topic.__name__ in names]):
         print(line, flush=True)
         lines.append(line)
     if not sys.argv[1:]:
-        APPENDIX.write_text(page(lines), encoding="utf-8")
+        APPENDIX.write_text(appendix_text(lines), encoding="utf-8")

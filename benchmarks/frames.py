@@ -1,9 +1,8 @@
-"""What a frame of the explorer costs while the Panda's tip is dragged: all script between two
-frames, with the processor at a quarter of its speed. Build the book first, then say
-`python benchmarks/frames.py`.
+"""Measure the script time of each frame while the Panda's tip is dragged in the explorer.
 
-The picture is drawn into one pixel, since a machine without a graphics card would else be measured
-by how it rasters; every call that draws is made.
+The processor is slowed to a quarter of its speed. Build the book first, then run
+`python benchmarks/frames.py`. All drawing calls are made, but into one pixel: without a graphics
+card, filling the pixels would take most of the time.
 """
 
 import statistics
@@ -17,9 +16,9 @@ from playwright.sync_api import Browser, sync_playwright  # noqa: E402
 
 from tools.browser import launch_browser  # noqa: E402
 
-RUNS, SLOWER = 5, 4
+RUNS, SLOWDOWN = 5, 4
 
-# Time in callbacks, timers and the pointer's events, added up from frame to frame.
+# Adds up the time in animation callbacks, timers and pointer events of each frame.
 CLOCK = """(() => {
     const spent = (window.spent = []);
     const raf = (window.unclocked = requestAnimationFrame.bind(window));
@@ -47,7 +46,7 @@ CLOCK = """(() => {
     };
 })()"""
 
-# The tip goes round a circle, a step each frame.
+# Drags the tip around a circle, one step a frame.
 DRAG = """(frames) => new Promise((done) => {
     const grip = document.querySelector(".arm-explorer").shadowRoot.querySelector(".grip");
     const { x, y, width, height } = grip.getBoundingClientRect();
@@ -71,7 +70,7 @@ DRAG = """(frames) => new Promise((done) => {
 })"""
 
 
-def dragged(browser: Browser) -> list[float]:
+def measure_drag(browser: Browser) -> list[float]:
     """Return milliseconds of script per frame of a drag, after one warm-up drag."""
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     page.add_init_script(CLOCK)
@@ -79,7 +78,7 @@ def dragged(browser: Browser) -> list[float]:
     page.mouse.move(1, 1)
     page.locator("section.explorer").wait_for()
     page.wait_for_timeout(1000)
-    page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
+    page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWDOWN})
     page.evaluate(DRAG, 60)
     spent = page.evaluate(DRAG, 150)
     page.close()
@@ -89,13 +88,13 @@ def dragged(browser: Browser) -> list[float]:
 def main() -> None:
     with sync_playwright() as playwright:
         browser = launch_browser(playwright)
-        runs = [dragged(browser) for _ in range(RUNS)]
+        runs = [measure_drag(browser) for _ in range(RUNS)]
         browser.close()
     for share in (0.5, 0.95):
-        found = [run[int(share * len(run))] for run in runs]
+        times = [run[int(share * len(run))] for run in runs]
         name = "median" if share == 0.5 else "95 % under"
-        each = ", ".join(f"{ms:.1f}" for ms in found)
-        print(f"{name}: {statistics.median(found):.1f} ms (runs: {each})")
+        each = ", ".join(f"{ms:.1f}" for ms in times)
+        print(f"{name}: {statistics.median(times):.1f} ms (runs: {each})")
 
 
 if __name__ == "__main__":

@@ -13,20 +13,24 @@ POSES = 1000
 UR = UR10E.with_values(l_pen=0)
 
 
-def signature(branches) -> np.ndarray:
-    """Each pose's number of branches and the sums of its angles' sines and cosines: the same in any
-    order."""
+def branch_signature(branches) -> np.ndarray:
+    """Return numbers that do not depend on the order of each pose's branches, shape (n, 13).
+
+    They are the count of branches, and the sums of each angle's cosines and sines.
+    """
     sums = [np.exp(1j * np.reshape(q, (-1, 6))).sum(axis=0) for q in branches]
     return np.column_stack([[len(q) for q in branches], np.real(sums), np.imag(sums)])
 
 
-def ours(found) -> np.ndarray:
-    return signature([q[valid] for q, valid in zip(found.q, found.valid, strict=True)])
+def helpers_signature(solutions) -> np.ndarray:
+    return branch_signature(
+        [q[valid] for q, valid in zip(solutions.q, solutions.valid, strict=True)]
+    )
 
 
-def of_eaik(found) -> np.ndarray:
-    """Return EAIK's exact solutions, without least-squares answers for unreachable branches."""
-    return signature([pose.Q[~np.array(pose.is_LS)] for pose in found])
+def eaik_signature(solutions) -> np.ndarray:
+    """Return the signature of EAIK's exact solutions, without its least-squares approximations."""
+    return branch_signature([pose.Q[~np.array(pose.is_LS)] for pose in solutions])
 
 
 def closed_forms(Case):
@@ -36,7 +40,7 @@ def closed_forms(Case):
         np.array([UR.number(getattr(row, name)) for row in UR.rows]) for name in ("alpha", "a", "d")
     )
     robot = eaik.IK_DH.DhRobot(alpha, a, d)
-    one = ur_analytic_ik.ur10e.inverse_kinematics
+    solve_ur10e = ur_analytic_ik.ur10e.inverse_kinematics
     return Case(
         f"UR10e: all branches of {POSES} poses",
         lambda: ur(UR, T),
@@ -44,15 +48,15 @@ def closed_forms(Case):
             "EAIK, batched, 1 thread": lambda: robot.IK_batched(T, 1),
             "EAIK, batched, 2 threads": lambda: robot.IK_batched(T, 2),
             "EAIK, one by one": lambda: [robot.IK(pose) for pose in T],
-            "ur-analytic-ik, one by one": lambda: [one(pose) for pose in T],
+            "ur-analytic-ik, one by one": lambda: [solve_ur10e(pose) for pose in T],
         },
         tolerance=1e-4,
-        seen=lambda found: (
-            ours(found)
-            if hasattr(found, "valid")
-            else of_eaik(found)
-            if hasattr(found[0], "is_LS")
-            else signature(found)
+        comparable=lambda solutions: (
+            helpers_signature(solutions)
+            if hasattr(solutions, "valid")
+            else eaik_signature(solutions)
+            if hasattr(solutions[0], "is_LS")
+            else branch_signature(solutions)
         ),
     )
 
@@ -67,24 +71,23 @@ def numeric(Case):
     chain = ets()
 
     def roboticstoolbox():
-        """Its fastest settings first, and its own, with up to 100 random starts, for what those
-        miss.
+        """Solve with the fastest settings; retry failures with the default 100 random starts.
 
-        It halves the squared error: 5e-21 is 1e-10.
+        The tolerance bounds half the squared error: 5e-21 stands for 1e-10.
         """
-        found = np.empty_like(q)
+        solutions = np.empty_like(q)
         for k, (pose, near) in enumerate(zip(T, start, strict=True)):
             fast = dict(slimit=1, joint_limits=False, method="sugihara", k=1e-4)
             answer = chain.ik_LM(pose, q0=near, tol=5e-21, **fast)
-            found[k] = (answer if answer.success else chain.ik_LM(pose, q0=near, tol=5e-21)).q
-        return found
+            solutions[k] = (answer if answer.success else chain.ik_LM(pose, q0=near, tol=5e-21)).q
+        return solutions
 
     return Case(
         f"Panda: {POSES} poses to 1e-10, starts within 0.2 rad",
         lambda: solve(BARE, T, start).q,
         {"roboticstoolbox ik_LM (C++)": roboticstoolbox},
         tolerance=1e-9,
-        seen=lambda found: forward_kinematics(BARE, found),
+        comparable=lambda q: forward_kinematics(BARE, q),
     )
 
 

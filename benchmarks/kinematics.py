@@ -58,16 +58,15 @@ def casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
     return q, T, casadi.horzcat(*columns)
 
 
-def casadi_ways(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
-    """A CasADi expression over a batch: as users call it, and in its best ways.
+def casadi_calls(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
+    """Return functions that evaluate a CasADi expression for a batch, as users do and faster.
 
-    Those share equal steps (cse), fill in the zeros, and read and write the batch's own memory:
-    CasADi keeps columns together where NumPy keeps rows, so the transposed result is what arrives
-    in NumPy's order.
+    The faster ones share equal steps (cse), fill in zeros, and work on the batch's own memory.
+    CasADi stores matrices by column and NumPy by row, so the expression is transposed.
     """
     plain = casadi.Function("plain", [q], [result])
     dense = [casadi.cse(casadi.densify(result.T))]
-    ways = {
+    calls = {
         "CasADi, called with arrays, mapped": _with_arrays(plain.map(BLOCK), result.shape),
         "CasADi, shared steps, mapped, through buffers": _through_buffers(
             casadi.Function("dense", [q], dense), result.shape
@@ -79,21 +78,21 @@ def casadi_ways(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndarr
             "compiler": "shell",
             "jit_options": {"flags": ["-O3", "-march=native"]},
         }
-        ways["CasADi, the same compiled by gcc"] = _through_buffers(
+        calls["CasADi, the same compiled by gcc"] = _through_buffers(
             casadi.Function("compiled", [q], dense, flags), result.shape
         )
-    return ways
+    return calls
 
 
 def _with_arrays(over: casadi.Function, shape: tuple[int, int]):
     rows, columns = shape
 
     def work(q):
-        found = np.empty((len(q), rows, columns))
+        results = np.empty((len(q), rows, columns))
         for start in range(0, len(q), BLOCK):
             part = over(q[start : start + BLOCK].T).full()
-            found[start : start + BLOCK] = part.T.reshape(-1, columns, rows).transpose(0, 2, 1)
-        return found
+            results[start : start + BLOCK] = part.T.reshape(-1, columns, rows).transpose(0, 2, 1)
+        return results
 
     return work
 
@@ -104,12 +103,12 @@ def _through_buffers(function: casadi.Function, shape: tuple[int, int]):
     buffer, run = over.buffer()
 
     def work(q):
-        found = np.empty((len(q), *shape))
+        results = np.empty((len(q), *shape))
         for start in range(0, len(q), BLOCK):
             buffer.set_arg(0, memoryview(q[start : start + BLOCK]))
-            buffer.set_res(0, memoryview(found[start : start + BLOCK]))
+            buffer.set_res(0, memoryview(results[start : start + BLOCK]))
             run()
-        return found
+        return results
 
     return work
 
@@ -169,7 +168,7 @@ def jax_of_entries() -> tuple[Callable, Callable]:
     return pose_entries, jac_entries
 
 
-def jax_ways() -> list[dict]:
+def jax_calls() -> list[dict]:
     """Compute poses and Jacobians in JAX by 4 x 4 matrices and entry by entry."""
     jax.config.update("jax_enable_x64", True)
 
@@ -212,31 +211,31 @@ class Pinocchio:
         return pinocchio.computeFrameJacobian(self.model, self.data, maker, self.frame, BASE_AXES)
 
     def poses(self, q: np.ndarray) -> np.ndarray:
-        found = np.empty((len(q), 4, 4))
+        results = np.empty((len(q), 4, 4))
         for k, maker in enumerate(q * SIGNS):
-            found[k] = self.pose(maker)
-        return found @ HALF_TURN
+            results[k] = self.pose(maker)
+        return results @ HALF_TURN
 
     def jacobians(self, q: np.ndarray) -> np.ndarray:
-        found = np.empty((len(q), 6, 7))
+        results = np.empty((len(q), 6, 7))
         for k, maker in enumerate(q * SIGNS):
-            found[k] = self.jacobian(maker)
-        return found * SIGNS
+            results[k] = self.jacobian(maker)
+        return results * SIGNS
 
 
 def batches(Case):
     pin, chain = Pinocchio(), ets()
     q, T, J = casadi_expressions()
-    in_jax = jax_ways()
+    in_jax = jax_calls()
     poses = {
-        **casadi_ways(q, T),
+        **casadi_calls(q, T),
         **in_jax[0],
         "Pinocchio, in a loop": pin.poses,
         "roboticstoolbox ETS.eval, batched": chain.eval,
         "roboticstoolbox ETS.fkine, in a loop": lambda q: np.array([chain.fkine(x).A for x in q]),
     }
     jacobians = {
-        **casadi_ways(q, J),
+        **casadi_calls(q, J),
         **in_jax[1],
         "Pinocchio, in a loop": pin.jacobians,
         "roboticstoolbox ETS.jacob0, in a loop": lambda q: np.array([chain.jacob0(x) for x in q]),

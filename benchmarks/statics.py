@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import mujoco
 import numpy as np
 import pinocchio
-from kinematics import SIGNS, Pinocchio, casadi_ways, link, product
+from kinematics import SIGNS, Pinocchio, casadi_calls, link, product
 
 from helpers.kinematics import link_frames
 from helpers.robots import PANDA
@@ -48,10 +48,10 @@ def pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
     data = model.createData()
 
     def work():
-        found = np.empty_like(q)
+        torques = np.empty_like(q)
         for k, maker in enumerate(q * SIGNS):
-            found[k] = pinocchio.computeGeneralizedGravity(model, data, maker)
-        return found * SIGNS
+            torques[k] = pinocchio.computeGeneralizedGravity(model, data, maker)
+        return torques * SIGNS
 
     return work
 
@@ -59,11 +59,11 @@ def pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
 def pinocchio_at_rest(q: np.ndarray, threads: int) -> Callable[[], np.ndarray]:
     """Run Newton-Euler at rest for all configurations in one call."""
     pool = pinocchio.ModelPool(pinocchio_panda(), threads)
-    still, found = np.zeros(q.T.shape, order="F"), np.empty(q.T.shape, order="F")
+    at_rest, torques = np.zeros(q.T.shape, order="F"), np.empty(q.T.shape, order="F")
 
     def work():
-        pinocchio.rneaInParallel(threads, pool, (q * SIGNS).T, still, still, found)
-        return found.T * SIGNS
+        pinocchio.rneaInParallel(threads, pool, (q * SIGNS).T, at_rest, at_rest, torques)
+        return torques.T * SIGNS
 
     return work
 
@@ -74,26 +74,24 @@ def _placements(pin: Pinocchio, q: np.ndarray):
 
 
 def mujoco_gravity(q: np.ndarray) -> np.ndarray:
-    """MuJoCo's recursive Newton-Euler at rest, with only the steps before it that it needs, called
-    once per configuration."""
+    """Call MuJoCo's Newton-Euler recursion at rest once per configuration."""
     model = mujoco.MjModel.from_xml_string(mujoco_panda())
     data = mujoco.MjData(model)
 
     def work():
-        found = np.empty_like(q)
+        torques = np.empty_like(q)
         for k, joints in enumerate(q):
             data.qpos[:] = joints
             mujoco.mj_kinematics(model, data)
             mujoco.mj_comPos(model, data)
-            mujoco.mj_rne(model, data, 0, found[k])
-        return found
+            mujoco.mj_rne(model, data, 0, torques[k])
+        return torques
 
     return work
 
 
 def mujoco_panda() -> str:
-    """The table as nested bodies: each turns about its own z, and the next one sits at the end of
-    its row."""
+    """Write the table as nested MuJoCo bodies, each turning about its own z axis."""
     bodies = ""
     for row, mass, (x, y, z) in reversed(list(zip(PANDA.numeric, MASSES, CENTRES, strict=True))):
         c, s, half = row.cos_alpha, row.sin_alpha, np.arctan2(row.sin_alpha, row.cos_alpha) / 2
@@ -109,7 +107,7 @@ def mujoco_panda() -> str:
     return f"<mujoco><worldbody><body>{bodies}</body></worldbody></mujoco>"
 
 
-def jax_ways(q: np.ndarray) -> dict[str, Callable[[], np.ndarray]]:
+def jax_calls(q: np.ndarray) -> dict[str, Callable[[], np.ndarray]]:
     """Compute dP/dq in JAX by 4 x 4 matrices and entry by entry over the batch."""
     jax.config.update("jax_enable_x64", True)
 
@@ -137,12 +135,12 @@ def jax_ways(q: np.ndarray) -> dict[str, Callable[[], np.ndarray]]:
 def cases(Case):
     q = np.random.default_rng(0).uniform(*PANDA.limits, size=(1000, 7))
     of_casadi = {
-        way: (lambda work=work: work(q)[..., 0])
-        for way, work in casadi_ways(*casadi_gravity()).items()
+        label: (lambda work=work: work(q)[..., 0])
+        for label, work in casadi_calls(*casadi_gravity()).items()
     }
     peers = {
         **of_casadi,
-        **jax_ways(q),
+        **jax_calls(q),
         "Pinocchio, in a loop": pinocchio_gravity(q),
         "Pinocchio, rneaInParallel at rest, 1 thread": pinocchio_at_rest(q, 1),
         "Pinocchio, rneaInParallel at rest, 2 threads": pinocchio_at_rest(q, 2),

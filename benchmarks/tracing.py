@@ -15,8 +15,8 @@ STEP = 5.0 / 1000
 ARM = BARE.lock(3)
 
 
-class Looped:
-    """Loops that a user would write around a 6 x 7 Jacobian without column 3."""
+class UserLoop:
+    """Trace as users do, with a loop around a 6 x 7 Jacobian without column 3."""
 
     def __init__(self, jacobian_of) -> None:
         self.jacobian_of = jacobian_of
@@ -27,35 +27,35 @@ class Looped:
 
     def euler(self) -> np.ndarray:
         """Trace by q_{k+1} = q_k + dt J^-1 xi, with tabulated velocities padded at each step."""
-        q, run = np.array(PANDA.home), np.empty((len(PATH.times), 7))
-        run[0] = q
+        q, trajectory = np.array(PANDA.home), np.empty((len(PATH.times), 7))
+        trajectory[0] = q
         for k, v in enumerate(PATH.velocities[:-1]):
             J = self.jacobian_of(q)[:, FREE]
             q[FREE] += STEP * np.linalg.solve(J, np.concatenate([v, np.zeros(3)]))
-            run[k + 1] = q
-        return np.delete(run, 2, axis=1)
+            trajectory[k + 1] = q
+        return np.delete(trajectory, 2, axis=1)
 
     def euler_padded(self) -> np.ndarray:
         """Trace in the same way with twists padded beforehand."""
-        q, run = np.array(PANDA.home), np.empty((len(PATH.times), 7))
-        run[0] = q
+        q, trajectory = np.array(PANDA.home), np.empty((len(PATH.times), 7))
+        trajectory[0] = q
         twists = np.hstack([PATH.velocities, np.zeros_like(PATH.velocities)])
         for k, twist in enumerate(twists[:-1]):
             q[FREE] += STEP * np.linalg.solve(self.jacobian_of(q)[:, FREE], twist)
-            run[k + 1] = q
-        return np.delete(run, 2, axis=1)
+            trajectory[k + 1] = q
+        return np.delete(trajectory, 2, axis=1)
 
     def rk4(self) -> np.ndarray:
-        q, run = np.array(ARM.home), np.empty((len(PATH.times), 6))
-        run[0] = q
+        q, trajectory = np.array(ARM.home), np.empty((len(PATH.times), 6))
+        trajectory[0] = q
         for k, t in enumerate(PATH.times[:-1]):
             k_1 = self.rates(q, t)
             k_2 = self.rates(q + STEP / 2 * k_1, t + STEP / 2)
             k_3 = self.rates(q + STEP / 2 * k_2, t + STEP / 2)
             k_4 = self.rates(q + STEP * k_3, t + STEP)
             q = q + STEP / 6 * (k_1 + 2 * k_2 + 2 * k_3 + k_4)
-            run[k + 1] = q
-        return run
+            trajectory[k + 1] = q
+        return trajectory
 
 
 class Locked:
@@ -70,18 +70,18 @@ class Locked:
         return pinocchio.computeFrameJacobian(self.model, self.data, x, self.frame, BASE_AXES)
 
     def euler(self) -> np.ndarray:
-        x, run = self.signs * ARM.home, np.empty((len(PATH.times), 6))
-        run[0] = x
+        x, trajectory = self.signs * ARM.home, np.empty((len(PATH.times), 6))
+        trajectory[0] = x
         moves = STEP * np.hstack([PATH.velocities, np.zeros_like(PATH.velocities)])
         jacobian, solve = self.jacobian, np.linalg.solve
         for k, move in enumerate(moves[:-1]):
             x = x + solve(jacobian(x), move)
-            run[k + 1] = x
-        return run * self.signs
+            trajectory[k + 1] = x
+        return trajectory * self.signs
 
     def rk4(self) -> np.ndarray:
-        x, run = self.signs * ARM.home, np.empty((len(PATH.times), 6))
-        run[0] = x
+        x, trajectory = self.signs * ARM.home, np.empty((len(PATH.times), 6))
+        trajectory[0] = x
         moves = [PATH.velocity(PATH.times[:-1] + share * STEP) for share in (0.0, 0.5, 1.0)]
         moves = [STEP * np.hstack([v, np.zeros_like(v)]) for v in moves]
         jacobian, solve = self.jacobian, np.linalg.solve
@@ -91,45 +91,48 @@ class Locked:
             d_3 = solve(jacobian(x + 0.5 * d_2), middle)
             d_4 = solve(jacobian(x + d_3), end)
             x = x + (d_1 + 2 * (d_2 + d_3) + d_4) / 6
-            run[k + 1] = x
-        return run * self.signs
+            trajectory[k + 1] = x
+        return trajectory * self.signs
 
     def exact(self, ahead: bool) -> np.ndarray:
-        """Newton's method at each step to the same 1e-13, from the step before, or from where the
-        last three lead: Jacobian and pose in one pass over the links."""
-        x, run = self.signs * ARM.home, np.empty((len(PATH.times), 6))
-        run[0] = x
-        held = self.jacobian_and_pose(x)[1].rotation
+        """Trace by Newton's method at each step to 1e-13.
+
+        Args:
+            ahead: Start from the extrapolation of the last three steps, not from the last step.
+        """
+        x, trajectory = self.signs * ARM.home, np.empty((len(PATH.times), 6))
+        trajectory[0] = x
+        start_rotation = self.jacobian_and_pose(x)[1].rotation
         for k, position in enumerate(PATH.positions[1:], 1):
             if ahead and k > 2:
-                x = 3 * (run[k - 1] - run[k - 2]) + run[k - 3]
+                x = 3 * (trajectory[k - 1] - trajectory[k - 2]) + trajectory[k - 3]
             for _ in range(30):
-                J, have = self.jacobian_and_pose(x)
+                J, pose = self.jacobian_and_pose(x)
                 error = np.empty(6)
-                error[:3] = position - have.translation
-                turn = held @ have.rotation.T
+                error[:3] = position - pose.translation
+                turn = start_rotation @ pose.rotation.T
                 error[3] = 0.5 * (turn[2, 1] - turn[1, 2])
                 error[4] = 0.5 * (turn[0, 2] - turn[2, 0])
                 error[5] = 0.5 * (turn[1, 0] - turn[0, 1])
                 if np.abs(error).max() < 1e-13:
                     break
                 x = x + np.linalg.solve(J, error)
-            run[k] = x
-        return run * self.signs
+            trajectory[k] = x
+        return trajectory * self.signs
 
     def jacobian_and_pose(self, x: np.ndarray) -> tuple[np.ndarray, pinocchio.SE3]:
-        J = self.jacobian(x)  # which places the joints too
+        J = self.jacobian(x)  # also updates the joint placements
         return J, pinocchio.updateFramePlacement(self.model, self.data, self.frame)
 
 
-def ours(method: str) -> np.ndarray:
+def trace_with_helpers(method: str) -> np.ndarray:
     return trace(ARM, ARM.home, PATH, method=method).q
 
 
 def cases(Case):
     pin = Pinocchio()
-    of_pinocchio = Looped(lambda q: pin.jacobian(SIGNS * q) * SIGNS)
-    of_toolbox, locked = Looped(ets().jacob0), Locked(pin)
+    of_pinocchio = UserLoop(lambda q: pin.jacobian(SIGNS * q) * SIGNS)
+    of_toolbox, locked = UserLoop(ets().jacob0), Locked(pin)
     euler = {
         "the loop with Pinocchio, as users write it": of_pinocchio.euler,
         "the same, twists padded beforehand": of_pinocchio.euler_padded,
@@ -145,4 +148,4 @@ def cases(Case):
         "the same, begun where the last three steps lead": partial(locked.exact, True),
     }
     for name, peers in (("euler", euler), ("rk4", rk4), ("exact", exact)):
-        yield Case(f"{name} trace, 1 000 steps", partial(ours, name), peers, 1e-9, 9)
+        yield Case(f"{name} trace, 1 000 steps", partial(trace_with_helpers, name), peers, 1e-9, 9)

@@ -71,11 +71,11 @@ SHARED = dict(
     angular_first=False, answer="J", arm=PANDA, arms=(), ax=FLAT, axes=GRID, base="a",
     between=(0, 90), book_only=False, branches=[PANDA.home], colour="k", colours=("k", "r"),
     columns="theta d a alpha", convention="standard", cutoff=1e-9, d=0, damping=0.1, dashed=True,
-    description="Its answers.", display=True, effort=1, end=[1, 1], expected=1, found=DERIVED,
+    description="Its answers.", display=True, effort=1, end=[1, 1], derivation=DERIVED, expected=1,
     frames_from=FRAMES, frames_to=FRAMES, gain=1.0, goal=[0.0] * 7, gravity=(0, 0, -9.81),
     heading="Elbow", home=(0.1,), inertias=np.zeros((7, 3, 3)), iterations=3,
     jacobian=kinematics.jacobian, joints=[2], label="anything", language="NumPy", lead="An arm.",
-    length=0.1, lengths="m", letters=("d", "r"), limits=(-1, 1), link=False, lower=-1, many=True,
+    length=0.1, lengths="m", limits=(-1, 1), link=False, lower=-1, many=True,
     masses=[1.0, 2.0], method="euler", name="mine", named={"A_1": np.eye(4)}, negative=False,
     normal=[1, 0, 0], number=3, offset=0.1, part="linear", path=PATH, phase=0.0,
     program="sympy", planes=("xz", "yz"), points=np.zeros((2, 3)), poses=[PANDA.home] * 2,
@@ -165,7 +165,9 @@ RIGHT = {
     "plotting.row_drawing": dict(view=(30, 18)),
     "plotting.arm_2d": dict(plane="xz", alpha=1),
     "plotting.arrow_2d": dict(start=[0, 1], step=[0, 1]),
-    "plotting.shoulder_triangles": dict(point=[0.3, 0.2], names=("left", "right")),
+    "plotting.shoulder_triangles": dict(
+        point=[0.3, 0.2], names=("left", "right"), symbols=("d", "r")
+    ),
     "plotting.ur_triangle": dict(arm=UR10E, q=UR10E.home),
     "plotting.law_of_cosines": dict(arm=ELBOW, q=BEND),
     "plotting.moving_picture": dict(frames=2),
@@ -193,7 +195,7 @@ FREE = {
     "expressions.plain_formula name",
     *("inverse.solve limits", "plotting.arm_2d alpha"),
     "plotting.arrow_2d text",
-    *("plotting.shoulder_triangles names", "plotting.shoulder_triangles letters"),
+    *("plotting.shoulder_triangles names", "plotting.shoulder_triangles symbols"),
     *("plotting.joints axes", "plotting.torques axes", "plotting.postures axes"),
     *("plotting.angle text", "plotting.dimension text", "plotting.postures titles"),
 }

@@ -23,13 +23,11 @@ def arm_data(arm: Arm) -> Data:
     }
 
 
-def _lengths(arm: Arm) -> str:
-    """An arm's lengths (mm) but the pen's, each once and as its rows have them, to tell it from
-    others of its name.
-    """
-    bare = arm.with_values(l_pen=0) if "l_pen" in arm.values else arm
-    each = (abs(1000 * bare.number(x)) for row in bare.rows for x in (row.d, row.a))
-    return ", ".join(dict.fromkeys(f"{x:g}" for x in each if x))
+def _lengths_text(arm: Arm) -> str:
+    """Return the arm's different lengths in mm without the pen's, to distinguish namesakes."""
+    penless = arm.with_values(l_pen=0) if "l_pen" in arm.values else arm
+    lengths = (abs(1000 * penless.number(x)) for row in penless.rows for x in (row.d, row.a))
+    return ", ".join(dict.fromkeys(f"{x:g}" for x in lengths if x))
 
 
 def _rows_data(arm: Arm) -> list[Data]:
@@ -54,25 +52,30 @@ def _finite(value: float) -> float | None:
 
 @lru_cache(maxsize=64)
 def judge_data(arm: Arm) -> Data:
-    """`arm_data`, the arm's values by name, the arm without its pen, for lengths that are near each
-    other the arm with one taken for the other, the arm with the lengths of robots of nearly its
-    name, and the centres of mass as a paper has them. Not to be changed.
+    """Return all data of an arm that the judge needs; callers must not change the result.
+
+    These are `arm_data`, the values by name, and the tables of usual mistakes: the arm without its
+    pen ("penless"), with similar lengths exchanged ("alike"), other arms of its name ("family"),
+    and other published numbers (`find_variants`).
     """
     values = arm.values
-    named = {"lengths": _lengths(arm)}
-    found = {**arm_data(arm), **named, "values": [[name, float(x)] for name, x in values.items()]}
+    data = {**arm_data(arm), "lengths": _lengths_text(arm), "values": _values_data(arm)}
     if values.get("l_pen"):
-        found["penless"] = arm_data(arm.with_values(l_pen=0))
-    others = [
-        {"name": m, "other": n, "rows": _rows_data(arm.with_values(**{m: values[n]}))}
-        for m, n in _alike(values)
+        data["penless"] = arm_data(arm.with_values(l_pen=0))
+    exchanged = [
+        {"name": name, "other": other, "rows": _rows_data(arm.with_values(**{name: values[other]}))}
+        for name, other in _similar_lengths(values)
     ]
-    if others:
-        found["alike"] = others
-    found |= _variant_data(arm)
-    if family := list(_family(arm)):
-        found["family"] = family
-    return json.loads(json.dumps(found))
+    if exchanged:
+        data["alike"] = exchanged
+    data |= _variant_data(arm)
+    if family := list(_family_data(arm)):
+        data["family"] = family
+    return json.loads(json.dumps(data))
+
+
+def _values_data(arm: Arm) -> list[list]:
+    return [[name, float(value)] for name, value in arm.values.items()]
 
 
 def _variant_data(arm: Arm) -> Data:
@@ -90,27 +93,27 @@ def _variant_data(arm: Arm) -> Data:
     return data
 
 
-def _family(arm: Arm) -> Iterator[Data]:
-    """The catalogue's other arms of the name, with the joints locked that `arm` has locked."""
+def _family_data(arm: Arm) -> Iterator[Data]:
+    """Yield the catalogue's other arms of the same name, with the same joints locked."""
     from helpers.robots import ARMS
 
-    if arm.values not in [one.values for one in ARMS if one.name == arm.name]:
+    if arm.values not in [known.values for known in ARMS if known.name == arm.name]:
         return
     for other in ARMS:
         if other.name != arm.name and other.name.split()[0] == arm.name.split()[0]:
-            for joint, at in arm.locked.items():
-                other = other.lock(joint, at)
-            values = [[name, float(x)] for name, x in other.values.items()]
-            yield {**arm_data(other), "lengths": _lengths(other), "values": values}
+            for joint, value in arm.locked.items():
+                other = other.lock(joint, value)
+            extra = {"lengths": _lengths_text(other), "values": _values_data(other)}
+            yield {**arm_data(other), **extra}
 
 
-def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:
-    """Names of lengths a_i that may be taken for one another: near, and not the same."""
-    a = [(name, x) for name, x in values.items() if name.startswith("a_")]
+def _similar_lengths(values: Mapping[str, float]) -> list[tuple[str, str]]:
+    """Return pairs of names of lengths a_i that differ by less than 10 %."""
+    lengths = [(name, x) for name, x in values.items() if name.startswith("a_")]
     return [
         (m, n)
-        for m, x in a
-        for n, y in a
+        for m, x in lengths
+        for n, y in lengths
         if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))
     ]
 

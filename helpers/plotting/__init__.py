@@ -1,5 +1,7 @@
-"""Matplotlib figures in one style. Every function draws on the axes it is given and returns
-None."""
+"""Draw arms, paths and torques with Matplotlib in one style.
+
+Every function draws on the axes that it is given and returns None.
+"""
 
 from helpers.plotting.branches import (
     law_of_cosines,

@@ -1,4 +1,4 @@
-"""Draw inverse kinematics: two views of an elbow arm, regions of starts."""
+"""Draw the triangles of inverse kinematics, and regions of start values by their result."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,29 +17,36 @@ Array = NDArray[np.float64]
 
 
 def shoulder_triangles(
-    ax: Axes, point: ArrayLike, offset: float, names: tuple[str, str], letters: tuple[str, str]
+    ax: Axes, point: ArrayLike, offset: float, names: tuple[str, str], symbols: tuple[str, str]
 ) -> None:
-    """Draw the two right triangles that turn an arm's plane to a point, seen from above: hypotenuse
-    from the axis to the point, one leg the offset (m) of the plane, the other the reach in it.
+    """Draw the two right triangles that give the first joint angle of a point, seen from above.
 
-    `names` are those of the shoulder on the left and on the right, `letters` those of the legs.
+    The hypotenuse leads from the first axis to the point. One leg is the offset of the arm's plane
+    from the axis, the other the reach in that plane.
+
+    Args:
+        ax: Axes to draw on.
+        point: x and y of the point, shape (2,), m.
+        offset: Distance of the plane from the axis, m.
+        names: Names of the solutions with the shoulder on the left and on the right.
+        symbols: Symbols of the leg along the offset and of the leg along the reach.
     """
     point = finite_array(point, "point", "two finite coordinates in m", (2,))
     offset = finite_number(offset, "offset", "a length in m that is above 0", above=0)
-    far = float(np.hypot(*point))
-    if far <= offset:
+    distance = float(np.hypot(*point))
+    if distance <= offset:
         raise ArmError(
-            f"point is {far:g} m from the axis; expected more than the offset {offset:g}"
+            f"point is {distance:g} m from the axis; expected more than the offset {offset:g}"
         )
-    heading, half = np.arctan2(point[1], point[0]), np.arccos(offset / far)
+    heading, half = np.arctan2(point[1], point[0]), np.arccos(offset / distance)
     ax.add_patch(Circle((0, 0), offset, fill=False, ls=":", color=GREY))
     ax.plot(*np.stack([(0, 0), point], axis=1), color=RED, lw=1.2, ls="--")
     for side, name, colour in zip((1, -1), names, (BLUE, ORANGE), strict=True):
-        way = heading + side * half
-        foot = offset * np.array([np.cos(way), np.sin(way)])
+        direction = heading + side * half
+        foot = offset * np.array([np.cos(direction), np.sin(direction)])
         ax.plot(*np.stack([(0, 0), foot, point], axis=1), color=colour, lw=2)
-        _beside(ax, 0 * foot, foot, letters[0], 0.07 * far * side)
-        _beside(ax, foot, point, letters[1], 0.07 * far * side)
+        _write_beside(ax, 0 * foot, foot, symbols[0], 0.07 * distance * side)
+        _write_beside(ax, foot, point, symbols[1], 0.07 * distance * side)
         x, y = 1.3 * foot
         ax.text(x, y, name, ha="center", va="center")
     ax.plot(0, 0, "o", color=SLATE, ms=7)
@@ -48,8 +55,10 @@ def shoulder_triangles(
 
 
 def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
-    """Draw a UR arm of the homework's table in its own plane, x_1 to the right, z up, from the
-    shoulder to the wrist, with the triangle of joints 2 and 3 and the step d_5."""
+    """Draw a UR arm in its own plane, with the triangle of joints 2 and 3 and the step d_5.
+
+    x_1 points right and z up. `arm` has the rows of the homework's table; q has shape (6,).
+    """
     _require_rows(arm, 6, "an arm of the UR family")
     T = pose_frames(arm, q)
     points = np.stack([T[:, :3, 3] @ T[1, :3, 0], T[:, 2, 3]], axis=1)[[1, 2, 3, 5]]
@@ -60,8 +69,8 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     ax.plot(*wrist, "*", color=RED, ms=11)
     upright = np.stack([shoulder, shoulder + np.array([0, 0.3])], axis=1)
     ax.plot(*upright, color=GREY, lw=0.8, ls="--")
-    _triangle(ax, points[:3], 0.06, ("$r_4$", "$s_4$"))
-    _beside(ax, end, wrist, "$d_5$", 0.06)
+    _draw_triangle(ax, points[:3], 0.06, ("$r_4$", "$s_4$"))
+    _write_beside(ax, end, wrist, "$d_5$", 0.06)
     lean, fore = _bearing(shoulder, elbow), _bearing(elbow, end)
     angle(ax, shoulder, 0.2, (lean, 90), "$q_2$")
     angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
@@ -70,18 +79,21 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
 
 
 def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
-    """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles,
-    and the foot of its tip on the first link's line with its legs; q_1 is taken as 0."""
+    """Draw an elbow arm in its own plane, with the triangle that gives its joint angles.
+
+    A second, right triangle shows the tip's foot on the line of the first link. The arm has no
+    offset at its shoulder; q has shape (3,), and q_1 is taken as 0.
+    """
     _require_rows(arm, 3, "an elbow arm")
     q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
     shoulder, elbow, tip = points = link_frames(arm, q)[1:4, [0, 2], 3]
     arm_2d(ax, arm, q)
-    _triangle(ax, points, 0.04, ("$r$", "$s$"))
+    _draw_triangle(ax, points, 0.04, ("$r$", "$s$"))
     along = (elbow - shoulder) / np.linalg.norm(elbow - shoulder)
     foot = shoulder + along * ((tip - shoulder) @ along)
     ax.plot(*np.stack([elbow, foot, tip], axis=1), color=PURPLE, lw=1.2, ls="-.")
-    _beside(ax, elbow, foot, r"$a_3\cos\theta_3$", 0.07)
-    _beside(ax, foot, tip, r"$-a_3\sin\theta_3$", 0.07)
+    _write_beside(ax, elbow, foot, r"$a_3\cos\theta_3$", 0.07)
+    _write_beside(ax, foot, tip, r"$-a_3\sin\theta_3$", 0.07)
     lift, bend = np.degrees(q[1:3])
     angle(ax, shoulder, 0.13, (0, lift), r"$\theta_2$")
     angle(ax, shoulder, 0.21, (_bearing(shoulder, tip), lift), r"$\beta$", colour=ORANGE)
@@ -91,34 +103,41 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
 
 
 def _require_rows(arm: Arm, rows: int, kind: str) -> None:
-    """Raise ArmError unless an arm has so many rows, all of which turn."""
+    """Raise ArmError unless an arm has this number of rows, all revolute."""
     require_type(arm, Arm, "arm")
     if len(arm.rows) != rows or arm.dof != rows or not arm.turning.all():
         raise ArmError(f"{arm.name} is no {kind.partition(' ')[2]}; expected {rows} turning joints")
 
 
-def _triangle(ax: Axes, points: Array, away: float, legs: tuple[str, str]) -> None:
-    """The triangle of shoulder, elbow and end, shape (3, 2), the end's place over the shoulder, by
-    its two legs, and where the first link points, with the sides' names so far (m) beside them."""
+def _draw_triangle(ax: Axes, points: Array, distance: float, legs: tuple[str, str]) -> None:
+    """Draw the triangle of shoulder, elbow and end, with the legs from the shoulder to the end.
+
+    Args:
+        ax: Axes to draw on.
+        points: Shoulder, elbow and end, shape (3, 2), m.
+        distance: Distance of each name from its side, m.
+        legs: Symbols of the horizontal and of the vertical leg.
+    """
     shoulder, elbow, end = points
     corner, ahead = np.array([end[0], shoulder[1]]), elbow + 0.5 * (elbow - shoulder)
     ax.plot(*np.stack([shoulder, end], axis=1), color=RED, lw=1.2, ls="--")
     ax.plot(*np.stack([shoulder, corner, end], axis=1), color=GREY, lw=1, ls=":")
     ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
-    _beside(ax, shoulder, elbow, "$a_2$", away)
-    _beside(ax, elbow, end, "$a_3$", away)
-    _beside(ax, corner, shoulder, legs[0], away)
-    _beside(ax, corner, end, legs[1], away)
+    _write_beside(ax, shoulder, elbow, "$a_2$", distance)
+    _write_beside(ax, elbow, end, "$a_3$", distance)
+    _write_beside(ax, corner, shoulder, legs[0], distance)
+    _write_beside(ax, corner, end, legs[1], distance)
 
 
-def _beside(ax: Axes, start: Array, stop: Array, text: str, away: float) -> None:
+def _write_beside(ax: Axes, start: Array, stop: Array, text: str, distance: float) -> None:
     """Write a text to the left of the middle of a line."""
     step = stop - start
-    x, y = (start + stop) / 2 + away * np.array([-step[1], step[0]]) / np.linalg.norm(step)
+    x, y = (start + stop) / 2 + distance * np.array([-step[1], step[0]]) / np.linalg.norm(step)
     ax.text(x, y, text, ha="center", va="center")
 
 
 def _bearing(start: Array, stop: Array) -> float:
+    """Return the direction from one point to another in degrees, counterclockwise from x."""
     return float(np.degrees(np.arctan2(*(stop - start)[::-1])))
 
 
@@ -131,8 +150,16 @@ def regions(
     *,
     colours: tuple[str, ...],
 ) -> None:
-    """Colour the cells around the points of an even grid by `which`, whole numbers of shape
-    (len(y), len(x)); `names` are those in the legend."""
+    """Colour the cells around the points of an even grid by the region they belong to.
+
+    Args:
+        ax: Axes to draw on.
+        x: Horizontal coordinates of the grid, shape (n,).
+        y: Vertical coordinates of the grid, shape (m,).
+        which: Number of each point's region, shape (m, n).
+        names: Name in the legend by number of region; regions without a name stay white.
+        colours: Colour of each named region.
+    """
     x, y = (finite_array(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
     which = finite_array(which, "which", f"whole numbers ({len(y)}, {len(x)})", (len(y), len(x)))
     require_type(names, dict, "names")

@@ -1,8 +1,7 @@
-"""Arms as a drawing board shows them: seen from one side or at an angle, without perspective, with
-their lengths, their axes and their frames.
+"""Draw arms without perspective, with their lengths, joint axes and frames.
 
-A `view` is a plane such as "xz", its first axis to the right and its second up, or two angles in
-degrees, (azimuth, elevation), from where one looks. All of it is drawn on plain axes in m.
+A `view` is a plane such as "xz", whose first axis points right and whose second points up, or the
+azimuth and elevation of the viewer in degrees. The axes of a drawing are in m.
 """
 
 from collections import defaultdict
@@ -45,11 +44,12 @@ def seen(points: ArrayLike, view: View) -> Array:
 
 
 def eye_of(view: View) -> Array:
+    """Return the unit vectors to the right, up and towards the viewer as rows, shape (3, 3)."""
     if isinstance(view, str):
         right, up = np.eye(3)[list(parse_plane(view, "view"))]
     else:
-        wanted = "a plane such as 'xz', or an azimuth and an elevation in degrees"
-        azimuth, elevation = np.radians(finite_array(view, "view", wanted, (2,)))
+        expected = "a plane such as 'xz', or an azimuth and an elevation in degrees"
+        azimuth, elevation = np.radians(finite_array(view, "view", expected, (2,)))
         right = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
         back = np.array([np.cos(azimuth), np.sin(azimuth), 0])
         up = np.cos(elevation) * np.array([0, 0, 1]) - np.sin(elevation) * back
@@ -57,8 +57,15 @@ def eye_of(view: View) -> Array:
 
 
 def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1.0) -> None:
-    """Draw an arm at q, shape (dof,): a barrel about each axis that turns, a box along each that
-    slides, the links between them as the table's steps, and the ground."""
+    """Draw an arm as barrels about its revolute axes, boxes along its prismatic ones, and links.
+
+    Args:
+        ax: Axes to draw on.
+        arm: The arm; its links follow the steps d and a of its table.
+        q: The joint vector, shape (dof,).
+        view: A plane, or azimuth and elevation in degrees.
+        size: Factor on the size of the joints.
+    """
     T, eye = pose_frames(arm, q), eye_of(view)
     points = skeleton(arm, T)
     radius = 0.028 * finite_number(size, "size", "a finite number > 0", above=0) * _extent(points)
@@ -66,7 +73,7 @@ def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1
     for i in arm.joints:
         joint_shape(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
     ax.plot(*seen(points[-1], view)[:2], "o", color="black", ms=4, zorder=5)
-    _ground(ax, seen(T[0, :3, 3], view), 3 * radius)
+    _draw_ground(ax, seen(T[0, :3, 3], view), 3 * radius)
     bare(ax)
 
 
@@ -77,25 +84,34 @@ def bare(ax: Axes) -> None:
 
 
 def _extent(points: Array) -> float:
+    """Return the diagonal of the points' bounding box."""
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
-def _ground(ax: Axes, place: Array, half: float) -> None:
-    x, y = place[:2]
-    ax.plot([x - half, x + half], [y, y], color=SLATE, lw=1.6, zorder=1)
+def _draw_ground(ax: Axes, centre: Array, half_width: float) -> None:
+    x, y = centre[:2]
+    ax.plot([x - half_width, x + half_width], [y, y], color=SLATE, lw=1.6, zorder=1)
 
 
-def joint_shape(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> None:
-    """Draw a barrel about z or a box along it: its outline and its visible face."""
-    sides = 18 if turns else 4
+def joint_shape(ax: Axes, frame: Array, eye: Array, radius: float, is_revolute: bool) -> None:
+    """Draw a barrel about z, or a box along it for a prismatic joint.
+
+    Args:
+        ax: Axes to draw on.
+        frame: Frame whose z axis is the joint axis, shape (4, 4).
+        eye: Unit vectors of the view as rows, of `eye_of`.
+        radius: Radius of the barrel or half diagonal of the box, m.
+        is_revolute: Whether the joint turns.
+    """
+    sides = 18 if is_revolute else 4
     angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
     ring = radius * frame[:3, :2] @ [np.cos(angle), np.sin(angle)] + frame[:3, 3:]
     along = 1.3 * radius * frame[:3, 2:3] * (1 if eye[2] @ frame[:3, 2] >= -1e-9 else -1)
     near, far = (eye[:2] @ (ring + end * along) for end in (1, -1))
     both = np.hstack([near, far])
-    # Corners in one line are equally far; rounded, the first of them is taken on every processor.
-    outline = both[:, np.unique(np.argmax(np.round(_ROUND @ both, 9), axis=1))]
-    # A corner level with the middle is at 180°, not at -180°, however its last digit rounds.
+    # Rounding makes every processor choose the same corner among equally distant ones.
+    outline = both[:, np.unique(np.argmax(np.round(_DIRECTIONS @ both, 9), axis=1))]
+    # Rounding, and 0.0 for -0.0, give a corner left of the middle the angle 180°, never -180°.
     from_middle = np.round(outline - outline.mean(axis=1, keepdims=True), 9) + 0.0
     order = np.argsort(np.arctan2(*from_middle[::-1]))
     look: dict[str, Any] = dict(edgecolor=SLATE, lw=0.8, zorder=3)
@@ -103,32 +119,39 @@ def joint_shape(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) 
     ax.add_patch(Polygon(near.T, facecolor="white", **look))
 
 
-_TURN = np.linspace(0, 2 * np.pi, 181)
-_ROUND = np.stack([np.cos(_TURN), np.sin(_TURN)], axis=1)
+_TURNS = np.linspace(0, 2 * np.pi, 181)
+_DIRECTIONS = np.stack([np.cos(_TURNS), np.sin(_TURNS)], axis=1)
 
 
 def lengths(
     ax: Axes, arm: Arm, q: ArrayLike, view: View, aside: dict[str, tuple[float, float]]
 ) -> None:
-    """Draw dimension lines for steps of the table, such as {"a_2": (-0.2, 0)}: each moved aside in
-    the drawing by so many m to the right and up, with its length in mm.
+    """Draw dimension lines with lengths in mm for steps of the table.
 
-    A step is called by its letter and its row: "d_4" is the step along z_3, "a_4" that along x_4.
+    Args:
+        ax: Axes to draw on.
+        arm: The arm.
+        q: The joint vector, shape (dof,).
+        view: A plane, or azimuth and elevation in degrees.
+        aside: For each step, how far its line is moved right and up, m: {"a_2": (-0.2, 0)}. The
+            step "d_4" is along z_3, "a_4" along x_4.
     """
     require_type(aside, dict, "aside")
     points = skeleton(arm, pose_frames(arm, q))
     steps = {f"{kind}_{i}": (i, kind) for i in range(1, len(arm.rows) + 1) for kind in "da"}
-    for name, move in aside.items():
+    for name, shift in aside.items():
         if name not in steps:
             raise ArmError(f"aside names {shorten(name)}; expected steps such as 'd_1' or 'a_2'")
         i, kind = steps[name]
         first = 2 * i - (2 if kind == "d" else 1)
         ends = seen(points[[first, first + 1]], view)[:, :2]
-        long = 1000 * float(np.linalg.norm(np.diff(points[[first, first + 1]], axis=0)))
-        dimension(ax, ends[0], ends[1], move, f"${_letter(arm, i, kind)} = {round(long, 2):g}$")
+        length = 1000 * float(np.linalg.norm(np.diff(points[[first, first + 1]], axis=0)))
+        dimension(
+            ax, ends[0], ends[1], shift, f"${_step_symbol(arm, i, kind)} = {round(length, 2):g}$"
+        )
 
 
-def _letter(arm: Arm, i: int, kind: str) -> str:
+def _step_symbol(arm: Arm, i: int, kind: str) -> str:
     row = arm.rows[i - 1]
     if kind == "d" and row.joint.kind == "prismatic" and not arm.numeric[i - 1].d:
         return f"q_{{{i}}}"
@@ -138,28 +161,28 @@ def _letter(arm: Arm, i: int, kind: str) -> str:
 def dimension(
     ax: Axes, start: ArrayLike, end: ArrayLike, aside: tuple[float, float], text: str
 ) -> None:
-    """Draw a dimension line between two points of the drawing, moved aside (m), with a text beside
-    its middle."""
-    one, other, shift = (
+    """Draw a dimension line between two points, moved aside (m), with a text at its middle."""
+    start_point, end_point, shift = (
         finite_array(value, what, "two finite coordinates in m", (2,))
         for value, what in ((start, "start"), (end, "end"), (aside, "aside"))
     )
-    for foot in (one, other):
+    for foot in (start_point, end_point):
         ax.plot(*np.stack([foot, foot + 1.08 * shift], axis=1), color=GREY, lw=0.6, zorder=1)
     ends = dict(arrowstyle="<|-|>", color="black", lw=0.8, shrinkA=0, shrinkB=0, mutation_scale=7)
-    ax.annotate("", xy=tuple(other + shift), xytext=tuple(one + shift), arrowprops=ends)
+    ax.annotate("", xy=tuple(end_point + shift), xytext=tuple(start_point + shift), arrowprops=ends)
     away = shift / max(float(np.linalg.norm(shift)), 1e-9)
-    x, y = (one + other) / 2 + shift
+    x, y = (start_point + end_point) / 2 + shift
     ax.annotate(
         text, (x, y), xytext=tuple(6 * away), textcoords="offset points",
-        ha=_side(away[0], "right", "left"), va=_side(away[1], "top", "bottom"),
+        ha=_alignment(away[0], "right", "left"), va=_alignment(away[1], "top", "bottom"),
         bbox=dict(facecolor="white", edgecolor="none", pad=1),
     )  # fmt: skip
-    ax.update_datalim([one + 1.3 * shift, other + 1.3 * shift])
+    ax.update_datalim([start_point + 1.3 * shift, end_point + 1.3 * shift])
 
 
-def _side(along: float, low: str, high: str) -> str:
-    return "center" if abs(along) < 0.35 else low if along < 0 else high
+def _alignment(component: float, negative: str, positive: str) -> str:
+    """Return the text alignment for one component of a unit vector."""
+    return "center" if abs(component) < 0.35 else negative if component < 0 else positive
 
 
 def angle(
@@ -171,43 +194,45 @@ def angle(
     *,
     colour: str = BLUE,
 ) -> None:
-    """Draw an arc of a radius (m) about a centre between two directions (degrees) with its name
-    beside its middle."""
+    """Draw an arc between two directions (degrees), with its name beside its middle."""
     x, y = finite_array(centre, "centre", "two finite coordinates in m", (2,))
     radius = finite_number(radius, "radius", "a finite length > 0 in m", above=0)
     start, end = np.sort(finite_array(between, "between", "two finite angles in degrees", (2,)))
     size = 2 * radius
     ax.add_patch(Arc((x, y), size, size, theta1=start, theta2=end, color=colour, lw=1.4, zorder=4))
     middle = np.radians((start + end) / 2)
-    place = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
-    ink = "black" if colour == ORANGE else colour  # orange letters are too pale to read
-    ax.text(place[0], place[1], text, color=ink, ha="center", va="center")
+    position = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
+    text_colour = "black" if colour == ORANGE else colour  # orange text is too pale to read
+    ax.text(position[0], position[1], text, color=text_colour, ha="center", va="center")
 
 
-def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
-    """Draw the joint axes of a derivation as dash-dotted lines, a length (m) longer than what the
-    table uses of them, each with an arrow and its name; z_n of the tip shares its axis' line."""
-    require_type(found, Derivation, "found")
+def axis_lines(ax: Axes, derivation: Derivation, view: View, length: float) -> None:
+    """Draw the joint axes of a derivation as dash-dotted lines with arrows and names.
+
+    Each line is `length` (m) longer than the part of the axis that the table uses. Axes on one line
+    share an arrow.
+    """
+    require_type(derivation, Derivation, "derivation")
     finite_number(length, "length", "a finite length > 0 in m", above=0)
     shared = defaultdict(list)
-    for k, (line, frame) in enumerate(zip(found.lines, found.frames, strict=False)):
+    for k, (line, frame) in enumerate(zip(derivation.lines, derivation.frames, strict=False)):
         foot = line.point - (line.point @ line.z) * line.z
-        used = [line.point, frame[:3, 3], found.steps[k].normal[0]]
+        used = [line.point, frame[:3, 3], derivation.steps[k].normal[0]]
         along = [float(point @ line.z) for point in used]
         shared[tuple(np.round([*foot, *line.z], 6) + 0.0)].append((k, along))
-    last = found.steps[-1]
+    last = derivation.steps[-1]
     if last.case == "coincident" and not last.opposite:
         next(reversed(shared.values())).append((last.number, []))
-    middle = seen([line.point for line in found.lines], view)[:, 0].mean()
-    for where, group in shared.items():
-        foot, z = np.array(where[:3]), np.array(where[3:])
+    middle = seen([line.point for line in derivation.lines], view)[:, 0].mean()
+    for foot_and_z, group in shared.items():
+        foot, z = np.array(foot_and_z[:3]), np.array(foot_and_z[3:])
         used = [value for _, along in group for value in along]
         ends = [foot + (min(used) - length / 2) * z, foot + (max(used) + length / 2) * z]
         start, end = seen(ends, view)[:, :2]
         ax.plot(*np.stack([start, end], axis=1), color=BLUE, lw=1, ls=_DASHED, zorder=4)
         name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
         outwards = 16 if end[0] < middle else -16
-        side = outwards if len(group) > 1 else 0  # a long name stands beside its arrow
+        side = outwards if len(group) > 1 else 0  # a long name goes beside its arrow
         named_arrow(ax, (end - 0.01 * (end - start), end), BLUE, name, side)
     bare(ax)
 
@@ -215,16 +240,17 @@ def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
 def named_arrow(
     ax: Axes, ends: tuple[Array, Array], colour: str, text: str, side: float = 0
 ) -> None:
-    """Draw an arrow with its name beyond its head, or `side` points to its left if not 0."""
+    """Draw an arrow with its name beyond its tip, or `side` points (pt) to the left if not 0."""
     start, end = ends
     look = dict(arrowstyle="-|>", color=colour, lw=1.4, shrinkA=0, shrinkB=0, mutation_scale=9)
     ax.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look, zorder=6)
     step = end - start
-    way = step / max(float(np.linalg.norm(step)), 1e-12)
-    ahead = 8 if "," in text else 2  # a wide name stands before the head, not on it
-    place = ahead * way + side * np.array([-way[1], way[0]]) if side else 9 * way
+    direction = step / max(float(np.linalg.norm(step)), 1e-12)
+    ahead = 8 if "," in text else 2  # keeps a wide name off the arrow's tip
+    left = np.array([-direction[1], direction[0]])
+    offset = ahead * direction + side * left if side else 9 * direction
     ax.annotate(
-        text, tuple(end), xytext=tuple(place), textcoords="offset points", color=colour,
+        text, tuple(end), xytext=tuple(offset), textcoords="offset points", color=colour,
         ha="center", va="center", zorder=7,
         bbox=dict(facecolor="white", edgecolor="none", alpha=0.7, pad=0.3),
     )  # fmt: skip
@@ -241,8 +267,17 @@ def frames(
     which: Iterable[int] | None = None,
     names: str = "xz",
 ) -> None:
-    """Draw the frames of an arm at q, shape (dof,), all or those asked for, as arrows x and z (or
-    one of them) of a length (m) with their names; arrows that coincide share one."""
+    """Draw the x and z axes of an arm's frames as arrows; equal arrows share one name.
+
+    Args:
+        ax: Axes to draw on.
+        arm: The arm.
+        q: The joint vector, shape (dof,).
+        view: A plane, or azimuth and elevation in degrees.
+        length: Length of the arrows, m.
+        which: Numbers of the frames to draw, from 0; all if None.
+        names: The axes to draw: "xz", "x" or "z".
+    """
     T = pose_frames(arm, q)
     finite_number(length, "length", "a finite length > 0 in m", above=0)
     require_choice(names, "names", ("xz", "x", "z"))
@@ -253,35 +288,44 @@ def frames(
         for name in names:
             axis = T[i, :3, "xyz".index(name)]
             shared[name, *np.round([*T[i, :3, 3], *axis], 6) + 0.0].append(i)
-    for (name, *place), same in shared.items():
-        start, axis = np.array(place[:3]), np.array(place[3:])
+    for (name, *start_and_axis), indices in shared.items():
+        start, axis = np.array(start_and_axis[:3]), np.array(start_and_axis[3:])
         ends = seen([start, start + length * axis], view)[:, :2]
-        text = f"${name}_{{{','.join(map(str, same))}}}$"
-        partner = T[same[0], :3, 2 if name == "x" else 0]
-        side = _away(axis, partner, view, 10)
+        text = f"${name}_{{{','.join(map(str, indices))}}}$"
+        partner = T[indices[0], :3, 2 if name == "x" else 0]
+        side = _label_side(axis, partner, view, 10)
         named_arrow(ax, (ends[0], ends[1]), AXIS_COLOURS[name], text, side)
 
 
 _INDICES = "numbers of frames"
 
 
-def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
-    """Draw how one row of a table came about: the two axes, their common normal, the frame before
-    (grey) and the frame placed (black), the steps d (blue) and a (orange)."""
-    require_type(found, Derivation, "found")
-    if whole_number(row, "row", 1) > len(found.steps):
-        raise ArmError(f"row is {row}; expected one of 1 to {len(found.steps)}")
-    step = found.steps[row - 1]
+def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
+    """Draw how one row of a derived table is derivation.
+
+    The drawing shows both axes and their common normal, the frame before (grey), the frame that the
+    row places (black), and the steps d (blue) and a (red).
+    """
+    require_type(derivation, Derivation, "derivation")
+    if whole_number(row, "row", 1) > len(derivation.steps):
+        raise ArmError(f"row is {row}; expected one of 1 to {len(derivation.steps)}")
+    step = derivation.steps[row - 1]
     before, foot, origin = step.before[:3, 3], *step.normal
-    middle, half, reach = _window(found, seen([before, foot, origin], view)[:, :2])
-    ax.plot(*seen(_line(found), view).T[:2], color=_PALE, lw=5, solid_joinstyle="round", zorder=1)
-    for (name, start, end), which in _arrows_of(step, reach).items():
-        text = f"${name}_{{{','.join(map(str, which))}}}$"
-        colour = "black" if row in which else SLATE
+    middle, half, reach = _window(derivation, seen([before, foot, origin], view)[:, :2])
+    ax.plot(
+        *seen(_arm_line(derivation), view).T[:2],
+        color=_PALE,
+        lw=5,
+        solid_joinstyle="round",
+        zorder=1,
+    )
+    for (name, start, end), indices in _frame_arrows(step, reach).items():
+        text = f"${name}_{{{','.join(map(str, indices))}}}$"
+        colour = "black" if row in indices else SLATE
         ends = seen([start, end], view)[:, :2]
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
-        frame = step.frame if row in which else step.before
-        side = _away(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
+        frame = step.frame if row in indices else step.before
+        side = _label_side(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
         named_arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
     for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
         ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
@@ -291,28 +335,29 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
     bare(ax)
 
 
-def _away(axis: Array, other: Array, view: View, side: float) -> float:
+def _label_side(axis: Array, other_axis: Array, view: View, side: float) -> float:
     """Return the offset (pt, left is positive) that keeps an axis' name off another axis."""
-    one, two = seen([axis, other], view)[:, :2]
-    return -side if one[0] * two[1] > one[1] * two[0] else side
+    (x, y), (other_x, other_y) = seen([axis, other_axis], view)[:, :2]
+    return -side if x * other_y > y * other_x else side
 
 
 _DASHED = (0, (8, 3, 2, 3))
 _SPAN = np.array([-1.35, 1.35])
 
 
-def _window(found: Derivation, points: Array) -> tuple[Array, float, float]:
-    """The middle and half the side of a square that holds the points of one row, and how far beyond
-    them an arrow may reach."""
+def _window(derivation: Derivation, points: Array) -> tuple[Array, float, float]:
+    """Return the middle and half side of a square around one row, and how far arrows may reach."""
     low, high = points.min(axis=0), points.max(axis=0)
     extent = float((high - low).max())
-    half = max(0.8 * extent, 0.19 * _extent(_line(found)))
+    half = max(0.8 * extent, 0.19 * _extent(_arm_line(derivation)))
     return (low + high) / 2, half, min(0.65 * half, 1.15 * half - 0.5 * extent)
 
 
-def _arrows_of(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
-    """The arrows x and z of the two frames, each z as long as its axis is used, with the indices of
-    the frames that have them."""
+def _frame_arrows(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
+    """Return the x and z arrows of a step's two frames, with the indices of their frames.
+
+    A z arrow covers the part of its axis that the table uses, and `reach` (m) beyond.
+    """
     arrows: dict[Any, list] = defaultdict(list)
     spans = ((step.before, [step.before[:3, 3], step.normal[0]]), (step.frame, [step.normal[1]]))
     for index, (frame, used) in enumerate(spans, step.number - 1):
@@ -328,8 +373,9 @@ def _arrows_of(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
     return arrows
 
 
-def _line(found: Derivation) -> Array:
-    return skeleton(found.arm, found.frames)
+def _arm_line(derivation: Derivation) -> Array:
+    """Return the corners of the arm's line along the steps of its table, shape (n, 3)."""
+    return skeleton(derivation.arm, derivation.frames)
 
 
 def postures(
@@ -341,9 +387,16 @@ def postures(
     *,
     tool: float = 0.0,
 ) -> None:
-    """Draw an arm in several poses, shape (k, dof), each as a line with dots at its joints, in the
-    middle of axes of its own and all at one scale; a star marks the tip, or arrows of a length
-    `tool` (m), the axes x and z of its frame."""
+    """Draw an arm in several poses at one scale, each on its own axes.
+
+    Args:
+        axes: Axes to draw on, one for each pose.
+        arm: The arm.
+        poses: Joint vectors, shape (k, dof).
+        titles: Title of each pose.
+        view: A plane, or azimuth and elevation in degrees.
+        tool: Length of the arrows x and z at the tip, m; 0 draws a star instead.
+    """
     require_type(arm, Arm, "arm")
     poses = finite_array(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
     T = [pose_frames(arm, q) for q in poses]
@@ -354,12 +407,12 @@ def postures(
     half = max(np.ptp(line[:, 0]) for line in lines) / 2 + rim
     origins = [i - 1 for i in arm.joints]
     for ax, q, pose, line, title in zip(axes, poses, T, lines, titles, strict=True):
-        _ground(ax, line[0], rim - tool)
+        _draw_ground(ax, line[0], rim - tool)
         ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
         ax.plot(*seen(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3)
         middle = (line[:, 0].min() + line[:, 0].max()) / 2
         ax.set(xlim=(middle - half, middle + half), ylim=(low[1] - rim, high[1] + rim))
-        if tool:  # a star would hide an arrow that comes towards us
+        if tool:  # a star would hide an arrow that points towards the viewer
             frames(ax, arm, q, view, tool, which=[len(arm.rows)])
         else:
             ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)

@@ -19,8 +19,7 @@ def pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
 def arm_2d(
     ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
 ) -> None:
-    """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in
-    m."""
+    """Draw an arm at q, shape (dof,), in a plane such as "xz"; lengths in m."""
     i, j = parse_plane(plane)
     T = pose_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]
@@ -47,7 +46,7 @@ def arrow_2d(
     *,
     dashed: bool = False,
 ) -> None:
-    """Draw an arrow from a point by a step, with a text at its head."""
+    """Draw an arrow from a point by a step (m), with a text at its tip."""
     start = finite_array(start, "start", "a point of two finite coordinates", (2,))
     step = finite_array(step, "step", "a step of two finite coordinates", (2,))
     style = {

@@ -1,4 +1,4 @@
-"""Colours and settings of all figures."""
+"""Set colours and style of all figures, and write them as SVG."""
 
 import re
 import sys
@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import Bbox
 
-# Okabe and Ito's colours, told apart by colour-blind readers too.
+# Okabe and Ito's palette, which colour-blind readers can distinguish.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#0072B2",
     "#E69F00",
@@ -27,7 +27,7 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
 )
 GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
-PAD = 3  # points around a panel that is shown alone
+PANEL_PADDING = 3  # pt around a panel that a phone shows alone
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
 STYLE: dict[Any, Any] = {
@@ -54,10 +54,11 @@ STYLE: dict[Any, Any] = {
 
 
 def use_book_style() -> None:
-    """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every
-    run, and arrays printed to four digits."""
+    """Set the style of figures; in a notebook also SVG output and arrays with four decimals."""
     mpl.rcParams.update(STYLE)
-    ipython = sys.modules.get("IPython")  # loaded in every notebook, and of no use elsewhere
+    ipython = sys.modules.get(
+        "IPython"
+    )  # loaded in every notebook; elsewhere there is no display to set
     if ipython and (shell := ipython.get_ipython()):
         from matplotlib_inline.backend_inline import set_matplotlib_formats  # comes with IPython
 
@@ -67,16 +68,19 @@ def use_book_style() -> None:
 
 
 def time_axis(ax: Axes) -> None:
-    """Label the time axis of this panel too, since a phone shows one panel at a time."""
+    """Label the time axis of a panel, which a phone shows without its neighbours."""
     ax.set_xlabel("$t$ (s)")
     ax.xaxis.set_major_locator(MaxNLocator(2, steps=[1, 2, 2.5, 5, 10]))
     ax.tick_params(labelbottom=True)
 
 
 def svg(figure: Figure) -> str:
-    """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they
-    name. Of several panels each is a view of it, `panel-1`, `panel-2` and so on."""
-    figure.dpi = 72  # of which an SVG is made
+    """Return a figure as SVG text, with the same bytes on every machine.
+
+    Numbers are rounded to 0.01 pt and ids are numbered. Each of several panels gets a view of its
+    own: `panel-1`, `panel-2` and so on.
+    """
+    figure.dpi = 72  # the resolution at which an SVG's points are pixels
     file = BytesIO()
     figure.canvas.print_figure(
         file,
@@ -88,20 +92,19 @@ def svg(figure: Figure) -> str:
         metadata={"Date": None, "Creator": None},
     )
     text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", _to_hundredths, file.getvalue().decode())
-    text = _with_own_ids(_lean(re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)))
-    text = text.replace('<g id="figure_1">', f'{_views(figure)}<g id="figure_1">', 1)
+    text = _number_ids(_shorten_svg(re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)))
+    text = text.replace('<g id="figure_1">', f'{_panel_views(figure)}<g id="figure_1">', 1)
     return text.replace("<path", "\n<path")  # lines short enough for a diff of two notebooks
 
 
-def _views(figure: Figure) -> str:
-    """Where the panels of a drawn figure stand in its SVG, for a screen that has room for one; of
-    panels one above the other nothing is said."""
-    panels = _panels(figure)
+def _panel_views(figure: Figure) -> str:
+    """Return an SVG view of each panel, for a phone; none if the panels are one below the other."""
+    panels = _panel_boxes(figure)
     if all(below.y1 < (above.y0 + above.y1) / 2 for above, below in pairwise(panels)):
         return ""
     page = figure.get_tightbbox().padded(mpl.rcParams["savefig.pad_inches"])  # in inches
     views = []
-    for k, box in enumerate((box.padded(PAD) for box in panels), 1):
+    for k, box in enumerate((box.padded(PANEL_PADDING) for box in panels), 1):
         sides = (box.x0 - 72 * page.x0, 72 * page.y1 - box.y1, box.width, box.height)
         views.append(
             f'<view id="panel-{k}" viewBox="{" ".join(f"{side:.0f}" for side in sides)}"/>'
@@ -109,19 +112,20 @@ def _views(figure: Figure) -> str:
     return "".join(views)
 
 
-def _panels(figure: Figure) -> list[Bbox]:
-    """The boxes of a figure's axes, each with its colour bar, in the order of reading, and of the
-    legends of all."""
+def _panel_boxes(figure: Figure) -> list[Bbox]:
+    """Return the bounding boxes of the figure's legends and of each axes with its colour bar."""
     bars = {
         ax: [artist.colorbar.ax for artist in (*ax.collections, *ax.images) if artist.colorbar]
         for ax in figure.axes
         if ax.get_visible()
     }
-    alone: list[list[Artist]] = [
-        [ax, *bars[ax]] for ax in bars if not any(ax in of for of in bars.values())
+    panels: list[list[Artist]] = [
+        [ax, *bars[ax]]
+        for ax in bars
+        if not any(ax in colour_bars for colour_bars in bars.values())
     ]
-    keys: list[list[Artist]] = [[legend] for legend in figure.legends]
-    boxes = ([part.get_tightbbox() for part in group] for group in [*keys, *alone])
+    legends: list[list[Artist]] = [[legend] for legend in figure.legends]
+    boxes = ([part.get_tightbbox() for part in group] for group in [*legends, *panels])
     return [Bbox.union([box for box in group if box is not None]) for group in boxes]
 
 
@@ -129,26 +133,28 @@ def _to_hundredths(number: re.Match[str]) -> str:
     return f"{round(float(number[0]), 2):.15g}"
 
 
-def _lean(text: str) -> str:
-    """The same picture in fewer characters. A notebook keeps every line as a string of its own, so
-    line ends cost most; of the groups only figure and axes keep their names, for the tests."""
+def _shorten_svg(text: str) -> str:
+    """Remove line ends, comments and names from an SVG without changing the picture.
+
+    Line ends cost most, since a notebook stores each line as a string. Figure and axes keep their
+    ids for the tests.
+    """
     text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->|<\?xml.*?\?>|<!DOCTYPE.*?>", "", text)
     text = re.sub(r'(<g) id="(?!figure_|axes_)[^"]*"', r"\1", re.sub(r"\s*\n\s*", "", text))
     return re.sub(r' xmlns:xlink="[^"]*"|\bxlink:(?=href=)|(?<=[MLQC]) (?=[-\d])', "", text)
 
 
-def _with_own_ids(text: str) -> str:
-    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures
-    on the page."""
-    hashed = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
-    order = {name: str(number) for number, name in enumerate(hashed)}
+def _number_ids(text: str) -> str:
+    """Replace Matplotlib's ids, hashes of unrounded numbers, by numbers unique on a page."""
+    hashed_ids = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
+    order = {name: str(number) for number, name in enumerate(hashed_ids)}
 
-    def renamed(prefix: str) -> str:
+    def replace_ids(prefix: str) -> str:
         return re.sub(
             r"\b[mp][0-9a-f]{10}\b",
             lambda name: prefix + order[name[0]] if name[0] in order else name[0],
             text,
         )
 
-    figure = sha256(renamed("").encode()).hexdigest()[:8]
-    return renamed(f"f{figure}-")
+    figure = sha256(replace_ids("").encode()).hexdigest()[:8]
+    return replace_ids(f"f{figure}-")

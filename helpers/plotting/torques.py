@@ -18,13 +18,13 @@ def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: 
     require_type(arm, Arm, "arm")
     t = finite_array(t, "t", "finite times (n,) in s", (None,))
     tau = finite_array(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
-    some = slice(None, None, max(1, len(t) // 200))
+    shown_steps = slice(None, None, max(1, len(t) // 200))
     for ax, i, values, limit in zip(
         axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
     ):
-        # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the
-        # scale; nor must a thousandth of what the motor can give.
-        ax.plot(t[some], values[some].round(9) + 0.0, **{"color": BLUE, **line})
+        # Round-off of 1e-17 N m in an unloaded joint must not set the scale, and neither must a
+        # range below a thousandth of the motor's limit.
+        ax.plot(t[shown_steps], values[shown_steps].round(9) + 0.0, **{"color": BLUE, **line})
         ax.set_ylabel(f"joint {i}\n(N m)", rotation=0, ha="right", va="center")
         ax.yaxis.set_label_coords(-0.16, 0.5)
         ax.yaxis.set_major_locator(MaxNLocator(3))
@@ -35,8 +35,12 @@ def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: 
 
 
 def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
-    """Draw from where to where each run's torques, N m of shape (n, dof), go in each joint, as a
-    share of what the motor can give, with the limits at 100 %.
+    """Draw the range of each joint's torque as a percentage of its limit.
+
+    Args:
+        ax: Axes to draw on.
+        arm: The arm, with its torque limits.
+        runs: Torques along each trajectory, shape (n, dof), N m, by the trajectory's name.
     """
     require_type(arm, Arm, "arm")
     require_type(runs, Mapping, "runs")
@@ -48,10 +52,12 @@ def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
         tau = finite_array(tau, "runs", f"finite torques (n, {arm.dof})", (None, arm.dof))
         share = 100 * tau / arm.effort_limits
         low, high = share.min(axis=0), share.max(axis=0)
-        places = np.array(arm.joints) + (k - (len(runs) - 1) / 2) * width
+        positions = np.array(arm.joints) + (k - (len(runs) - 1) / 2) * width
         colour, hatch = (BLUE, ORANGE, PURPLE)[k % 3], ("", "//", "..")[k % 3]
-        # Two per cent at least, so that a joint that holds still is seen too.
+        # At least 2 %, so that the bar of a constant torque is visible.
         height = np.maximum(high - low, 2)
-        ax.bar(places, height, width, low, label=name, color=colour, hatch=hatch, ec="white", lw=0)
+        ax.bar(
+            positions, height, width, low, label=name, color=colour, hatch=hatch, ec="white", lw=0
+        )
     ax.legend(ncols=2, loc="lower right", bbox_to_anchor=(1, 0.1))
     ax.set(xlabel="joint", ylabel="share of the limit (%)", xticks=arm.joints)

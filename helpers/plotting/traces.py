@@ -1,4 +1,4 @@
-"""Draw traced paths, joint histories, and a moving picture without a script."""
+"""Draw traced paths, joint values over time, and an animated SVG."""
 
 from html import escape
 from typing import Any
@@ -17,13 +17,12 @@ Array = NDArray[np.floating]
 
 
 def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
-    """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths
-    in m."""
+    """Draw the wanted path (dashed) and the traced one (solid) in the plane of the path, in m."""
     require_type(run, Trace, "run")
-    out = int(np.abs(run.path.normal).argmax())
-    i, j = (k for k in range(3) if k != out)
-    some = _some(run)
-    wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
+    normal_axis = int(np.abs(run.path.normal).argmax())
+    i, j = (k for k in range(3) if k != normal_axis)
+    steps = _plotted_steps(run)
+    wanted, traced = run.path.positions[steps], run.poses[steps, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
     ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label="traced")
     ax.plot(traced[0, i], traced[0, j], "ko", ms=4)
@@ -33,12 +32,11 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
 
 
 def joints(axes: NDArray[Any], run: Trace) -> None:
-    """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is
-    known."""
+    """Draw each joint's angle (degrees) over time on its own axes, with its range shaded."""
     require_type(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
-    some = _some(run)
-    t, angles = run.t[some], np.degrees(run.q[some].T)
+    steps = _plotted_steps(run)
+    t, angles = run.t[steps], np.degrees(run.q[steps].T)
     for ax, i, angle, low, high in zip(
         axes.flat, run.arm.joints, angles, lower, upper, strict=False
     ):
@@ -51,17 +49,21 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
         time_axis(ax)
 
 
-def _some(run: Trace) -> NDArray[np.intp]:
+def _plotted_steps(run: Trace) -> NDArray[np.intp]:
     """Return indices of enough steps for a smooth line, with the first and the last."""
     return np.unique(np.linspace(0, len(run.t) - 1, 61).astype(int))
 
 
 def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
-    """An SVG in which the arm draws its path, seen in two planes side by side; it plays wherever
-    pictures show.
+    """Return an animated SVG of the arm drawing its path, seen in two planes.
 
-    It takes the run's own time. The motion is in the SVG itself, so no script, player or network is
-    needed. Readers who ask for less motion see the start pose with the finished path.
+    The animation is part of the SVG and needs no script. It lasts as long as the trajectory.
+    Readers who prefer reduced motion see the start pose with the finished path.
+
+    Args:
+        run: The traced path.
+        planes: The two planes.
+        frames: Number of poses in the animation.
     """
     require_type(run, Trace, "run")
     whole_number(frames, "frames", least=1)
