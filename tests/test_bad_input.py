@@ -168,6 +168,7 @@ RIGHT = {
     "plotting.shoulder_triangles": dict(
         point=[0.3, 0.2], names=("left", "right"), symbols=("d", "r")
     ),
+    "plotting.wrist_triangles": dict(twists=(60, 50), apart=70),
     "plotting.ur_triangle": dict(arm=UR10E, q=UR10E.home),
     "plotting.law_of_cosines": dict(arm=ELBOW, q=BEND),
     "plotting.moving_picture": dict(frames=2),

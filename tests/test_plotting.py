@@ -179,3 +179,13 @@ def test_arm_drawing_follows_skeleton(arm):
     T = link_frames(arm, q)
     np.testing.assert_allclose(ax.lines[0].get_xydata(), seen(skeleton(arm, T), (30, 18))[:, :2])
     assert len(ax.patches) == 2 * arm.dof
+
+
+def test_wrist_triangles_have_the_twists_as_sides(ax):
+    plotting.wrist_triangles(ax, (60, 50), 70)
+    corners = [line.get_xydata()[0] for line in ax.lines if line.get_marker() == "o"]
+    on_sphere = [np.append(p, np.sqrt(1 - p @ p)) for p in corners]
+    fifth, mirrored, fourth, sixth = on_sphere
+    for axis in (fifth, mirrored):
+        np.testing.assert_allclose(np.degrees(np.arccos([axis @ fourth, axis @ sixth])), [60, 50])
+    assert np.degrees(np.arccos(fourth @ sixth)) == pytest.approx(70)

@@ -17,6 +17,7 @@ from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWOR
 #: Figures that show any arm, each with its default arm.
 ANY_ARM = {
     "columns": UR10E_HOMEWORK,
+    "ellipses": ELBOW,
     "ellipsoid": UR10E_HOMEWORK,
     "hand": UR10E_HOMEWORK,
     "loads": PANDA,
@@ -36,7 +37,8 @@ class ArmFigure(LiveWidget):
 
     Args:
         kind: The figure: columns, ellipsoid, hand, loads, matrix, row or ways, which show any arm;
-            or swing, triangles or winds, which show one arm of any lengths.
+            ellipses, which shows an arm of three joints that turn; or swing, triangles or winds,
+            which show one arm of any lengths.
         arm: The arm to show; the figure's default arm if None.
         q: The first joint vector, shape (dof,), rad or m; the arm's home if None.
         joints: Numbers of the joints, from 1, that get a slider.
@@ -68,6 +70,8 @@ class ArmFigure(LiveWidget):
             )
         arm = default_arms[kind] if arm is None else arm
         require_type(arm, Arm, "arm")
+        if kind == "ellipses" and not (arm.dof == 3 and arm.turning.all()):
+            raise ArmError(f"arm is {arm!r}; the figure ellipses shows three joints that turn")
         shown_arm = ONE_ARM.get(kind, arm)
         if _table_symbols(arm) != _table_symbols(shown_arm):
             raise ArmError(f"arm is the {arm.name}; the figure {kind} shows the {shown_arm.name}")

@@ -7,10 +7,10 @@ parameter, tool or base enters.
 
 Three joints place a point w: E_1 E_2 E_3 w = p. Joint 3 moves w along a circle; joint 1, undone,
 moves p along another. Joint 2 must take a point of the one to a point of the other, and leaves two
-numbers of a point alone: the height along its axis and the squared distance from it. In the plane
-of these two numbers the circles are ellipses, and a solution is a point where they cross. Where
-neighbouring axes meet or are parallel, one ellipse is flattened to a segment, and the equation
-a cos q + b sin q = c, twice, gives all crossings.
+numbers of a point alone: the height along its axis and the squared distance from a point of it. In
+the plane of these two numbers the circles are ellipses, and a solution is a point where they cross.
+Where neighbouring axes meet or are parallel, one ellipse is flattened to a segment, and the
+equation a cos q + b sin q = c, twice, gives all crossings.
 """
 
 from collections.abc import Callable

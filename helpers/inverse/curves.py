@@ -1,8 +1,8 @@
 """The curve on which a joint moves a point, as the next joint sees it.
 
 Joint 2 leaves two numbers of a point alone: for a revolute joint the height along its axis and the
-squared distance from it. In the plane of these two numbers the circle of a neighbouring joint is
-an ellipse. It is flattened to a segment where the two axes meet or are parallel.
+squared distance from a point of it. In the plane of these two numbers the circle of a neighbouring
+joint is an ellipse. It is flattened to a segment where the two axes meet or are parallel.
 """
 
 from typing import NamedTuple

@@ -8,6 +8,7 @@ from helpers.plotting.branches import (
     regions,
     shoulder_triangles,
     ur_triangle,
+    wrist_triangles,
 )
 from helpers.plotting.dh import dh_numbers
 from helpers.plotting.drawing import (
@@ -56,4 +57,5 @@ __all__ = [
     "torques",
     "ur_triangle",
     "use_book_style",
+    "wrist_triangles",
 ]

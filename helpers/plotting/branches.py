@@ -183,3 +183,55 @@ def _cells(x: NDArray, y: NDArray, inside: NDArray) -> Path:
     corners = np.array([[left, low], [right, low], [right, high], [left, high], [left, low]])
     codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
     return Path(corners.transpose(2, 0, 1).reshape(-1, 2), codes * len(rows))
+
+
+def wrist_triangles(ax: Axes, twists: tuple[float, float], apart: float) -> None:
+    """Draw the two spherical triangles of a wrist on the sphere of directions.
+
+    The corners are the directions of axes 4, 5 and 6. Axes 4 and 6 are given, axis 5 lies at the
+    twists from them, on either side.
+
+    Args:
+        ax: The axes to draw into.
+        twists: Angles between axes 4 and 5 and between axes 5 and 6, in degrees.
+        apart: Angle between axes 4 and 6, in degrees.
+
+    Raises:
+        ArmError: There is no triangle with these sides.
+    """
+    sides = finite_array(twists, "twists", "two angles in degrees", (2,))
+    apart = finite_number(apart, "apart", "an angle in degrees between 0 and 180", above=0)
+    first, second, across = np.radians([*sides, apart])
+    # Cosine rule of the sphere for the angle at axis 4.
+    cosine = (np.cos(second) - np.cos(first) * np.cos(across)) / (np.sin(first) * np.sin(across))
+    if not abs(cosine) < 1:
+        raise ArmError(f"twists are {twists}, apart is {apart:g}; expected sides of a triangle")
+    fourth = np.array([np.sin(across / 2), 0, np.cos(across / 2)])
+    sixth = fourth * [-1, 1, 1]
+    ahead = np.array([-np.cos(across / 2), 0, np.sin(across / 2)])  # from axis 4 towards axis 6
+    ax.add_patch(Circle((0, 0), 1, fill=False, color=GREY, lw=0.8))
+    _great_circle(ax, fourth, sixth, RED, "--")
+    for side, colour in ((1, BLUE), (-1, ORANGE)):
+        leaning = cosine * ahead + side * np.sqrt(1 - cosine**2) * np.array([0, 1.0, 0])
+        fifth = np.cos(first) * fourth + np.sin(first) * leaning
+        _great_circle(ax, fourth, fifth, colour, "-")
+        _great_circle(ax, fifth, sixth, colour, "-")
+        _direction(ax, fifth, "$z_4$" if side > 0 else "$z_4'$", colour)
+    _direction(ax, fourth, "$z_3$", SLATE)
+    _direction(ax, sixth, "$z_5$", SLATE)
+    ax.set(xlim=(-1.15, 1.15), ylim=(-1.15, 1.15), aspect="equal")
+    ax.axis("off")
+
+
+def _great_circle(ax: Axes, start: Array, stop: Array, colour: str, style: str) -> None:
+    """Draw the shorter arc between two unit vectors, seen along z."""
+    share = np.linspace(0, 1, 40)[:, None]
+    arc = (1 - share) * start + share * stop
+    arc /= np.linalg.norm(arc, axis=1, keepdims=True)
+    ax.plot(arc[:, 0], arc[:, 1], color=colour, lw=2, ls=style)
+
+
+def _direction(ax: Axes, vector: Array, name: str, colour: str) -> None:
+    """Mark a unit vector on the sphere, seen along z, with its name outside."""
+    ax.plot(*vector[:2], "o", color=colour, ms=7)
+    ax.text(*(1.22 * vector[:2]), name, ha="center", va="center", color=colour)

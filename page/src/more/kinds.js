@@ -18,6 +18,7 @@ import { joinList } from "../../../judge/sentences.js";
 import { describeRank, describeBranches } from "../verdicts.js";
 import { makeHeatTable } from "../views/jacobian.js";
 import { makeMatrix } from "../views/pose.js";
+import { buildEllipsesFigure } from "./ellipses.js";
 import { formatWholeDegrees, makeLever, makeLive } from "./live.js";
 import { buildSwingFigure } from "./swing.js";
 
@@ -308,6 +309,7 @@ function getTriangleSides([shoulder, elbow, tip]) {
  */
 export const FIGURES = {
   columns: buildColumnsFigure,
+  ellipses: buildEllipsesFigure,
   ellipsoid: buildEllipsoidFigure,
   hand: buildHandFigure,
   loads: buildLoadsFigure,
