@@ -19,6 +19,7 @@ from helpers.plotting import (
     arm_drawing,
     moving_picture,
     regions,
+    wrist_triangles,
 )
 from helpers.plotting.drawing import seen
 from helpers.plotting.style import STYLE, svg
@@ -181,8 +182,9 @@ def test_arm_drawing_follows_skeleton(arm):
     assert len(ax.patches) == 2 * arm.dof
 
 
-def test_wrist_triangles_have_the_twists_as_sides(ax):
-    plotting.wrist_triangles(ax, (60, 50), 70)
+def test_wrist_triangles_have_the_twists_as_sides():
+    _, ax = plt.subplots()
+    wrist_triangles(ax, (60, 50), 70)
     corners = [line.get_xydata()[0] for line in ax.lines if line.get_marker() == "o"]
     on_sphere = [np.append(p, np.sqrt(1 - p @ p)) for p in corners]
     fifth, mirrored, fourth, sixth = on_sphere
