@@ -234,4 +234,5 @@ def _great_circle(ax: Axes, start: Array, stop: Array, colour: str, style: str) 
 def _direction(ax: Axes, vector: Array, name: str, colour: str) -> None:
     """Mark a unit vector on the sphere, seen along z, with its name outside."""
     ax.plot(*vector[:2], "o", color=colour, ms=7)
-    ax.text(*(1.22 * vector[:2]), name, ha="center", va="center", color=colour)
+    x, y = 1.22 * vector[:2]
+    ax.text(x, y, name, ha="center", va="center", color=colour)
