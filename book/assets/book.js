@@ -78,8 +78,11 @@ function observeBoxes() {
   findWideBoxes().forEach((box) => boxObserver.observe(box));
 }
 
-// Paper shows every box.
-window.addEventListener("beforeprint", () => updateBoxes(findWideBoxes()));
+// Paper shows every box and every picture.
+window.addEventListener("beforeprint", () => {
+  for (const picture of document.images) picture.loading = "eager";
+  updateBoxes(findWideBoxes());
+});
 window.addEventListener("load", observeBoxes);
 document.fonts.addEventListener("loadingdone", observeBoxes);
 let resizeTimer;
@@ -213,12 +216,109 @@ class ReadMarks {
   }
 }
 
-// The search loads its index when a reader first uses a search field.
-let searchScripts = null;
-function loadSearch() {
-  searchScripts ??= ["vendor/minisearch/minisearch", "search-entries", "search"].map((name) =>
-    document.head.appendChild(Object.assign(document.createElement("script"), { src: new URL(`${name}.js`, folder).href, async: false })));
+// A button above a notebook's page hides all code, here and on the next pages, until it is pressed
+// again. Outputs and checks stay.
+document.addEventListener("DOMContentLoaded", () => {
+  const tools = document.querySelector(".tools");
+  if (!tools || !document.querySelector("article .cell_input, article details.hide")) return;
+  const { dataset } = document.documentElement;
+  const button = Object.assign(document.createElement("button"), { className: "screen" });
+  const show = (isHidden) => {
+    if (isHidden) dataset.code = "hidden";
+    else delete dataset.code;
+    button.textContent = isHidden ? "Show all code" : "Hide all code";
+  };
+  button.onclick = () => {
+    const isHidden = dataset.code !== "hidden";
+    show(isHidden);
+    try {
+      localStorage.code = isHidden ? "hidden" : "shown";
+    } catch { /* a browser that keeps nothing */ }
+  };
+  show(dataset.code === "hidden");
+  tools.append(button);
+});
+
+// A link to an equation, a figure, a slip, an exercise or a term shows it beside the link while the
+// pointer or the focus is on it. What stands on another page comes from the search index, since a
+// page opened from a file may not fetch another one.
+class Preview {
+  constructor() {
+    this.box = Object.assign(document.createElement("div"), { className: "preview", id: "preview", role: "tooltip", hidden: true });
+    document.body.append(this.box);
+    const article = document.querySelector("article");
+    const begin = ({ target }) => this.prepare(target.closest?.("a[href*='#']:not(.headerlink)"));
+    if (matchMedia("(hover: hover)").matches) article.addEventListener("mouseover", begin);
+    article.addEventListener("focusin", (event) => event.target.matches(":focus-visible") && begin(event));
+    for (const type of ["mouseout", "focusout"]) article.addEventListener(type, () => this.hide());
+    addEventListener("keydown", ({ key }) => key === "Escape" && this.hide());
+    addEventListener("scroll", () => this.hide(), { passive: true });
+  }
+
+  prepare(link) {
+    this.hide();
+    if (link) this.timer = setTimeout(() => this.show(link), PREVIEW_DELAY);
+  }
+
+  async show(link) {
+    this.link = link;
+    const content = link.pathname === location.pathname ? copyTarget(link.hash) : await describeTarget(link);
+    if (!content || this.link !== link) return;
+    this.box.replaceChildren(content);
+    this.box.hidden = false;
+    link.setAttribute("aria-describedby", "preview");
+    const { left, top, bottom } = link.getBoundingClientRect();
+    const { offsetWidth: width, offsetHeight: height } = this.box;
+    this.box.style.left = `${Math.max(8, Math.min(left, innerWidth - width - 8))}px`;
+    this.box.style.top = `${bottom + 8 + height < innerHeight ? bottom + 8 : Math.max(8, top - height - 8)}px`;
+  }
+
+  hide() {
+    clearTimeout(this.timer);
+    this.link?.removeAttribute("aria-describedby");
+    this.link = null;
+    this.box.hidden = true;
+  }
 }
+
+const PREVIEW_DELAY = 250; // ms
+const PREVIEWED = "div.math, figure, .admonition, blockquote, dd";
+
+// Copy the equation, figure, box or definition that a link on this page leads to.
+function copyTarget(hash) {
+  const target = document.getElementById(decodeURIComponent(hash.slice(1)));
+  const part = target?.matches("dt") ? target.nextElementSibling : target?.closest(PREVIEWED) ?? target?.querySelector(":scope > figure");
+  if (!part?.matches(PREVIEWED)) return null;
+  const copy = part.cloneNode(true);
+  for (const element of [copy, ...copy.querySelectorAll("*")]) {
+    element.removeAttribute("id");
+    element.removeAttribute("tabindex");
+  }
+  copy.querySelectorAll(".headerlink, .hint, button, form, .arm-explorer, .arm-judge").forEach((element) => element.remove());
+  for (const picture of copy.querySelectorAll("img")) picture.loading = "eager";
+  return copy;
+}
+
+// Describe a target on another page by its entry in the search index; null if it has none.
+async function describeTarget({ href, hash }) {
+  await loadScript("search-entries");
+  const page = href.split("#")[0].slice(new URL("..", folder).href.length).replace(/\.html$/, "");
+  const entry = ENTRIES.find((other) => other.page === page && `#${other.anchor}` === decodeURIComponent(hash));
+  if (!entry?.text) return null;
+  const text = document.createElement("p");
+  text.append(Object.assign(document.createElement("strong"), { textContent: entry.title }), " ", entry.text.slice(0, 300), entry.text.length > 300 ? "…" : "");
+  return text;
+}
+
+document.addEventListener("DOMContentLoaded", () => new Preview());
+
+// The search loads its index when a reader first uses a search field.
+const scriptsByName = {};
+const loadScript = (name) => (scriptsByName[name] ??= new Promise((onload) => {
+  const src = new URL(`${name}.js`, folder).href;
+  document.head.append(Object.assign(document.createElement("script"), { src, onload, async: false }));
+}));
+const loadSearch = () => ["vendor/minisearch/minisearch", "search-entries", "search"].forEach(loadScript);
 
 // The keys / and Ctrl+K lead to the search field, except where a reader types.
 document.addEventListener("keydown", (event) => {

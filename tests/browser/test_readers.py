@@ -3,6 +3,7 @@ line or by HTTP."""
 
 import re
 import threading
+import time
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
@@ -23,6 +24,56 @@ def test_page_requests_no_other_host(browser):
     assert reader.troubles == []
     reader.context.close()
     server.shutdown()
+
+
+class LateFaces(SimpleHTTPRequestHandler):
+    """A server whose faces are half a second late."""
+
+    def do_GET(self):
+        if self.path.endswith(".woff2"):
+            time.sleep(0.5)
+        super().do_GET()
+
+    def log_message(self, *_):
+        pass
+
+
+def test_late_text_faces_move_nothing(browser):
+    """The glossary's tables of symbols are left out: their columns follow the math face."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(LateFaces, directory=HTML))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    for size in SIZES.values():
+        page = browser.new_context(viewport=size).new_page()
+        page.add_init_script(UNTOUCHED)
+        for name in ("errata", "05_inverse_kinematics"):
+            page.goto(f"http://127.0.0.1:{server.server_port}/{name}.html")
+            page.wait_for_function("document.fonts.status === 'loaded'")
+            page.evaluate(TWO_FRAMES)
+            assert page.evaluate("window.moved") <= 0.01, (name, size)
+        page.context.close()
+    server.shutdown()
+
+
+def test_linked_equation_is_shown_beside_its_link(browser):
+    """So are a term of the glossary, from the search index, and a page without its code."""
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.open((HTML / "02_jacobian.html").as_uri())
+    preview = page.locator(".preview")
+    for link, shown in (("#eq-duality", "math"), ("glossary.html#term-", "p")):
+        place = page.locator(f"article a[href^='{link}']:not(.headerlink)").first
+        place.evaluate("(link) => link.scrollIntoView({ block: 'center' })")
+        page.evaluate(TWO_FRAMES)
+        place.hover()
+        preview.locator(shown).first.wait_for()
+        page.mouse.move(1, 1)
+        assert not preview.is_visible()
+    page.get_by_role("button", name="Hide all code").click()
+    assert not page.locator(".cell_input").locator("visible=true").count()
+    page.goto((HTML / "01_dh_tables.html").as_uri())
+    page.get_by_role("button", name="Show all code").click()
+    assert page.locator(".cell_input").locator("visible=true").count()
+    assert reader.troubles == []
+    reader.context.close()
 
 
 # The text is on the screen, in its own letters.

@@ -4817,7 +4817,7 @@ button.main:hover:not(:disabled) {
 .bounds {
   display: flex;
   justify-content: space-between;
-  font-size: 10.5px;
+  font-size: 12px;
   line-height: 1.2;
   color: var(--soft);
   min-height: 13px;
@@ -5023,6 +5023,9 @@ button.main:hover:not(:disabled) {
   text-align: right;
   color: var(--soft);
 }
+.dh th small {
+  font-size: 12px;
+}
 input.small {
   width: 56px;
   text-align: right;
@@ -5053,7 +5056,7 @@ input.small {
 }
 .plots .span {
   margin-left: auto;
-  font-size: 11px;
+  font-size: 12px;
   color: var(--soft);
   white-space: nowrap;
 }
@@ -5210,6 +5213,7 @@ input.small {
 }
 .homework summary {
   cursor: pointer;
+  padding-block: 4px;
   font-size: 13px;
   color: var(--soft);
 }
@@ -5356,7 +5360,7 @@ input.small {
     width: 24px;
   }
   .heat {
-    font-size: 11.5px;
+    font-size: 12px;
   }
   .matrix td {
     min-width: 54px;
@@ -5373,6 +5377,7 @@ input.small {
 
 .mounts summary {
   cursor: pointer;
+  padding-block: 2px;
   margin-block: 0.6rem;
 }
 
