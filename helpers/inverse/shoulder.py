@@ -138,8 +138,8 @@ def require_elbow_arm(arm: Arm) -> None:
     if not is_elbow_arm(arm):
         raise ArmError(
             f"{arm.name} is no elbow arm; expected three revolute joints, alpha_1 = 90 or -90"
-            " degrees, alpha_2 = 0 or 180,"
-            " a_1 = 0 and two links with length"
+            " degrees, alpha_2 = 0 or 180, a_1 = 0 and two links with length; for other arms,"
+            " with a_1 for instance, use helpers.inverse.solutions"
         )
 
 

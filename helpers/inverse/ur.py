@@ -79,8 +79,8 @@ def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solution
     if not is_ur_arm(arm):
         raise ArmError(
             f"{arm.name} is no arm of the UR family; expected six revolute joints, alpha = (+-90,"
-            " 0 or 180, 0 or 180, +-90,"
-            " +-90, any) degrees, a_1 = a_4 = a_5 = 0 and links a_2, a_3"
+            " 0 or 180, 0 or 180, +-90, +-90, any) degrees, a_1 = a_4 = a_5 = 0 and links a_2, a_3;"
+            " for other arms, calibrated ones for instance, use helpers.inverse.solutions"
         )
     return each_branch(arm, poses(arm, targets), start, BRANCHES, _kernel)
 
