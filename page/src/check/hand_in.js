@@ -1,7 +1,7 @@
 // A copyable report of the question, the answer, its reading and the verdict. A student may send it
 // to whoever keeps the book; the page sends nothing.
 
-import { RIGHT } from "../../../judge/digits.js";
+import { RIGHT, RIGHT_BY_MAP } from "../../../judge/digits.js";
 import { formatVerdict } from "../../../judge/verdict.js";
 import { copyToClipboard, h, setText } from "../dom.js";
 
@@ -28,7 +28,7 @@ export function addReportButton(check) {
   check.onVerdict(({ answer }, { verdict }) => {
     text.hidden = true;
     setText(note, "");
-    const isRight = verdict && (verdict.mark ?? verdict.grade) === RIGHT;
+    const isRight = [RIGHT, RIGHT_BY_MAP].includes(verdict?.mark ?? verdict?.grade);
     check.parts.report.hidden = !answer.trim() || check.isExample() || isRight;
   });
 }

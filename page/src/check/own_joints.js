@@ -4,6 +4,7 @@
 import { findOwnArm, parseRows } from "../../../judge/geometry/own_joints.js";
 import { ArmError, formatMessage } from "../../../judge/sentences.js";
 import { h, makeScrollRegion } from "../dom.js";
+import { typeset } from "./shown.js";
 
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /** @typedef {import("./question.js").Question} Question */
@@ -55,14 +56,10 @@ function findOfferedJoints(verdict) {
 
 function makeMapTable({ headers, rows }) {
   const head = headers.map((name) => h("th", { scope: "col" }, name));
-  const body = rows.map(([joint, ...cells]) =>
-    h(
-      "tr",
-      {},
-      h("th", { scope: "row" }, joint.replace("_", "")),
-      cells.map((cell) => h("td", {}, cell.replaceAll("-", "−").replace(/q_(\d+)/, "q$1"))),
-    ),
-  );
+  const body = rows.map(([joint, ...cells]) => {
+    const values = cells.map((cell) => h("td", {}, typeset(cell.replaceAll("-", "−"))));
+    return h("tr", {}, h("th", { scope: "row" }, typeset(joint)), values);
+  });
   const caption = h("caption", {}, CAPTION);
   return h("table", {}, caption, h("thead", {}, h("tr", {}, head)), h("tbody", {}, body));
 }

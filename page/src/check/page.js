@@ -1,6 +1,7 @@
 // The judge in the page: the question, the typed answer, its reading and the verdict. Nothing
 // leaves the reader's machine.
 
+import { WRONG } from "../../../judge/digits.js";
 import { h, setText } from "../dom.js";
 import {
   EMPTY,
@@ -319,8 +320,15 @@ export class AnswerCheck {
     if (kept && (kept.joints ?? "") === joints && this.#restoreFrom(kept)) return;
     const typed = Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
     const entries = Object.fromEntries(typed);
+    // A right answer stays with its question; another was perhaps pasted below the wrong one.
+    if (ask !== this.question.ask && this.hasRightAnswer()) delete entries.answer;
     this.start = { ...makeStartingQuestion({ ask, arm, unit, joints }, this), ...this.given, arm };
     this.update({ ...this.start, ...entries, ask, arm, unit, joints, frame: "0" });
+  }
+
+  hasRightAnswer() {
+    const { verdict } = this.outcome;
+    return Boolean(verdict) && verdict.grade !== WRONG;
   }
 
   // Ask in the joint angles of the reader's table from now on; "" for the arm's own. A pose that

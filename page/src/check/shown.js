@@ -207,7 +207,7 @@ const UNBREAKABLE = new RegExp(`(${NUMBER_PATTERN})`);
  * code.
  * @param {string} words
  */
-const typeset = (words) =>
+export const typeset = (words) =>
   words.split(/`(.*?)`/).flatMap((part, k) => (k % 2 ? h("code", {}, part) : keepTogether(part)));
 
 const keepTogether = (words) =>
