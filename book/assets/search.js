@@ -81,7 +81,7 @@ const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.1, list: 0.03 };
 const PAGE_WEIGHTS = { where: 0.2, intro: 0.4, glossary: 0.2 };
 
 // Words of a complaint, which leads to the table of symptoms.
-const COMPLAINTS = /^(why|my|not|no|wrong|error|fail\w*|miss\w*|cannot|can.t|doesn.t|bug|jump\w*|tilt\w*|exceed\w*)$/;
+const COMPLAINTS = /^(why|my|not|no|wrong|fail\w*|miss\w*|cannot|can.t|doesn.t|bug|jump\w*|tilt\w*|exceed\w*)$/;
 
 const index = new MiniSearch({
   idField: "id",
