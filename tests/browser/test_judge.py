@@ -161,10 +161,25 @@ def test_table_reading_is_shown(page):
     assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
     assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
     page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))
-    verdict(page, "takes the tip elsewhere: at the homework")
+    verdict(page, "with other zeros or directions of its joints")
     page.locator(".arm-judge summary", has_text="Taken").click()
     page.get_by_label("Convention", exact=True).select_option("craig")
     verdict(page, "the modified (Craig) convention, turned into the standard one")
+
+
+@wide
+def test_joint_angles_of_a_table_are_used_and_forgotten(page):
+    page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
+    page.get_by_label("Arm", exact=True).select_option("ELBOW")
+    table = "a (mm) alpha (deg) d (mm) theta\n0 90 500 q1\n400 0 0 q2+90\n300 0 0 q3"
+    page.get_by_label("Your answer", exact=True).fill(table)
+    page.get_by_role("button", name="Use my joint angles").click()
+    page.get_by_label("Question", exact=True).select_option(label="Jacobian at a pose")
+    page.get_by_label("Pose q").fill(f"0.5, {0.7 - 1.5707963}, -0.4")
+    page.get_by_label("Your answer", exact=True).fill(ELBOW)
+    verdict(page, "in your joints is right")
+    page.get_by_role("button", name="Forget my joint angles").click()
+    verdict(page, "The Jacobian of Elbow arm is not right")
 
 
 FORMULAS = """-s_1*(L*c_2+a_3*c_23), -c_1*(L*s_2+a_3*s_23), -a_3*c_1*s_23
