@@ -26,7 +26,9 @@ _OPTIONS: dict[str, dict[str, Any]] = {
         " given",
     },
     "--id": {"required": True, "help": "a student's id in the roster"},
-    "--jobs": {"type": int, "default": 1, "help": "students marked at a time; 1 unless given"},
+    "--jobs": {"type": int, "default": 0, "help": "processes; one for each processor unless given"},
+    "--again": {"action": "store_true", "help": "mark everybody anew, and say what changes"},
+    "--hints": {"action": "store_true", "help": "before the deadline: hints in place of marks"},
     "download": {"type": Path, "help": "a zip or folder of Canvas, Moodle, Gradescope or by hand"},
     "--out": {"type": Path, "required": True, "help": "the folder or file to write"},
 }  # fmt: skip
@@ -75,8 +77,24 @@ def _collect(given: argparse.Namespace) -> None:
 
 
 def _grade(given: argparse.Namespace) -> None:
-    rows = grade(given.course, given.out, given.jobs)
+    result = grade(
+        given.course,
+        given.out,
+        given.jobs,
+        again=given.again,
+        before_deadline=given.hints,
+        report=_show_progress,
+    )
+    rows = result.rows
+    for change in result.changes:
+        print("{id}, {part}: {before:.3g} is now {now:.3g}. {why}".format(**change))
     print(f"{len(rows)} students marked: {given.out / 'grades.csv'}")
+
+
+def _show_progress(line: str) -> None:
+    """Show a line in place of the last one, if a person is looking."""
+    if sys.stderr.isatty():
+        print(f"\r{line}", end="", file=sys.stderr, flush=True)
 
 
 def _gradescope(given: argparse.Namespace) -> None:
@@ -92,7 +110,7 @@ COMMANDS = {
     ),
     "key": (_key, "print one student's key", "course --id"),
     "collect": (_collect, "sort a download of hand-ins by student", "course download"),
-    "grade": (_grade, "mark every hand-in of a course", "course --out --jobs"),
+    "grade": (_grade, "mark every hand-in of a course", "course --out --jobs --again --hints"),
     "gradescope": (_gradescope, "make Gradescope's autograder", "course --out"),
 }  # fmt: skip
 

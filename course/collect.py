@@ -71,11 +71,16 @@ def sort(
     return placed, tuple(doubtful)
 
 
+def _student_of(file: HandedFile) -> str:
+    """Return the student whose sheet a file answers, or ""."""
+    return find_sheet_name(file).rpartition("/")[2].partition("#")[0]
+
+
 def _doubt(file: HandedFile, student: str, why: str) -> str:
     """What is to be looked at by hand, in words; "" for a file that is surely the student's."""
     if why or file.trouble:
         return f"not placed: {file}: {why}".removesuffix(": ")
-    other = compare_sheet_names(find_sheet_name(file) or None, student)
+    other = compare_sheet_names(_student_of(file) or None, student)
     return f"placed with {student}, but look at it: {file}: {other}" if other else ""
 
 
@@ -97,7 +102,7 @@ def _whose(words: Words, group: Iterable[HandedFile], people: People) -> tuple[s
     meant = people.called(words)
     if len(meant) == 1:
         return meant.pop(), ""
-    sheets = people.called({find_sheet_name(file) for file in group})
+    sheets = people.called({_student_of(file) for file in group})
     if len(sheets) == 1 and (not meant or sheets <= meant):
         return sheets.pop(), ""
     who = " / ".join(words)

@@ -13,11 +13,13 @@ import helpers
 from course import store
 from course.answers import SHEET
 from course.files import read_files
+from course.grading import MAX_HINTS, write_hints
 from course.handed_in import compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
 from course.roster import People
 from course.store import Course
 
+_SETTINGS = "settings.json"  # in the pack: for how many submissions a student gets hints
 # Gradescope (docs/specs.md of gradescope/autograder_samples): the zip's root holds setup.sh and the
 # executable run_autograder; what it must write is /autograder/results/results.json.
 _FILES = {
@@ -55,6 +57,7 @@ def pack(course: Course, path: Path) -> None:
             ignored = shutil.ignore_patterns("__pycache__")
             shutil.copytree(package, root / package.name, ignore=ignored)
         store.save(replace(course, secret=""), root)
+        store.write(root / _SETTINGS, store.as_json({"hints": MAX_HINTS}))
         for name, text in _FILES.items():
             store.write(root / name, text.format(needed="\n".join(needed)))
             (root / name).chmod(0o755)
@@ -74,7 +77,8 @@ def run(root: Path) -> dict[str, Any]:
 
 def _results(root: Path) -> dict[str, Any]:
     course = store.load(root / "source")
-    users = json.loads((root / "submission_metadata.json").read_bytes())["users"]
+    metadata = json.loads((root / "submission_metadata.json").read_bytes())
+    users = metadata["users"]
     told = [str(user.get(key, "")) for user in users for key in ("email", "name")]
     meant = People(course.names).called(told)
     if len(meant) != 1:
@@ -83,18 +87,27 @@ def _results(root: Path) -> dict[str, Any]:
         return {"score": 0, "output": f"{words}; tell your instructor.", "tests": []}
     student = meant.pop()
     sheet = course.sheet(student)
-    handed = read_hand_in(read_files(root / "submission"), sheet.parts)
-    marks = mark_sheet(sheet, handed.answers)
+    hand_in = read_hand_in(read_files(root / "submission"), sheet.parts)
+    other = compare_sheet_names(hand_in.answers.get(SHEET), store.name_sheet(course, student))
+    marks = mark_sheet(sheet, {} if other else hand_in.answers)
+    # Gradescope hides the score while a test is hidden.
     tests = [
-        {"name": m.part, "score": round(m.credit, 4), "max_score": 1.0, "output": m.message}
-        for m in marks
+        {
+            "name": mark.part,
+            "score": round(course.weight(mark.part) * mark.credit, 4),
+            "max_score": course.weight(mark.part),
+            "output": mark.message,
+            "visibility": "after_published",
+        }
+        for mark in marks
     ]
-    trouble = "; ".join(
-        filter(None, [compare_sheet_names(handed.answers.get(SHEET), student), handed.trouble])
-    )
-    words = f"Marked as the sheet of {student}: {trouble or 'every part is judged below'}."
-    score = round(sum(m.credit for m in marks), 4)
-    return {"score": score, "output": words, "tests": tests}
+    trouble = "; ".join(filter(None, [other, hand_in.trouble]))
+    first = f"Read as the sheet of {student}: {trouble or 'every part was read'}."
+    most = int(json.loads((root / "source" / _SETTINGS).read_bytes())["hints"])
+    number = 1 + len(metadata.get("previous_submissions") or ())
+    hints = write_hints([(mark.part, mark.hint) for mark in marks], number, most)
+    score = round(sum(course.weight(mark.part) * mark.credit for mark in marks), 4)
+    return {"score": score, "output": "\n".join([first, *hints]), "tests": tests}
 
 
 if __name__ == "__main__":

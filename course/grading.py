@@ -1,4 +1,8 @@
-"""Every hand-in of a course marked, each in a process of its own: what breaks costs its author."""
+"""Grade every hand-in of a course, so that a grade lasts, can be given again and says why.
+
+`mark.json` in a student's folder of results keeps the marks and a digest of what they depend on:
+the contents of the files and the sheet. Feedback and tables are written from it.
+"""
 
 import csv
 import hashlib
@@ -7,138 +11,299 @@ import json
 import multiprocessing
 import os
 import threading
-from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from course import store
 from course.answers import SHEET
-from course.files import read_files
-from course.handed_in import HandIn, compare_sheet_names, read_hand_in
+from course.files import HandedFile, read_files
+from course.handed_in import compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
 from course.store import Course
-from helpers.inputs import whole_number
+from helpers.inputs import ArmError, whole_number
 
-_PATIENCE = 600  # seconds for a student: then something hangs
-_HOW = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
+_START = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
 _STOPPED = "marking it stopped; please look at it by hand"
+_OVERRIDES = "overrides.csv"
+MAX_HINTS = 3  # hand-ins of a student that get hints before the deadline
 # A spreadsheet runs a cell that begins with one of these (OWASP, CSV injection).
-_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
+_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
+
+Record = dict[str, Any]  # what mark.json holds
 
 
-def grade(folder: Path, out: Path, jobs: int = 1) -> list[dict[str, Any]]:
-    """Mark what every student of a course handed in; the rows of grades.csv, in the course's order.
+class Result(NamedTuple):
+    """The rows of grades.csv, and what a second marking changed."""
 
-    Writes `out/grades.csv`, and for each student `feedback.txt` and `mark.json`, by which nobody is
-    marked twice: who handed in the same files as when it was written keeps the mark.
+    rows: list[dict[str, Any]]
+    changes: list[dict[str, Any]]
+
+
+def grade(
+    folder: Path,
+    out: Path,
+    jobs: int = 0,
+    *,
+    again: bool = False,
+    before_deadline: bool = False,
+    report: Callable[[str], None] = lambda _: None,
+) -> Result:
+    """Mark what every student of a course handed in, and write grades.csv and the feedback.
+
+    Args:
+        folder: The course.
+        out: Folder of the results.
+        jobs: Processes that mark; 0 for one for each processor.
+        again: Mark everybody anew, as after a fix of the judge.
+        before_deadline: Write hints in place of marks into the feedback.
+        report: Receives a line of progress after each student.
     """
-    whole_number(jobs, "jobs", least=1)
+    jobs = whole_number(jobs, "jobs") or os.cpu_count() or 1
     course = store.load(folder)
-    alone = [
-        replace(course, secret="", sheets={student: sheet})
-        for student, sheet in course.sheets.items()
-    ]
-    if _HOW == "forkserver":
+    overrides = read_overrides(folder / _OVERRIDES, course)
+    old = {student: _read_record(out, student) for student in course.sheets}
+    records = _mark_all(folder, out, course, jobs, again=again, report=report)
+    rows = []
+    for student, record in records.items():
+        marks = _apply_overrides(record["marks"], overrides.get(student, {}))
+        rows.append(_make_row(course, student, marks, record, folder))
+        text = _write_hints if before_deadline else _write_feedback
+        store.write(out / student / "feedback.txt", text(course, student, marks, record))
+    store.write(out / "grades.csv", format_table(rows))
+    changes = [c for s in records for c in _list_changes(s, old[s], records[s])]
+    if changes:
+        store.write(out / "changes.csv", format_table(changes))
+    return Result(rows, changes)
+
+
+def _mark_all(
+    folder: Path, out: Path, course: Course, jobs: int, *, again: bool, report: Callable
+) -> dict[str, Record]:
+    """Mark all students by several processes; one that breaks its process is told so."""
+    singles = {s: replace(course, secret="", sheets={s: x}) for s, x in course.sheets.items()}
+    records = dict[str, Record]()
+    broken = False
+    if _START == "forkserver":
         multiprocessing.set_forkserver_preload([__name__])  # NumPy and all are read once
-    with ThreadPoolExecutor(jobs) as threads:
-        rows = list(threads.map(partial(_marked, folder, out), alone))
-    store.write(out / "grades.csv", table(rows))
-    return rows
+    with _make_pool(jobs) as pool:
+        futures: dict[Future, str] = {
+            pool.submit(mark_student, folder, out, single, again): student
+            for student, single in singles.items()
+        }
+        for future in as_completed(futures):
+            try:
+                records[futures[future]] = future.result()
+                report(f"{len(records)} of {len(singles)} marked")
+            except BrokenProcessPool:
+                broken = True
+    for student in singles if broken else ():
+        if student not in records:
+            records[student] = _mark_apart(folder, out, singles[student], again)
+    return {student: records[student] for student in course.sheets}
 
 
-def _marked(folder: Path, out: Path, course: Course) -> dict[str, Any]:
-    """The row of a course's only student, as it was or marked anew."""
-    (student,) = course.sheets
-    kept, now = out / student / "mark.json", _as_it_is(folder / student, course)
-    try:
-        before = json.loads(kept.read_bytes())
-        if before["of"] == now:
-            return dict(before["row"])
-    except (OSError, ValueError, KeyError, TypeError):
-        pass  # there is none yet
-    row = _apart(folder, out, course)
-    store.write(kept, store.as_json({"of": now, "row": row}))
-    return row
-
-
-def _as_it_is(folder: Path, course: Course) -> str:
-    """What a mark depends on, in a word: the sheet, the files as the disk knows them."""
-    paths = sorted(Path(place, name) for place, _, names in os.walk(folder) for name in names)
-    told = [(str(path), (s := path.lstat()).st_size, s.st_mtime_ns, s.st_mode) for path in paths]
-    words = repr((told, store.text(course)))
-    return hashlib.sha256(words.encode(errors="surrogateescape")).hexdigest()
-
-
-def _apart(folder: Path, out: Path, course: Course) -> dict[str, Any]:
-    """The row of a course's only student, from a process of its own that is ended when it hangs."""
-    context: Any = multiprocessing.get_context(_HOW)
-    ours, theirs = context.Pipe(duplex=False)
-    process = context.Process(target=_alone, args=(theirs, folder, out, course))
-    process.start()
-    theirs.close()
-    try:
-        if ours.poll(_PATIENCE):
-            return dict(ours.recv())
-    except EOFError:
-        pass  # it ended without a word
-    finally:
-        process.kill()
-        process.join()
-    return _written(course, out, HandIn(trouble=_STOPPED))
-
-
-def _alone(answer: Any, *work: Any) -> None:
-    """Mark in a process of its own, which ends when whoever began it does."""
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    answer.send(mark_one(*work))
+def _make_pool(jobs: int) -> ProcessPoolExecutor:
+    context = multiprocessing.get_context(_START)
+    return ProcessPoolExecutor(jobs, mp_context=context, initializer=_end_with_parent)
 
 
 def _end_with_parent() -> None:
-    if (parent := multiprocessing.parent_process()) is not None:
-        parent.join()
-        os._exit(1)
+    """End this process as soon as the one that began it ends, even by a signal."""
+
+    def wait() -> None:
+        if (parent := multiprocessing.parent_process()) is not None:
+            parent.join()
+            os._exit(1)
+
+    threading.Thread(target=wait, daemon=True).start()
 
 
-def mark_one(folder: Path, out: Path, course: Course) -> dict[str, Any]:
-    """The row of a course's only student."""
-    (student,) = course.sheets
+def _mark_apart(folder: Path, out: Path, course: Course, again: bool) -> Record:
+    """Mark one student in a process of its own."""
     try:
-        handed = read_hand_in(read_files(folder / student), course.sheet(student).parts)
-        return _written(course, out, handed)
-    except Exception as error:  # a hand-in may break what reads it in ways nobody thought of
-        return _written(course, out, HandIn(trouble=f"{_STOPPED} ({type(error).__name__})"))
+        with _make_pool(1) as pool:
+            return pool.submit(mark_student, folder, out, course, again).result()
+    except BrokenProcessPool:
+        (student,) = course.sheets
+        return _save(out, student, _make_record(course, student, {}, _STOPPED, ""))
 
 
-def _written(course: Course, out: Path, handed: HandIn) -> dict[str, Any]:
-    """The row of a hand-in: id, name, total, a column for each part, and what went wrong; what
-    was asked and what the checkers say, no solution, goes into the student's feedback.
+def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -> Record:
+    """Mark the only student of a course, unless nothing changed since the last marking."""
+    (student,) = course.sheets
+    digest = ""
+    try:
+        files = [f for f in read_files(folder / student) if not f.name.startswith(".")]
+        digest = _make_digest(files, course.sheets[student])
+        stored = _read_record(out, student)
+        if stored and stored["of"] == digest and not again:
+            return stored
+        hand_in = read_hand_in(files, course.sheet(student).parts)
+        record = _make_record(course, student, hand_in.answers, hand_in.trouble, digest)
+        is_new = not stored or stored["of"] != digest
+        record["hand_ins"] = (stored or {}).get("hand_ins", 0) + (is_new and bool(hand_in.answers))
+    except Exception as error:  # a hand-in may break its reader in ways nobody thought of
+        trouble = f"{_STOPPED} ({type(error).__name__})"
+        record = _make_record(course, student, {}, trouble, digest)
+    return _save(out, student, record)
+
+
+def _make_record(
+    course: Course, student: str, answers: Mapping[str, Any], trouble: str, digest: str
+) -> Record:
+    """Mark the answers; those to another sheet are not marked."""
+    other = compare_sheet_names(answers.get(SHEET), store.name_sheet(course, student))
+    marks = mark_sheet(course.sheet(student), {} if other else answers)
+    note = "; ".join(filter(None, [other, trouble]))
+    return {"of": digest, "marks": [vars(mark) for mark in marks], "note": note, "hand_ins": 0}
+
+
+def _save(out: Path, student: str, record: Record) -> Record:
+    store.write(out / student / "mark.json", store.as_json(record))
+    return record
+
+
+def _read_record(out: Path, student: str) -> Record | None:
+    try:
+        record = json.loads((out / student / "mark.json").read_bytes())
+        return record if {"of", "marks", "note", "hand_ins"} <= {*record} else None
+    except (OSError, ValueError, TypeError):
+        return None
+
+
+def _make_digest(files: Iterable[HandedFile], sheet: Mapping[str, Any]) -> str:
+    """Return a digest of the contents of files and of a sheet; a touched file keeps it."""
+    digest = hashlib.sha256(json.dumps(sheet, sort_keys=True).encode())
+    for file in files:
+        text = f"{file.name}\n{file.trouble}\n{len(file.content)}\n"
+        digest.update(text.encode(errors="surrogateescape") + file.content)
+    return digest.hexdigest()
+
+
+# Marks by hand
+
+
+def read_overrides(path: Path, course: Course) -> dict[str, dict[str, tuple[float, str]]]:
+    """Read the credits given by hand, by student and part; none if there is no such file.
+
+    Raises ArmError with every line that names no student, no part or no credit from 0 to 1.
     """
-    ((student, name),) = course.names.items()
-    sheet = course.sheet(student)
-    marks = mark_sheet(sheet, handed.answers)
-    trouble = "; ".join(
-        filter(None, [compare_sheet_names(handed.answers.get(SHEET), student), handed.trouble])
-    )
-    credits = {mark.part: round(mark.credit, 4) for mark in marks}
-    total = round(sum(credits.values()), 4)
-    lines = [f"{course.title}, {name} ({student}): {total:.4g} of {len(marks)}"]
-    lines += [f"Note: {trouble}."] if trouble else []
-    for part, mark in zip(sheet.parts.values(), marks, strict=True):
-        lines += ["", f"{mark.part}: {mark.credit:.3g} of 1 for {part.what}"]
-        lines += [f"    {line}" for line in mark.message.splitlines()]
-    store.write(out / student / "feedback.txt", "\n".join(lines) + "\n")
-    return {"id": student, "name": name, "total": total, **credits, "note": trouble}
+    if not path.exists():
+        return {}
+    overrides, problems = dict[str, dict[str, tuple[float, str]]](), list[str]()
+    text = path.read_bytes().decode("utf-8-sig")
+    separator = ";" if ";" in text.partition("\n")[0] else ","
+    for line, row in enumerate(csv.DictReader(io.StringIO(text), delimiter=separator), 2):
+        student, part, credit, why = (
+            (row.get(key) or "").strip() for key in ("id", "part", "credit", "why")
+        )
+        if student not in course.sheets or part not in course.sheet(student).parts:
+            problems.append(f"line {line}: no student {student!r} with the part {part!r}")
+            continue
+        try:
+            value = float(credit.replace(",", "."))
+        except ValueError:
+            value = -1.0
+        if not 0 <= value <= 1:
+            problems.append(f"line {line}: credit is {credit!r}; expected a number from 0 to 1")
+            continue
+        overrides.setdefault(student, {})[part] = value, why
+    if problems:
+        raise ArmError(f"{path} cannot be used; {'; '.join(problems)}")
+    return overrides
 
 
-def table(rows: Sequence[Mapping[str, Any]]) -> str:
-    """CSV of rows with the same keys, line ends as RFC 4180 wants; no word is a formula."""
+def _apply_overrides(
+    marks: Sequence[Mapping[str, Any]], overrides: Mapping[str, tuple[float, str]]
+) -> list[dict[str, Any]]:
+    result = []
+    for mark in marks:
+        mark = dict(mark)
+        if mark["part"] in overrides:
+            mark["credit"], why = overrides[mark["part"]]
+            mark["message"] = f"Set by hand: {why or 'no reason is given'}\n{mark['message']}"
+        result.append(mark)
+    return result
+
+
+# What is written
+
+
+def _make_row(
+    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record, folder: Path
+) -> dict[str, Any]:
+    credits = {mark["part"]: round(mark["credit"], 4) for mark in marks}
+    total = round(sum(course.weight(part) * credit for part, credit in credits.items()), 4)
+    late = "late" if (folder / student / ".late").exists() else ""
+    named = {"id": student, "name": course.names[student], "total": total}
+    return {**named, **credits, "late": late, "note": record["note"]}
+
+
+def _write_feedback(
+    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record
+) -> str:
+    """Return the reasons for each mark, without the solution."""
+    parts = course.sheet(student).parts
+    total = sum(course.weight(mark["part"]) * mark["credit"] for mark in marks)
+    most = sum(course.weight(part) for part in parts)
+    lines = [f"{course.title}, {course.names[student]} ({student}): {total:.4g} of {most:g}"]
+    lines += [f"Note: {record['note']}."] if record["note"] else []
+    for mark in marks:
+        weight = course.weight(mark["part"])
+        what = parts[mark["part"]].what
+        lines += ["", f"{mark['part']}: {weight * mark['credit']:.3g} of {weight:g} for {what}"]
+        lines += [f"    {line}" for line in mark["message"].splitlines()]
+    return "\n".join(lines) + "\n"
+
+
+def _write_hints(
+    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record
+) -> str:
+    """Return the hints for before the deadline, for the first hand-ins of a student."""
+    lines = [f"{course.title}, {course.names[student]} ({student}): before the deadline"]
+    lines += [f"Note: {record['note']}."] if record["note"] else []
+    lines += write_hints([(m["part"], m["hint"]) for m in marks], record["hand_ins"])
+    return "\n".join(lines) + "\n"
+
+
+def write_hints(
+    hints: Sequence[tuple[str, str]], hand_ins: int, most: int = MAX_HINTS
+) -> list[str]:
+    """Return lines with the hint for each part; none after the first `most` hand-ins."""
+    if hand_ins > most:
+        return [f"Hints are given for {most} hand-ins; this one is read after the deadline."]
+    return [f"{part}: {hint}" for part, hint in hints]
+
+
+def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[str, Any]]:
+    """List the parts whose credit changed although the hand-in did not."""
+    if not old or old["of"] != new["of"]:
+        return []
+    before = {mark["part"]: mark["credit"] for mark in old["marks"]}
+    return [
+        {
+            "id": student,
+            "part": mark["part"],
+            "before": before.get(mark["part"]),
+            "now": mark["credit"],
+            "why": mark["message"].replace("\n", " "),
+        }
+        for mark in new["marks"]
+        if before.get(mark["part"]) != mark["credit"]
+    ]
+
+
+def format_table(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Format rows as CSV with line ends as RFC 4180 has them; no text is a formula."""
     file = io.StringIO()
-    writer = csv.DictWriter(file, list(rows[0]))
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    writer = csv.DictWriter(file, names, restval="")
     writer.writeheader()
     for row in rows:
-        risky = [key for key, v in row.items() if isinstance(v, str) and v.startswith(_FORMULA)]
+        risky = [k for k, x in row.items() if isinstance(x, str) and x.startswith(_FORMULA_STARTS)]
         writer.writerow({**row, **{key: f"'{row[key]}" for key in risky}})
     return file.getvalue()

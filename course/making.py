@@ -136,7 +136,12 @@ def notebook(course: Course, student: str) -> dict[str, Any]:
     cells = [
         _text("title", f"# {course.title}\n\n{name} ({student})\n\n{_HOW}\n\n{_helpers()}"),
         _text("arm", f"## The arm\n\n{sheet.arm._repr_markdown_()}"),
-        code_cell("setup", _SETUP.format(prefix=PREFIX, sheet=SHEET, student=student, arm=arm)),
+        code_cell(
+            "setup",
+            _SETUP.format(
+                prefix=PREFIX, sheet=SHEET, student=store.name_sheet(course, student), arm=arm
+            ),
+        ),
     ]
     for number, question in enumerate(sheet.questions, 1):
         cells.append(_text(f"question-{number}", question.markdown))

@@ -5,11 +5,12 @@ the keys, and it stays with the instructor. Files are written beside and then re
 interrupted command leaves the old file or the new one.
 """
 
+import hashlib
 import hmac
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,11 @@ class Course:
     topics: tuple[str, ...]
     secret: str
     sheets: Mapping[str, Mapping[str, Any]]
+    weights: Mapping[str, float] = field(default_factory=dict)
+
+    def weight(self, part: str) -> float:
+        """Return what a part is worth."""
+        return float(self.weights.get(part, 1))
 
     @property
     def names(self) -> dict[str, str]:
@@ -43,6 +49,14 @@ class Course:
         stored = self.sheets[student]
         arm = with_lengths(self.arm, stored["values"])
         return Sheet(arm, stored["drawn"])
+
+
+def name_sheet(course: Course, student: str) -> str:
+    """Return the name of a sheet: the course by its arm and title, the student, the issue."""
+    label = json.dumps([course.title, course.arm.name, list(course.topics)])
+    issue = int(course.sheets[student].get("issue", 0))
+    short = hashlib.sha256(label.encode()).hexdigest()[:6]
+    return f"{short}/{student}" + (f"#{issue}" if issue else "")
 
 
 def seed(course: Course, student: str, attempt: int) -> str:

@@ -18,7 +18,7 @@ import pytest
 
 from course import __main__ as commands
 from course import arms, grading, making, store
-from course.grading import grade, mark_one
+from course.grading import grade, mark_student
 from course.making import right_work
 from course.marking import Mark
 from course.roster import Student, read_roster
@@ -92,7 +92,7 @@ def test_the_notebook_is_valid_and_runs_to_an_answers_file(given_out, tmp_path):
     script.write_text(f"{text}\nassert arm.dof == 6", encoding="utf-8")
     subprocess.run([sys.executable, script], cwd=tmp_path, check=True)
     written = json.loads((tmp_path / "answers.json").read_text("utf-8"))
-    assert written == {"sheet": "ab12", "p": [1, "2", np.pi]}
+    assert written == {"sheet": store.name_sheet(course, "ab12"), "p": [1, "2", np.pi]}
 
 
 # The commands
@@ -133,14 +133,14 @@ def test_a_term_from_roster_to_grades(here, capsys):
     said = typed("grade hw --out out --jobs 2", capsys)
     assert said == f"2 students marked: {Path('out/grades.csv')}\n"
     lines = Path("out/grades.csv").read_text("utf-8").splitlines()
-    assert lines[0] == "id,name,total,J,xi,J_column,note"
+    assert lines[0] == "id,name,total,J,xi,J_column,late,note"
     assert lines[1:] == [
-        "ab,Ada Ü,2.5,0.5,1.0,1.0,",
-        "cd,Bo,0.0,0.0,0.0,0.0,nothing was answered",
+        "ab,Ada Ü,2.5,0.5,1.0,1.0,,",
+        "cd,Bo,0.0,0.0,0.0,0.0,,nothing was answered",
     ]
     words = Path("out/ab/feedback.txt").read_text("utf-8")
     assert words.startswith("Ä, Ada Ü (ab): 2.5 of 3\n\nJ: 0.5 of 1 for the Jacobian, ")
-    assert "    Not right: the linear half of columns" in words
+    assert "    This is what a usual mistake g" in words
     words = Path("out/cd/feedback.txt").read_text("utf-8")
     assert words.startswith("Ä, Bo (cd): 0 of 3\nNote: nothing was answered.\n\nJ: 0")
     assert typed("gradescope hw --out a/b.zip", capsys).startswith("autograder for 2")
@@ -160,12 +160,6 @@ def test_what_goes_wrong_is_told_on_stderr(here, capsys, line, words):
     Path("short").write_text("123456789012345\n", encoding="utf-8")
     assert typed(line, capsys, 2).startswith(f"course: {words}")
     assert not Path("hw").exists()
-
-
-def test_jobs_are_one_or_more(here):
-    making.new([Student("ab", "A")], ELBOW, Path("hw"), topics=POSES)
-    with pytest.raises(ArmError, match="jobs is 0; expected a whole number of 1 or more"):
-        grade(Path("hw"), Path("out"), jobs=0)
 
 
 # A course that changes
@@ -243,39 +237,113 @@ def test_a_course_that_cannot_be_read_is_told(tmp_path, text, words):
         store.load(tmp_path)
 
 
-# Marking a class
+# Grading a class
 
 
-def test_marking_again_marks_what_is_there_then_and_nobody_twice(here, monkeypatch):
+def write_answers(student, answers):
+    Path(f"hw/{student}/answers.json").write_text(json.dumps(answers), encoding="utf-8")
+
+
+def totals(result):
+    return [row["total"] for row in result.rows]
+
+
+def test_grading_again_marks_only_new_hand_ins(here, monkeypatch):
     course = grown("ab", "cd")
-    answers = json.dumps(right_work(course.sheet("ab")))
-    assert [row["total"] for row in grade(Path("hw"), Path("out"))] == [0, 0]
-    Path("hw/ab/answers.json").write_text(answers, encoding="utf-8")
+    assert totals(grade(Path("hw"), Path("out"), jobs=1)) == [0, 0]
+    write_answers("ab", right_work(course.sheet("ab")))
     first = grade(Path("hw"), Path("out"), jobs=2)
-    assert [row["total"] for row in first] == [2, 0]
-    before = Path("out/grades.csv").read_bytes()
-    monkeypatch.setattr(grading, "_apart", lambda *_: pytest.fail("marked twice"))
-    assert grade(Path("hw"), Path("out")) == first
-    assert Path("out/grades.csv").read_bytes() == before
+    assert totals(first) == [2, 0]
+    table = Path("out/grades.csv").read_bytes()
+    os.utime("hw/ab/answers.json", (1, 1))
+    Path("out/ab/feedback.txt").unlink()
+    marked = {s: Path(f"out/{s}/mark.json").stat().st_mtime_ns for s in ("ab", "cd")}
+    assert grade(Path("hw"), Path("out"), jobs=1) == first
+    assert Path("out/grades.csv").read_bytes() == table
+    assert "p: 1 of 1 for" in Path("out/ab/feedback.txt").read_text("utf-8")
+    for student, time_of_mark in marked.items():
+        assert Path(f"out/{student}/mark.json").stat().st_mtime_ns == time_of_mark
 
 
-def test_a_reader_that_breaks_is_told(here, monkeypatch):
-    work = Path("hw"), Path("out"), grown("ab")
+def test_again_says_what_changed(here, capsys):
+    course = grown("ab", "cd")
+    write_answers("ab", right_work(course.sheet("ab")))
+    grade(Path("hw"), Path("out"), jobs=1)
+    path = Path("out/ab/mark.json")
+    record = json.loads(path.read_bytes())
+    record["marks"][0]["credit"] = 0.5  # as an older judge had it
+    path.write_text(json.dumps(record), encoding="utf-8")
+    assert "is now" not in typed("grade hw --out out --jobs 1", capsys)
+    said = typed("grade hw --out out --jobs 1 --again", capsys)
+    assert said.startswith("ab, p: 0.5 is now 1. Right.\n2 students marked")
+    assert Path("out/changes.csv").read_text("utf-8").splitlines() == [
+        "id,part,before,now,why", "ab,p,0.5,1.0,Right."
+    ]  # fmt: skip
+
+
+def test_overrides_last(here):
+    course = grown("ab")
+    Path("hw/overrides.csv").write_text("id,part,credit,why\nab,p,0.75,on paper\n", "utf-8")
+    assert totals(grade(Path("hw"), Path("out"), jobs=1)) == [0.75]
+    write_answers("ab", right_work(course.sheet("ab")))
+    assert totals(grade(Path("hw"), Path("out"), jobs=1, again=True)) == [1.75]
+    feedback = Path("out/ab/feedback.txt").read_text("utf-8")
+    assert "p: 0.75 of 1 for the tip's position (m)\n    Set by hand: on paper\n" in feedback
+
+
+def test_bad_overrides_are_all_told(here):
+    grown("ab")
+    text = "id;part;credit;why\nzz;p;1;\nab;x;1;\nab;p;2;\nab;p;0,5;\n"
+    Path("hw/overrides.csv").write_text(text, "utf-8")
+    with pytest.raises(ArmError) as error:
+        grade(Path("hw"), Path("out"), jobs=1)
+    for line in (2, 3, 4):
+        assert f"line {line}: " in str(error.value)
+    assert "line 5" not in str(error.value)
+
+
+def test_hints_tell_no_mark_and_end_after_three_hand_ins(here):
+    course = grown("ab")
+    key = right_work(course.sheet("ab"))
+    for number in range(5):
+        write_answers("ab", {**key, "p": [1000 * x + number * 1e-5 for x in key["p"]]})
+        grade(Path("hw"), Path("out"), jobs=1, before_deadline=True)
+        hints = Path("out/ab/feedback.txt").read_text("utf-8")
+        assert ("The position is in millimetres" in hints) == (number < 3)
+        assert "of 1" not in hints
+        assert "Right" not in hints
+    assert "Hints are given for 3 hand-ins" in hints
+
+
+def test_hand_in_of_another_course_is_not_marked(here):
+    course = grown("ab")
+    write_answers("ab", {**right_work(course.sheet("ab")), "sheet": "ffffff/ab"})
+    (row,) = grade(Path("hw"), Path("out"), jobs=1).rows
+    assert (row["total"], row["note"]) == (
+        0,
+        "this answers a sheet of another course ('ffffff/ab')",
+    )
+
+
+def test_reader_that_breaks_is_reported(here, monkeypatch):
+    course = grown("ab")
     monkeypatch.setattr("course.grading.read_hand_in", lambda *_: 1 / 0)
-    row = mark_one(*work)
-    assert row["note"] == "marking it stopped; please look at it by hand (ZeroDivisionError)"
-    monkeypatch.undo()
-    os.chdir(here)
-    assert mark_one(*work)["note"] == "nothing was answered"
+    record = mark_student(Path("hw"), Path("out"), course)
+    assert record["note"] == "marking it stopped; please look at it by hand (ZeroDivisionError)"
 
 
-@pytest.mark.parametrize("alone", [os._exit, lambda *_: time.sleep(900)], ids=["ends", "hangs"])
-def test_a_process_without_a_word_costs_its_author_only(here, monkeypatch, alone):
-    work = Path("hw"), Path("out"), grown("ab")
-    for name, value in (("_alone", alone), ("_HOW", "fork"), ("_PATIENCE", 0.1)):
-        monkeypatch.setattr(grading, name, value)
-    row = grading._marked(*work)
-    assert (row["total"], row["note"]) == (0, "marking it stopped; please look at it by hand")
+def test_process_that_ends_costs_its_author_only(here, monkeypatch):
+    grown("ab", "cd")
+    monkeypatch.setattr(grading, "_START", "fork")
+    real = grading.read_hand_in
+    monkeypatch.setattr(
+        grading,
+        "read_hand_in",
+        lambda files, parts: os._exit(1) if len(files) > 1 else real(files, parts),
+    )
+    write_answers("ab", {"p": [1, 2, 3]})
+    notes = [row["note"] for row in grade(Path("hw"), Path("out"), jobs=1).rows]
+    assert notes == ["marking it stopped; please look at it by hand", "nothing was answered"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no signal can be sent")

@@ -13,7 +13,7 @@ import yaml
 
 import helpers
 from course import __main__ as commands
-from course import collect, gradescope, grading, making
+from course import collect, gradescope, grading, making, store
 from course.files import HandedFile
 from course.making import right_work
 from course.roster import Student
@@ -148,10 +148,10 @@ def test_an_export_of_gradescope_that_cannot_be_read_is_told():
 
 def test_no_word_of_the_grades_is_a_formula():
     rows = [{"id": "ab", "name": "Ada", "total": 2.0235}, {"id": "cd", "name": "=1", "total": 0}]
-    text = grading.table(rows)
+    text = grading.format_table(rows)
     assert text == "id,name,total\r\nab,Ada,2.0235\r\ncd,'=1,0\r\n"
     for first in "=+-@\t\r\n|%":
-        told = grading.table([{"name": f"{first}1"}])
+        told = grading.format_table([{"name": f"{first}1"}])
         assert list(csv.reader(io.StringIO(told, newline="")))[1] == [f"'{first}1"]
 
 
@@ -212,15 +212,19 @@ def test_gradescope_marks_by_what_was_packed(course, unpacked):
     subprocess.run(command, cwd=root / "source", check=True)
     results = json.loads((root / "results" / "results.json").read_text("utf-8"))
     assert results["score"] == len(results["tests"]) == 5
-    assert results["output"] == "Marked as the sheet of b.7: every part is judged below."
-    assert set(results["tests"][0]) == {"name", "score", "max_score", "output"}
+    assert (
+        results["output"]
+        == "Read as the sheet of b.7: every part was read.\n" + results["output"].partition("\n")[2]
+    )
+    assert results["tests"][0]["visibility"] == "after_published"
+    assert "p: It was read; no usual mistake" in results["output"]
 
 
 @pytest.mark.parametrize(
     ("users", "words"),
     [
-        ([{"email": "ada@X.example"}], "Marked as the sheet of Ada@x.example: "),
-        ([{"email": "x@y", "name": "bo ü"}], "Marked as the sheet of b.7: "),
+        ([{"email": "ada@X.example"}], "Read as the sheet of Ada@x.example: "),
+        ([{"email": "x@y", "name": "bo ü"}], "Read as the sheet of b.7: "),
         ([{"email": "x@y", "name": "Nobody"}], "No sheet of this course belongs to your name"),
         ([{"email": "ada@x.example"}, {"email": "b.7@z"}], "More than one sheet of this course"),
         ([{}], "No sheet of this course"),
@@ -238,9 +242,12 @@ def test_gradescope_finds_whose_sheet_it_is_or_says_so(course, unpacked, users, 
 
 def test_gradescope_says_whose_sheet_was_answered(course, unpacked):
     root, _ = unpacked
-    other = {**right_work(course.sheet("Ada@x.example")), "sheet": "Ada@x.example"}
+    other = {
+        **right_work(course.sheet("Ada@x.example")),
+        "sheet": store.name_sheet(course, "Ada@x.example"),
+    }
     handed_in(root, [{"email": "b.7@z"}], other)
     results = gradescope.run(root)
-    words = "Marked as the sheet of b.7: this answers the sheet of 'Ada@x.example', not of 'b.7'."
-    assert results["output"] == words
-    assert results["score"] < 1
+    words = "Read as the sheet of b.7: this answers the sheet of 'Ada@x.example', not of 'b.7'."
+    assert results["output"].startswith(words)
+    assert results["score"] == 0
