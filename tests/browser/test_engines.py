@@ -48,7 +48,12 @@ class Reader:
     def open(self, name, fragment=""):
         self.visits += 1  # a fragment alone would open no new page
         self.engine.open(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
-        self.until("performance.getEntriesByType('paint').length")  # nobody touches a blank page
+        # Nobody touches a blank page. Firefox reports no paint of a page whose list of pages was
+        # scrolled before it.
+        self.until(
+            "performance.getEntriesByType('paint').length"
+            " || (navigator.userAgent.includes('Firefox') && document.readyState === 'complete')"
+        )
 
     def until(self, holds):
         """Ask until it holds, 600 times: a busy machine answers slowly."""
