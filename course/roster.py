@@ -24,18 +24,28 @@ class Student:
     name: str
 
 
-def read_roster(path: str | Path) -> tuple[Student, ...]:
-    """The students in a CSV file with the columns id and name, in UTF-8, beside any others; with
-    commas, or with semicolons as spreadsheets write them in many countries.
+# Column headers for ids and names, the best first: ours, Canvas, Moodle, Excel.
+_ID_HEADERS = ("sis login id", "login id", "username", "id", "id number", "student id")
+_NAME_HEADERS = ("name", "student", "full name", "student name")
+_FIRST_NAME, _LAST_NAMES = "first name", ("last name", "surname")
 
-    Raises ArmError, with the line, for a column that is missing, an id that can name no folder, and
-    an id that stands twice (capitals count as small letters, as some disks see them).
+
+def read_roster(path: str | Path) -> tuple[Student, ...]:
+    """Read the students in a CSV file as platforms and spreadsheets export it.
+
+    The file is in UTF-8 and has a column for the id and one for the name (or two), beside any
+    others, with commas, semicolons or tabs between them.
+
+    Raises ArmError with every line that has no id and name, an id that can name no folder, or an
+    id that stands twice (capitals count as small letters, as some disks see them).
     """
     try:
         text = Path(path).read_bytes().decode("utf-8-sig")
-        head = text.partition("\n")[0]
-        between = ";" if head.count(";") > head.count(",") else ","
-        rows = list(csv.DictReader(io.StringIO(text, newline=""), delimiter=between))
+        first, _, rest = text.partition("\n")
+        if first.lower().startswith("sep="):  # Excel
+            text, (first, _, _) = rest, rest.partition("\n")
+        separator = max(",;\t", key=first.count)
+        rows = list(csv.DictReader(io.StringIO(text, newline=""), delimiter=separator))
     except UnicodeDecodeError:
         raise ArmError(
             f"roster {str(path)!r} is not in UTF-8; save it as CSV UTF-8 (in Excel and LibreOffice"
@@ -43,23 +53,43 @@ def read_roster(path: str | Path) -> tuple[Student, ...]:
         ) from None
     except csv.Error as error:
         raise ArmError(f"roster {str(path)!r} cannot be read: {error}") from None
-    students = dict[str, Student]()
+    students, problems = dict[str, Student](), list[str]()
     for line, row in enumerate(rows, 2):
-        if None in (row.get("id"), row.get("name")):
-            columns = ", ".join(k for k in row if k) or "none"
-            raise ArmError(f"roster line {line} has the columns {columns}; expected id and name")
-        student = Student(row["id"].strip(), row["name"].strip())
-        if not _ID.fullmatch(student.id) or _TAKEN.fullmatch(student.id.split(".")[0]):
-            raise ArmError(
-                f"roster line {line}: id is {student.id!r}; expected 1 to 64 letters, digits and"
-                " . _ @ -, a letter or digit at either end, and no name that Windows keeps for"
-                " itself"
-            )
-        if students.setdefault(student.id.casefold(), student) is not student:
-            raise ArmError(f"roster line {line}: id {student.id!r} stands above already")
+        texts = [x.strip() for x in row.values() if isinstance(x, str)]
+        if not any(texts) or "Points Possible" in texts:  # a blank line; Canvas' second line
+            continue
+        student = _read_student(row)
+        problem = _find_problem(student, row)
+        if not problem and students.setdefault(student.id.casefold(), student) is not student:
+            problem = f": id {student.id!r} stands above already"
+        problems += [f"roster line {line}{problem}"] if problem else []
+    if problems:
+        raise ArmError("; ".join(problems))
     if not students:
         raise ArmError(f"roster {str(path)!r} holds no student; expected lines under id,name")
     return tuple(students.values())
+
+
+def _read_student(row: Mapping[str | None, str | None]) -> Student:
+    """Return the id and the name in a line; one that is missing is empty."""
+    cells = {k.strip().casefold(): v.strip() for k, v in row.items() if k and isinstance(v, str)}
+    student_id = next((cells[key] for key in _ID_HEADERS if key in cells), "\0")
+    last = next((cells[key] for key in _LAST_NAMES if key in cells), "")
+    both = f"{cells.get(_FIRST_NAME, '')} {last}".strip()
+    name = next((cells[key] for key in _NAME_HEADERS if key in cells), both or "\0")
+    return Student(student_id, name)
+
+
+def _find_problem(student: Student, row: Mapping[str | None, str | None]) -> str:
+    if "\0" in (student.id, student.name):
+        columns = ", ".join(key for key in row if key) or "none"
+        return f" has the columns {columns}; expected id and name"
+    if not _ID.fullmatch(student.id) or _TAKEN.fullmatch(student.id.split(".")[0]):
+        return (
+            f": id is {student.id!r}; expected 1 to 64 letters, digits and . _ @ -, a letter or"
+            " digit at either end, and no name that Windows keeps for itself"
+        )
+    return ""
 
 
 class People:

@@ -425,3 +425,25 @@ def test_a_roster_is_read_with_spaces_signs_and_other_columns(tmp_path):
         path.write_bytes(text.replace(",", between).encode())
         expected = (Student("xcon.a_b@c-D9", "Ada Ü"), Student("con1", f"L{between}\r\nA"))
         assert read_roster(path) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "sep=;\nID;Name\nab;Ada L\n",
+        "Username\tFirst name\tLast name\nab\tAda\tL\n\t\t\n",
+        "Student,ID,SIS Login ID,Section\n    Points Possible,,,\nAda L,91,ab,1\n",
+        " id , Name \n ab , Ada L \n",
+    ],
+)
+def test_roster_is_read_as_platforms_export_it(tmp_path, text):
+    path = tmp_path / "r.csv"
+    path.write_text(text, encoding="utf-8-sig")
+    assert read_roster(path) == (Student("ab", "Ada L"),)
+
+
+def test_every_bad_line_of_a_roster_is_told(tmp_path):
+    path = tmp_path / "r.csv"
+    path.write_text("id,name\n../x,A\nab,B\nAB,C\n", encoding="utf-8")
+    with pytest.raises(ArmError, match=r"line 2: id is .*; roster line 4: id 'AB' stands above"):
+        read_roster(path)
