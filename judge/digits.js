@@ -1,29 +1,37 @@
-// What the digits of an answer promise: every entry is held to its own last place.
+// Compares numbers to the last decimal place that was typed.
 
 export const [RIGHT, SO_FAR, ROUNDED, WRONG] = ["right", "so far", "rounded", "wrong"];
-export const RIGHT_BY_MAP = "right by map"; // a table of the same arm whose joints count otherwise
+export const RIGHT_BY_MAP = "right by map"; // same arm, other joint zeros or signs
 
-const HALF = 0.5; // units: the truth, rounded to the last place
-const ONE_OFF = 1.5; // units: that, and one more in the last place
-const COARSE = 0.1; // of the largest entry: one off in a larger place is another number, as 1e9
-const FULL = 13; // significant digits from which a program never rounded
-const NOISE = 1e-12; // arithmetic: below it a number is a program's zero, as 6.1e-17 for cos 90°
-// of the largest entry, a thousandth at least: what pi with seven digits, or a long sum, is off by
+// Allowed difference of a rounded number, in units of its last place.
+const HALF = 0.5;
+// The same for a number that is off by one in its last place besides.
+const ONE_OFF = 1.5;
+// If the last typed place exceeds this share of the largest entry (as in 1e9), being off by one
+// there is an error, not rounding.
+const COARSE = 0.1;
+// An answer with this number of significant digits was copied from a program without rounding.
+const FULL = 13;
+// Round-off of a program: smaller numbers are its zeros, as 6.1e-17 for cos 90°.
+const NOISE = 1e-12;
+// Error of pi with seven digits or of a long sum, as a share of the largest entry.
 const HAIR = 1e-6;
-const FINE = 2e-3; // rad or m: a coarser place was meant as it stands: q = 0.3 is no 0.26
-const NUDGE = 1e-6; // rad or m: a difference for a derivative
+// Joint values whose last place exceeds this (rad or m) are exact: q = 0.3 does not stand for 0.26.
+const FINE = 2e-3;
+const NUDGE = 1e-6; // step of the difference quotient, rad or m
 const NUMBER = /^[+-]?\s*(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/;
-const BARE = /^[+-]?\s*[01]\.?0?$/; // as programs print an exact 0 or 1
+const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exact 0 or 1
 
 /**
- * Numbers, and what their last places are worth.
+ * Numbers with the unit of the last typed place of each, 0.001 for 1.234.
  * @typedef {{ values: number[], units: number[] }} Entries
  */
 
 /**
- * Return the unit of the last place of each number as typed, and twice the slack of each formula;
- * 0 for all of an answer that shows every digit a computer has. A bare 0 or 1 has the answer's
- * finest place.
+ * Return the unit of each number's last typed place.
+ *
+ * A formula has twice its slack. A bare 0 or 1 has the finest unit of the answer. All units are 0
+ * if some number shows all digits of a program.
  * @param {string[]} texts @param {number[]} [slacks] of the formulas among them
  */
 export function units(texts, slacks = []) {
@@ -39,7 +47,7 @@ export function units(texts, slacks = []) {
   return found.map(unit);
 }
 
-// A plain number as typed; null for a formula.
+// Read a plain number as typed; null for a formula.
 function literal(text) {
   const trimmed = text.trim();
   const match = NUMBER.exec(trimmed);
@@ -54,15 +62,17 @@ function literal(text) {
 
 export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
 const hairOf = (truth) => HAIR * largest(truth);
-// An entry that shows its last place needs no more than arithmetic does.
+// A typed number has a last place, so only round-off is allowed beyond it.
 const hair = (unit, top) => (unit ? NOISE : HAIR) * top;
 
 const isShort = (x, expected) => Math.abs(x) <= Math.abs(expected) && x * expected >= 0;
 
 /**
- * How entries agree with what they should be: "rounded" to their last places, all "cut" there, but
- * for "one off" in some last place, or not at all, "". `slack` is what each may be off besides.
- * @param {Entries} mine @param {number[]} truth @param {number[]} slack
+ * Return how entries agree with the right ones: all "rounded" to their last places, all "cut"
+ * there, some "one off" in the last place, or "" if they differ.
+ * @param {Entries} mine the typed entries
+ * @param {number[]} truth the right entries
+ * @param {number[]} slack difference allowed in each entry besides
  */
 export function agreement({ values, units: places }, truth, slack) {
   const top = largest(truth);
@@ -83,7 +93,7 @@ export const isRight = (how) => how === "rounded" || how === "cut";
 export const agrees = (mine, truth, slack = truth.map(() => 0)) =>
   isRight(agreement(mine, truth, slack));
 
-// Which entries are wrong: by more than one in the last place, or, where none is, at all.
+// Flag the entries that are wrong by more than one in the last place; if none is, all that differ.
 export function beyond({ values, units: places }, truth, slack) {
   const top = largest(truth);
   const past = (most) =>
@@ -96,7 +106,7 @@ export function beyond({ values, units: places }, truth, slack) {
 }
 
 /**
- * Whether digits a hundred times finer would show that an answer is not `other` but `truth`.
+ * Return whether two more typed digits would distinguish `truth` from `other`.
  * @param {{ units: number[] }} mine @param {number[]} truth @param {number[]} other
  */
 export function tellable({ units: places }, truth, other) {
@@ -104,7 +114,7 @@ export function tellable({ units: places }, truth, other) {
   return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(places[i] / 100, least));
 }
 
-// How many different values, as a power of ten, the entries chosen could show.
+// Return the logarithm (base 10) of the number of values that the chosen entries could take.
 export function room({ values: mine, units: places }, truth, slack, chosen) {
   const size = Math.max(largest(truth), largest(mine));
   const values = (i) => size / (places[i] + 2 * slack[i] + hairOf(truth));
@@ -112,9 +122,10 @@ export function room({ values: mine, units: places }, truth, slack, chosen) {
 }
 
 /**
- * What the unwritten digits of joint values, `dof` for each pose, change in each number that comes
- * of them.
- * @param {Entries} q @param {number} dof @param {(q: number[]) => number[]} make
+ * Return how far each computed number may move because q was typed with few digits.
+ * @param {Entries} q joint values, `dof` for each pose
+ * @param {number} dof
+ * @param {(q: number[]) => number[]} make computes the numbers from q
  */
 export function slackOf(q, dof, make, coarsest = FINE) {
   const fine = q.units.map((u) => (u < coarsest ? u : 0));

@@ -1,6 +1,5 @@
-// Judges the entries of a Jacobian, of torques or of a pose: whether they are right to their
-// digits, whether a usual mistake would look the same, which mistakes explain them, which entries
-// are wrong.
+// Judges the entries of a Jacobian, of torques or of a pose: compares them to their digits, and
+// finds the mistakes that explain wrong ones or would look the same.
 
 import { findExplanations } from "./causes/ranking.js";
 import {
@@ -62,7 +61,7 @@ export function judgeEntries({ mine, q, dof, right, slips, further = [], toleran
   return { grade, how, slips: [], wrong };
 }
 
-// Whether the answer fits a mistake that more digits would tell from the right entries.
+// Return whether an answer also fits a mistake that more digits would distinguish.
 const looksLike =
   (mine, q, expected) =>
   ({ make }) => {
@@ -77,8 +76,7 @@ function gradeWithin(tolerance, { values }, expected) {
   return [agrees({ values, units }, expected, slack) ? RIGHT : WRONG, slack];
 }
 
-// The digits of q give entries slack only if the answer is neither right nor a usual mistake
-// without it.
+// Grade an answer, with slack from the digits of q only if nothing fits without it.
 /** @returns {[string, number[]]} the grade, and the slack of each entry */
 function gradeByDigits(mine, expected, slack, isAlike) {
   const zeros = slack.map(() => 0);

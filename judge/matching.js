@@ -1,4 +1,4 @@
-// The one judge of joint vectors: which branch one is, within its digits, and how far it misses.
+// Compares a joint vector with the solution branches of a target, to its typed digits.
 
 import { agreement, isRight } from "./digits.js";
 import { DEG } from "./geometry/angles.js";
@@ -18,18 +18,17 @@ import { formatMessage, formatNumber } from "./sentences.js";
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
 
 /**
- * All joint vectors that reach a target, and how many there are if those that coincide are counted
- * each.
+ * The solution branches of a target; `count` includes branches that coincide.
  * @typedef {{ arm: Arm, branches: import("./geometry/inverse.js").Branch[], count: number }}
  *   Solutions
  */
 
-const TARGET = 1e-4; // rad or m: what a target given with four decimals moves the joints
-const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
-export const NEARLY_ZERO = 1e-3; // a singular value, or a sine, this small counts as 0
-const COUNTED = 1e6; // rad: in a larger angle rounding has eaten the turn's parts
+const TARGET = 1e-4; // rad or m: effect on the joints of a target typed with four decimals
+const REACHED = 1e-6; // m and rad: a pose this close reaches the target whatever the digits of q
+export const NEARLY_ZERO = 1e-3; // a singular value or a sine below it counts as 0
+const COUNTED = 1e6; // rad: round-off of larger angles hides fractions of a turn
 
-// How joints agree with a branch's, whole turns aside.
+// Return how joint values agree with a branch, ignoring whole turns.
 function agreementWith(arm, { values, units }, branch, tolerance) {
   const turns = revoluteFlags(arm);
   const truth = branch.map((x, k) => values[k] + signedGap(turns[k], x, values[k]));
@@ -38,12 +37,12 @@ function agreementWith(arm, { values, units }, branch, tolerance) {
   return agreement({ values, units: places }, truth, slack);
 }
 
-// The first branch that an answer is to its digits; -1 where it is none.
+// Return the index of the first branch equal to an answer to its digits, or -1.
 /** @param {Solutions} right @param {Answer} answer */
 export const findBranch = ({ arm, branches }, answer, tolerance) =>
   branches.findIndex(({ q }) => isRight(agreementWith(arm, answer, q, tolerance)));
 
-// Of each branch, which joints an answer has of it.
+// For each branch, flag the joints that agree with an answer.
 /** @param {Solutions} right @param {Answer} answer */
 export function matchJointsByBranch({ arm, branches }, { values, units }, tolerance) {
   const turns = revoluteFlags(arm);
@@ -56,8 +55,8 @@ export function matchJointsByBranch({ arm, branches }, { values, units }, tolera
   );
 }
 
-// The answer that gives each branch, the answers that give none, and whether all are right to their
-// digits.
+// Match answers with branches: `hits` maps a branch to the first answer (from 1) that gives it,
+// `astray` lists answers that give none, `sharp` is true if all others are right to their digits.
 export function matchAnswers(right, given, tolerance) {
   const hits = new Map();
   const astray = [];
@@ -71,8 +70,8 @@ export function matchAnswers(right, given, tolerance) {
   return { hits, astray, sharp };
 }
 
-// The branches that an answer is, and how: the same joints, or, where a joint is free, another
-// member of the branch's family.
+// List the branches that an answer equals, and how. If a branch has a free joint, any member of its
+// family counts.
 /** @param {Solutions} right @param {Answer} answer */
 function matches(right, answer, tolerance) {
   const { arm, branches } = right;
@@ -90,7 +89,7 @@ function matches(right, answer, tolerance) {
   });
 }
 
-// Which joints can move while the tip stands still, by the Jacobian's null space.
+// Flag the joints that can move without moving the tip: the null space of the Jacobian.
 function movingInPlace(arm, q) {
   const dof = q.length;
   const columns = jacobianColumns(arm, linkFrames(arm, q));
@@ -103,7 +102,7 @@ function movingInPlace(arm, q) {
   );
 }
 
-// How far q's tip is from the target, [m, rad].
+// Return the distance (m) and angle (rad) from the tip at q to the target.
 /** @returns {[number, number]} */
 export const measureMiss = (right, q) => between(linkFrames(right.arm, q).at(-1), right);
 
@@ -113,18 +112,18 @@ function between(here, { arm, branches }) {
   return [norm(target.o.map((x, i) => x - here.o[i])), rotationBetween(here, target)];
 }
 
-// A length in m as so many digits of mm, not below a thousandth of one.
+// Format a length (m) in mm with some significant digits, at most three decimals.
 export const formatMillimetres = (metres, digits = 3) =>
   formatNumber(Number((1e3 * metres).toFixed(3)), digits);
 
-// How far the target is missed, in words; `turned` (rad) is 0 where only a point was asked for.
+// Describe how far the target is missed; `turned` (rad) is 0 if the target is a point.
 export function describeMiss(away, turned) {
   const degrees = formatNumber(Number((turned * DEG).toFixed(3)));
   const turn = turned ? formatMessage("ik turn", { degrees }) : "";
   return formatMessage("ik off", { millimetres: formatMillimetres(away), turn });
 }
 
-// Whether q takes the tip to the target, to the digits of q; of an arm whose table is changed too.
+// Return whether q reaches the target to its digits; `change` may alter the arm's table first.
 export function reachesTarget(right, q, units = q.map(() => 0), change = (c) => c) {
   const frames = chainFrames(change(makeChain(right.arm, q)));
   const columns = jacobianColumns(right.arm, frames);
@@ -134,7 +133,7 @@ export function reachesTarget(right, q, units = q.map(() => 0), change = (c) => 
   return away <= most([0, 1, 2]) && (q.length < 6 || turned <= most([3, 4, 5]));
 }
 
-// How far x is ahead of y, whole turns aside where a joint turns.
+// Return x - y, for a revolute joint without whole turns.
 function signedGap(turns, x, y) {
   const gap = x - y;
   return turns && Math.abs(gap) < COUNTED

@@ -25,8 +25,8 @@ export const GRADE_MARKS = {
  * @property {import("./reading/table.js").TypedRow[]} [typed] the rows as they were typed
  */
 /**
- * One thing that is wrong or missing: its kind (the name of a cause, "cause", "shape", ...), the
- * place, and a sentence.
+ * A wrong or missing part: `what` is its kind (the name of a cause, "cause", "shape", ...), `where`
+ * its position, `words` the sentence about it.
  * @typedef {{ what: string, where: string, words: string }} Finding
  */
 /**

@@ -1,4 +1,4 @@
-// Why a joint vector is none of the branches.
+// Finds the mistake that explains why a joint vector equals no solution branch.
 
 import { jointNames, revoluteFlags } from "../geometry/kinematics.js";
 import {
@@ -44,8 +44,8 @@ export function explainWrongAnswer(right, answer, number, tolerance) {
   };
 }
 
-// Joints of two branches mixed, or one slip, or one slip and the shoulder turned over alone; or
-// else the joints that are in no branch.
+// Explain joint values by a mix of two branches, by one mistake, or by one mistake with a wrong
+// shoulder; if none fits, name the joints that occur in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
 function why(right, answer, tolerance) {
   const fits = matchJointsByBranch(right, answer, tolerance);
@@ -58,7 +58,7 @@ function why(right, answer, tolerance) {
   return { causes: [], words: formatMessage(key, { joints: joinList(astray) }) };
 }
 
-// In a plane arm slip 12 gives the other elbow's second angle: then both are said.
+// In a planar arm slip 12 gives the second angle of the other elbow, so both causes are stated.
 function orPlus(mixed, right, answer, tolerance) {
   const [plus] = jointMistakes(right.arm).filter(([{ keys }]) =>
     keys.includes("ik.plus for minus"),
@@ -71,7 +71,7 @@ function orPlus(mixed, right, answer, tolerance) {
   return { causes: [...mixed.causes, plus[0]], words };
 }
 
-// Whether an answer with so few digits may be what a slip makes of the branch that it is.
+// Return whether an answer fits a branch and, with so few digits, a mistake in that branch as well.
 export const looksLikeMistake = (right, answer) =>
   jointMistakes(right.arm).some(([, mend]) =>
     right.branches.some(({ q, free }) => {
@@ -82,8 +82,8 @@ export const looksLikeMistake = (right, answer) =>
     }),
   );
 
-// The slips without which an answer would be a branch, or would have reached the target by another
-// table; or else those without which only the shoulder would be another's.
+// List the mistakes without which an answer would equal a branch or reach the target by another
+// table; if there are none, those without which only the shoulder would differ.
 function mended(right, answer, tolerance) {
   const each = [...jointMistakes(right.arm), ...kept(right, answer)];
   const without = each.map(([one, mend]) => ({ cause: one, mended: undone(answer, mend) }));
@@ -103,7 +103,7 @@ const fine = ({ units }) => Math.max(...units) <= COARSE;
 const distinct = (found) =>
   found.filter((one, i) => found.findIndex((other) => causeName(other) === causeName(one)) === i);
 
-// An answer as it would be without a slip, and what its last places are worth then.
+// Undo a mistake in an answer, and carry the units of its last places along.
 function undone({ values, units }, mend) {
   const without = mend(values);
   const slope = values.map(
@@ -112,7 +112,7 @@ function undone({ values, units }, mend) {
   return { values: without, units: units.map((u, k) => u * Math.abs(slope[k] || 1)) };
 }
 
-// Whether a slip changes more than the digits: near zero degrees and radians look alike.
+// Return whether a mistake changes more than the typed digits; near 0, degrees look like radians.
 const changes = ({ arm }, { values, units }, without) => {
   const turns = revoluteFlags(arm);
   return values.some((x, k) => {
@@ -133,13 +133,13 @@ function kept({ branches }, { values: [first], units: [unit] }) {
   ]);
 }
 
-// Whether some branch has all joints but the first, which is another's: chapter 5, report E's list.
+// Return whether an answer is a branch with the first joint of another: report E's list, chapter 5.
 const shoulderAlone = (fits) =>
   fits[0].length > 2 &&
   fits.some(([first]) => first) &&
   fits.some(([first, ...rest]) => !first && rest.every(Boolean));
 
-// Every joint in some branch: the branch with most of them, and the one that the others are from.
+// Find two branches that together have every joint of an answer; the first has most of them.
 /** @returns {{ causes: Cause[], words: string } | null} */
 function mixedOf({ arm, branches }, fits) {
   const names = jointNames(arm);

@@ -93,7 +93,7 @@ export function* mistakePairs(arm, frame, steps) {
       if (first.recipe && second.recipe) continue;
       const steps = joinSteps(first, second);
       yield {
-        // Made when it is asked for: hardly any of thousands of pairs explains an answer.
+        // Computed on demand, since hardly any of thousands of pairs explains an answer.
         get cause() {
           return combineCauses(first.cause, second.cause);
         },
@@ -183,8 +183,8 @@ function* writings(arm, { dof, turns }, frame) {
 }
 
 /**
- * Rates of angles in place of the angular velocity (Siciliano et al., Robotics, 3.6): of ZYZ
- * angles, and of roll, pitch and yaw in both orders. None where these angles are singular.
+ * List rates of angles instead of the angular velocity (Siciliano et al., Robotics, 3.6): of ZYZ
+ * angles, and of roll, pitch and yaw in both orders. None if these angles are singular.
  * @param {number} dof @returns {Generator<[Cause, Writing]>}
  */
 function* angleRates(dof) {
@@ -203,7 +203,7 @@ function* angleRates(dof) {
 
 const SINGULAR = 1e-6; // sine of the middle angle: below it the rates are not defined
 
-// (phi, theta, psi) of Rz(phi) Ry(theta) Rz(psi).
+// Return (phi, theta, psi) of Rz(phi) Ry(theta) Rz(psi).
 function zyzRates({ z }, omega) {
   const sine = Math.hypot(z[0], z[1]);
   if (sine < SINGULAR) return omega;
@@ -212,7 +212,7 @@ function zyzRates({ z }, omega) {
   return [omega[2] - z[2] * psi, c * omega[1] - s * omega[0], psi];
 }
 
-// (roll, pitch, yaw) of Rz(yaw) Ry(pitch) Rx(roll).
+// Return (roll, pitch, yaw) of Rz(yaw) Ry(pitch) Rx(roll).
 function rollPitchYawRates({ x }, omega) {
   const cosine = Math.hypot(x[0], x[1]);
   if (cosine < SINGULAR) return omega;
@@ -222,7 +222,7 @@ function rollPitchYawRates({ x }, omega) {
 }
 
 /**
- * Rows in the axes of another frame, the tool's or the base's.
+ * List the same Jacobian in the axes of another frame, the tool's or the base's.
  * @param {Arm} arm @returns {Generator<[Cause, Writing]>}
  */
 function* framesMistaken({ rows }, frame) {

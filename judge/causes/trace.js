@@ -1,4 +1,4 @@
-// Why a run misses its path: by the path that it does draw, or by the loop that made it.
+// Finds the mistake that explains a wrong trajectory: in its path, or in the loop that computed it.
 
 import { DEG } from "../geometry/angles.js";
 import { minus, norm, scaled } from "../geometry/kinematics.js";
@@ -14,23 +14,24 @@ import {
   pathsWithTwoMistakes,
 } from "./trace_paths.js";
 
-// What a right run may be off by its program's method: Euler's on the homework's circle stays well
-// below, and a tool that leans or spins no more counts as held.
+// Error that the method of a right program may leave. Euler's method on the homework's circle stays
+// well below; a tool that turns less counts as held.
 export const [METHOD_ERROR, METHOD_TILT] = [2e-3, 1 / DEG]; // m, rad
 const FINE = 1e-5; // of what the joints turn: numbers in a program have digits too, as pi = 3.1416
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/path.js").Path} Path */
 /**
- * A rule of the student's loop: K(q_k) (q_{k+1} - q_k) = (v(t_k) dt, 0 ...), with the rows of K one
- * after another; in the right one K is the Jacobian and v the path's velocity.
+ * The equation that the student's loop solves: K(q_k) (q_{k+1} - q_k) = (v(t_k) dt, 0 ...). In the
+ * right one K is the Jacobian, as a list row by row, and v the path's velocity.
  * @typedef {object} Rule
- * @property {Cause} [one] the slip in it
+ * @property {Cause} [one] the mistake in it
  * @property {(c: any, T: any[]) => number[]} [K] of an arm at a pose
  * @property {(t: number, dt: number) => number[]} [v]
  */
 /**
- * Joints, the units of their last places, and the arm at row k, or half way to the next one.
+ * A trajectory: joint values, units of their last places, and the chain and frames at row k, which
+ * may lie half way between two rows.
  * @typedef {{ q: number[][], units: number[][], arm: any, path: Path,
  *   at: (k: number) => [any, any[]] }} Run
  */
@@ -51,9 +52,11 @@ export function makeTrace(q, units, arm, path) {
 }
 
 /**
- * Why a run is wrong: it begins elsewhere; where the tip is `off`, the path that it does draw; the
- * rule that made it, to its digits, or, where anything wrong is `shown`, as nearly as a right run
- * is right; or two slips in the path. Null where it is none of these.
+ * Explain a wrong trajectory, or return null.
+ *
+ * Causes in this order: another start; if the tip is `off`, the path that was drawn; the rule of
+ * the loop, to the digits or, if a mistake is `shown`, to the error of a right program; two
+ * mistakes in the path.
  * @param {Run} run @param {number[][]} tip @param {number[]} allowed
  * @param {{ off: boolean, shown: boolean }} seen
  */
@@ -72,13 +75,13 @@ export function findTraceCause(run, tip, allowed, { off, shown }) {
   );
 }
 
-// A table mistake or another path that explains where the tip is; null where it is not off.
+// Find a table mistake or another path that explains the tip's path; null if the tip is not off.
 function wrongPathCause(run, others, tip, allowed, off) {
   if (!off) return null;
   return tableCause(run, allowed) ?? pathCause(others, run.path, tip, allowed);
 }
 
-// A table mistake with which the tip would follow the path: the pen forgotten, for instance.
+// Find a table mistake, as a forgotten pen, with which the tip would follow the path.
 function tableCause({ q, arm, path }, allowed) {
   const isNear = (change) => (row, k) => {
     const tip = chainFrames(change(makeChain(arm, row))).at(-1).o;
@@ -87,7 +90,7 @@ function tableCause({ q, arm, path }, allowed) {
   return tableMistakes(arm).find(([, change]) => q.every(isNear(change)))?.[0] ?? null;
 }
 
-// The first of other paths to which the tip is as near as it should be to its own.
+// Return the first of other paths that the tip follows as closely as allowed.
 function pathCause(others, { times }, tip, allowed) {
   for (const { one, path } of others) {
     const near = (p, k) => norm(minus(p, path.position(times[k]))) <= allowed[k];
@@ -96,15 +99,15 @@ function pathCause(others, { times }, tip, allowed) {
   return null;
 }
 
-/** Whether the right rule holds, to the digits, by Euler's method. @param {Run} run */
+/** Return whether the right rule holds to the digits, by Euler's method. @param {Run} run */
 export const followsPathByEuler = (run) => fails(run, {}) <= 1;
 
-// Or by a method so good that only the sums here are off.
+// Return whether it holds by a method so exact that only the sums computed here are off.
 const right = (run) => followsPathByEuler(run) || fails(run, {}, [0, 0]) <= 1;
 
 /**
- * The rule by which each step's joints follow from the one before: to the digits, by Euler's
- * method; or, by any other, `near` it. Null where none leaves half of what the right one leaves.
+ * Find the rule by which each step follows from the one before: by Euler's method to the digits, or
+ * by any method within `near`. Null if no rule's error is below half of the right one's.
  * @param {Run} run @param {Iterable<Rule>} rules @param {number[] | null} near
  */
 function loopCause(run, rules, near = null) {
@@ -139,7 +142,7 @@ function* matrices({ q, arm, at }) {
   if (q[0].length >= 6) yield { one: makeCause("trace.position only"), K: linearAlone };
 }
 
-// The linear rows; and that no joint moves but to move the tip, as by their pseudo-inverse.
+// Use the linear rows only, and require the motion that their pseudo-inverse gives.
 function linearAlone(c, T) {
   const J = flatJacobian(c, T).slice(0, 3 * c.dof);
   const each = Array.from({ length: c.dof }, (_, k) => [0, 1, 2].map((i) => J[i * c.dof + k]));
@@ -151,15 +154,16 @@ function linearAlone(c, T) {
 }
 
 /**
- * By how much a rule fails, as a share of what it may; infinite where it does. What the joints make
- * from the start to each row, the sum of K(q_k) (q_{k+1} - q_k), is to be the sum of v(t_k) dt, as
- * by Euler's method; or, where `near` is given, both are to be the integrals that other methods
- * come near to, by sums over the middles of the steps.
+ * Return the error of a rule divided by its error bound; Infinity once it exceeds 1.
  *
- * What it may: joints typed to units u are off by e <= u / 2. The sum of K_k (e_{k+1} - e_k) is
- * K_m e_m - K_0 e_0 less that of (K_k - K_{k-1}) e_k; K's own change by e in each step sums up to
- * as much as this last once more. Besides, the digits of the program's own numbers; and from the
- * middles what is `near`, and what the trapezoids' sums differ from theirs.
+ * For Euler's method the sum of K(q_k) (q_{k+1} - q_k) up to each row must equal the sum of
+ * v(t_k) dt. If `near` is given, both are integrals, summed at the middles of the steps, which any
+ * method approximates.
+ *
+ * The bound: joints typed to units u are off by e <= u / 2. By partial summation the sum of
+ * K_k (e_{k+1} - e_k) is K_m e_m - K_0 e_0 minus the sum of (K_k - K_{k-1}) e_k. The change of K by
+ * e adds the last sum once more. Added are the round-off of the program and, for integrals, `near`
+ * and the difference between trapezoidal and midpoint sums.
  * @param {Run} run @param {Rule} rule @param {number[] | null} near (m, rad)
  */
 function fails({ q, units, path, at }, { K = flatJacobian, v = path.velocity }, near = null) {
@@ -190,7 +194,7 @@ function fails({ q, units, path, at }, { K = flatJacobian, v = path.velocity }, 
   return worst;
 }
 
-// The first rows of M step - (v dt, 0 ...).
+// Return M step - (v dt, 0 ...), its first rows.
 function offOf(M, step, v, dt, rows) {
   const off = new Array(rows);
   for (let i = 0, n = 0; i < rows; i++) {
@@ -200,6 +204,6 @@ function offOf(M, step, v, dt, rows) {
   return off;
 }
 
-// What errors in each joint make of row i of M, at most.
+// Bound the effect of errors in each joint on row i of M.
 const reach = (M, i, errors) =>
   errors.reduce((sum, e, j) => sum + Math.abs(M[i * errors.length + j]) * e, 0);

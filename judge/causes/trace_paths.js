@@ -1,5 +1,5 @@
-// Slips in the path that a run was to draw: other paths, made of the one that was asked for. Their
-// numbers are those of homeworks; none is fitted to a run.
+// Lists wrong paths that usual mistakes make of the wanted path. Their numbers come from homeworks;
+// none is fitted to an answer.
 
 import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
 import { joinList, formatNumber } from "../sentences.js";
@@ -7,9 +7,9 @@ import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/path.js").Path} Path */
-/** @typedef {{ one: Cause, path: Path }} Other another path, and what was done */
+/** @typedef {{ one: Cause, path: Path }} Other another path, and the mistake that makes it */
 
-// The diameter for the radius, half of the circle; and 5 s for 20 s, the homeworks' durations.
+// Factors: diameter and radius exchanged; 5 s and 20 s, the homeworks' durations, exchanged.
 const FACTORS = [1 / 2, 2, 1 / 4, 4];
 const AXES = [0, 1, 2];
 const PAIRS = [
@@ -18,10 +18,10 @@ const PAIRS = [
   [1, 2],
 ];
 
-// By its times
+// Mistakes in the times
 
 /**
- * A path run through by another clock, at `rate`, from its start or, backwards, from its end.
+ * List mistakes in time: the path is followed at `rate`, from its start or backwards from its end.
  * @returns {{ one: Cause, rate: number, from: number }[]} all handed in
  */
 function clocks({ times }) {
@@ -45,7 +45,7 @@ const timed = (path) =>
     return { one, path: { ...path, position, velocity } };
   });
 
-// By its points
+// Mistakes in the points
 
 /** @returns {Generator<Other>} all handed in */
 function* placed(path) {
@@ -69,10 +69,10 @@ const begin = (path) => path.position(path.times[0]);
 const half = ({ times }) => (times[0] + times.at(-1)) / 2;
 const centre = (path) => scaled(0.5, plus(begin(path), path.position(half(path)))); // of a circle
 
-/** The paths that one slip makes of a path. @param {Path} path @returns {Other[]} */
+/** List the paths that one mistake makes. @param {Path} path @returns {Other[]} */
 export const pathsWithOneMistake = (path) => [...timed(path), ...placed(path)];
 
-/** And those that two make of it. @param {Path} path @returns {Generator<Other>} */
+/** List the paths that two mistakes make. @param {Path} path @returns {Generator<Other>} */
 export function* pathsWithTwoMistakes(path) {
   for (const first of pathsWithOneMistake(path))
     for (const second of placed(first.path))
@@ -80,7 +80,7 @@ export function* pathsWithTwoMistakes(path) {
 }
 
 /**
- * Whether all that these paths are made of is known; Python is asked for it at once.
+ * Return whether the data of all these paths is known; if not, Python is asked for all at once.
  * @param {Path} path
  */
 export const isPathKnown = (path) =>
@@ -91,8 +91,8 @@ export const isPathKnown = (path) =>
     .every(([x]) => !Number.isNaN(x));
 
 /**
- * The path from where a run begins; none where it begins where it should. Its centre is left out,
- * as slip 11 may be read; or the run begins there, as was handed in.
+ * List paths that begin where the trajectory does; none if it begins at the right point. The circle
+ * has no centre of its own (slip 11), or the trajectory begins at its centre (handed in).
  * @param {Path} path @param {number[]} start @returns {Other[]}
  */
 export function displacedPaths(path, start, allowed) {
@@ -108,7 +108,7 @@ export function displacedPaths(path, start, allowed) {
   return [{ one, path: { ...path, position: (t) => plus(path.position(t), shift) } }];
 }
 
-// A vector in mm, to three digits of its largest coordinate at most.
+// Format a vector in mm, with at most three digits of its largest coordinate.
 function vector(metres) {
   const far = 1e3 * Math.max(...metres.map(Math.abs));
   const unit = 10 ** [100, 10, 1].filter((least) => far < least).length;

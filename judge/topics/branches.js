@@ -1,4 +1,4 @@
-// Is an inverse kinematics right and complete? Each answer is judged, and what is missing is named.
+// Judges a list of inverse kinematics solutions: each answer, and the branches that are missing.
 
 import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
 import { causeName, causeMessage } from "../causes/ranking.js";
@@ -17,8 +17,8 @@ import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 /** @typedef {import("../matching.js").Solutions} Solutions */
 
 /**
- * The report on joint vectors, a text or nested lists, for one target of an arm with a closed form:
- * three coordinates, or the rows of a pose where one is asked for.
+ * Judge joint vectors, a text or nested lists, for a target of an arm with a closed form: three
+ * coordinates or the rows of a pose.
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
  * @returns {import("../verdict.js").Verdict}
  */
@@ -37,7 +37,7 @@ function branchesCompared(mine, arm, target, options = {}) {
   return wrong ? { ...report, typed, wrong } : { ...report, typed };
 }
 
-// The answers by rows; those of a square by columns, where no row is a branch and each column is.
+// Read answers as rows; as columns if the list is square and only its columns are branches.
 function upright(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
   const { arm } = right;
   const asked = { given: rowsGiven(target), which };
@@ -49,7 +49,7 @@ function upright(mine, right, target, { angles = "rad", tolerance = null, which 
   return matchAnswers(right, columns.answers, tolerance).astray.length ? rows : columns;
 }
 
-// All branches by the arm's own formula, where the asker has none.
+// Solve for all branches by the arm's closed form, if the question does not bring them.
 function branchesOf(arm, target) {
   const form = findClosedForm(arm);
   if (!form) return [];
@@ -66,7 +66,7 @@ const frameOf = (rows) => {
   return { x, y, z, o };
 };
 
-// The branches that there are, and how many they were before some became one.
+// Collect the different branches, and their count before equal ones were joined.
 /** @returns {Solutions} */
 const rightOf = (arm, branches) => ({
   arm,
@@ -112,7 +112,7 @@ function judged(right, given, tolerance, taken) {
   };
 }
 
-// The one cause of all that is wrong, if there are several of it.
+// Return the cause that all of several wrong answers share.
 function commonCause(wrong) {
   const [first] = wrong;
   const name = ({ causes }) => (causes.length ? causeName(causes[0]) : "");
@@ -126,7 +126,7 @@ function gradeOf(faulty, unfinished, sharp) {
   return sharp ? RIGHT : ROUNDED;
 }
 
-// The branches that were found, named one by one unless these are all; and those that are missing.
+// Name the branches in the answer, unless it has all of them, and the missing ones.
 const foundOnes = (names, told) =>
   told
     ? names.map((name) => ({
@@ -157,8 +157,8 @@ function headlineOf(grade, { arm, branches }, { all, found, unfinished }) {
   return formatMessage(grade === RIGHT ? "ik right" : "ik rounded", fields);
 }
 
-// One sign of a root forgotten: a joint that has one sign in all that is there and the other in all
-// that is missing.
+// Report a forgotten sign of a root: a joint with one sign in all answers, the other in all missing
+// branches.
 /** @returns {Finding[]} */
 function oneSign({ arm, branches }, hits, missing, found) {
   if (!found.length || !missing.length) return [];
@@ -177,7 +177,7 @@ function oneSign({ arm, branches }, hits, missing, found) {
   ];
 }
 
-// A word where what is missing has a slide beyond its range.
+// Report missing branches whose prismatic joint is beyond its range.
 function outOfRange({ arm, branches }, hits, missing, found) {
   if (!found.length || !missing.length) return [];
   const lacking = branches.filter((_, b) => !hits.has(b));
@@ -190,7 +190,7 @@ function outOfRange({ arm, branches }, hits, missing, found) {
   return beyond.length ? [formatMessage("ik out of range", { joints: joinList(beyond) })] : [];
 }
 
-// A word on the first answers that are the same.
+// Report the first two equal answers.
 function* twice(arm, given) {
   for (const [n, one] of given.entries()) {
     const same = given.map((other) => isSameAnswer(arm, other, one));

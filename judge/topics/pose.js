@@ -1,4 +1,4 @@
-// Do these joint angles reach that pose? The entries judged are the target's, the truth is the tip.
+// Judges whether joint values reach a target: the target's entries are compared with the tip's.
 
 import { exchangedDigits, jointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
@@ -32,13 +32,13 @@ const FEW = 3; // wrong entries: a wrong q changes more of them
 
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /**
- * Rows of a pose, or one row of a point; whether there are formulas among them.
+ * A target: the rows of a pose, or one row for a point; `formulas` is true if some were typed.
  * @typedef {{ values: number[][], units: number[][], pose: boolean, formulas: boolean }} Target
  */
 
 /**
- * Whether a joint vector, a text or nested lists, takes an arm's tip to T: a pose (4, 4) or a point
- * (3,).
+ * Judge whether a joint vector, a text or nested lists, takes the tip to T, a pose (4, 4) or a
+ * point (3,).
  * @returns {import("../verdict.js").Verdict}
  */
 export const comparePose = completeVerdicts(poseCompared);
@@ -63,7 +63,7 @@ function poseCompared(q, arm, T, options = {}) {
 }
 
 /**
- * What was typed as a pose or, where it may be one, a point.
+ * Read a typed target: a pose or, if allowed, a point.
  * @returns {Target}
  */
 export function readTarget(T, arm, known, orPoint = true) {
@@ -124,7 +124,7 @@ function missed(T, wrong, away, turned) {
   return describeMiss(away, tilted ? turned : 0);
 }
 
-// The entries that a pose or a point has at the tip, for any q, in a table some of which is wrong.
+// Return a function from q to the target's entries at the tip, for a table with a mistake.
 const tipOf =
   (arm, T, change = (c) => c) =>
   (q) => {
@@ -152,7 +152,7 @@ function* known(arm, T) {
   yield { cause: makeCause("pose.half turn"), make: turned }; // slip 18
 }
 
-// A slip in the joints and one in the table.
+// Combine a mistake in the joint values with one in the table.
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* pairs(arm, T) {
   for (const [table, change] of tableMistakes(arm)) {
@@ -162,8 +162,8 @@ function* pairs(arm, T) {
   }
 }
 
-// Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn
-// where its axes are left-handed.
+// Return the distance (m) and angle (rad) between a frame and T: no angle for a point, half a turn
+// for left-handed axes.
 /** @returns {[number, number]} */
 function missOf(here, { values, pose }) {
   const o = pose ? values.map((row) => row[3]) : values[0];

@@ -1,4 +1,4 @@
-// Are joint torques wrong, and how? One torque vector or a whole run of them.
+// Judges joint torques: one vector, or the vectors along a trajectory.
 
 import {
   makeLoad,
@@ -32,7 +32,7 @@ const NAMES = /^(?:tau|τ|t$|torque|ans$)/i;
 const SAMPLE = 5; // poses of a run, where slips are tried before they are on all of them
 
 /**
- * The report on torques, a text or nested numbers, at q or along a list of q.
+ * Judge torques, a text or nested numbers, at q or along a list of q.
  * @returns {import("../verdict.js").Verdict}
  */
 export const compareTorques = completeVerdicts(torquesCompared);
@@ -56,8 +56,8 @@ function torquesCompared(mine, arm, q, options = {}) {
   return { ...report, typed };
 }
 
-// A row for each pose, or a list for each joint; of a locked arm all joints too. One number for
-// each pose is an energy.
+// Shapes that are read: a row for each pose, or a list for each joint, with or without locked
+// joints. One number for each pose is an energy.
 function shapes(count, arm) {
   const widths = [...new Set([movingRows(arm).length, arm.rows.length])];
   return [
@@ -72,7 +72,7 @@ function shapes(count, arm) {
 function inNewtonMetres(typed) {
   const unit = typed.says?.moments;
   if (!unit) return typed;
-  // an entry with a unit of its own is in that
+  // an entry may have its own unit
   const scaled = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x * unit : x));
   const said = [
     ...typed.said,
@@ -81,7 +81,7 @@ function inNewtonMetres(typed) {
   return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
 }
 
-// The poses with a wrench for each: one for all of them, or one pose under several.
+// Pair poses with wrenches: one wrench for all poses, or one pose with several wrenches.
 function loaded(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
   const count = at.values.length / dof;
   const wrenches = Array.isArray(wrench[0]) ? wrench : rowsOf(at.values, dof).map(() => wrench);
@@ -90,7 +90,7 @@ function loaded(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
   return [{ ...at, values: repeat(at.values), units: repeat(at.units) }, wrenches];
 }
 
-// Joint vectors, a pose or a list of them.
+// Read joint vectors: one, or a list.
 export function readPoses(q, arm, angles) {
   const dof = movingRows(arm).length;
   const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
@@ -101,7 +101,7 @@ export function readPoses(q, arm, angles) {
   return inRadians(typed, arm, angles);
 }
 
-// Which masses are compared with.
+// Describe the masses that are used for comparison.
 const model = ({ masses, gravity }) => [
   formatMessage("taken: masses", {
     masses: masses.map((mass) => formatNumber(mass, 3)).join(", "),
@@ -109,8 +109,8 @@ const model = ({ masses, gravity }) => [
   }),
 ];
 
-// The torques with a row per pose: columns, lists per joint, and what is told of a locked joint too
-// are set right, and said.
+// Return the torques with a row for each pose. Transposed lists are turned and values of locked
+// joints dropped, and the verdict reports both.
 function upright({ values, units, shape }, count, arm) {
   const moving = movingRows(arm);
   const [dof, rows] = [moving.length, arm.rows.length];
@@ -171,7 +171,7 @@ function judged(typed, at, load, { arm, tolerance }) {
   return reported(arm, verdict.grade, headline, { ...rest, notes });
 }
 
-// Of many poses a few select the mistakes that are worth a try at all of them.
+// Try mistakes at a few of many poses first, and only those that fit at all poses.
 function verdictOf(typed, at, load, { arm, tolerance }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
@@ -197,14 +197,14 @@ function verdictOf(typed, at, load, { arm, tolerance }) {
   return judge(typed, at, maker, mistakes, []);
 }
 
-// By how much the worst torque is off, and how many joints are right at every pose.
+// Report the largest error of a torque, and the number of joints that are right at every pose.
 function figuresOf(mine, truth, { grade, wrong }, dof) {
   const off = mine.map((x, i) => Math.abs(x - truth[i]));
   const bad = new Set(wrong.flatMap((is, i) => (is && grade === WRONG ? [i % dof] : [])));
   return { worst: Math.max(0, ...off), right: dof - bad.size, of: dof };
 }
 
-// All zeros: an empty answer and a load forgotten look alike, so both are asked about.
+// All zeros: an empty answer or a forgotten load, so the message asks about both.
 function zero(causes, arm) {
   const headline = formatMessage("tau wrong", {
     arm: arm.name,
@@ -238,7 +238,7 @@ function bad(causes, wrong, typed, truth, arm) {
   return reported(arm, WRONG, headline, { findings });
 }
 
-// A joint that is wrong: turned over, or off by so much.
+// Describe a wrong joint: its sign is reversed, or by how much it is off.
 function offBy(arm, k, typed, truth) {
   const dof = movingRows(arm).length;
   const [mine, right] = [typed.values, truth].map((list) => column(list, k, dof));

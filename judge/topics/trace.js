@@ -1,4 +1,4 @@
-// Did these joints draw the path? By the tip that they give, and by how they move.
+// Judges a trajectory of joints: whether its tip follows the path, and how the joints move.
 
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import {
@@ -36,13 +36,13 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /**
- * Rows of joints, and the units of their last places.
+ * A typed trajectory: rows of joint values, and the units of their last places.
  * @typedef {{ q: number[][], units: number[][], unit: string, taken: string[],
  *   extra: boolean }} Run
  */
 
 /**
- * The report on joint vectors along a path: a text such as CSV, or nested lists.
+ * Judge joint vectors along a path, a text such as CSV or nested lists.
  * @param {string | any[]} mine @param {any} arm @param {Path} path
  * @returns {import("../verdict.js").Verdict}
  */
@@ -51,7 +51,7 @@ export function compareTrace(mine, arm, path, options = {}) {
   return { ...judgeTrace(typed, arm, path, options), typed };
 }
 
-// The joints as they were handed in.
+// Return the joint values as typed, before any correction.
 export function readTrace(mine, arm, which = null) {
   return numbers(mine, `${arm.name}: your joints`, undefined, undefined, {
     wants: jointShapes(arm)
@@ -78,7 +78,7 @@ function traceJudged(typed, arm, path, options = {}) {
   return judged(run, arm, path, allowed, tolerance !== null);
 }
 
-// Whether joints follow the path in degrees, and not in radians.
+// Return whether the joint values follow the path in degrees and not in radians.
 function onlyAsDegrees({ q, units }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
   const away = (rows) =>
@@ -100,10 +100,10 @@ function onlyAsDegrees({ q, units }, arm, path, allowed) {
 
 const beyond = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
 
-// How far each point is from where the path has it.
+// Return the distance of each point from the path's point at the same time.
 const offs = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
 
-// What the digits of a row of joints leave of the tip's place (m).
+// Bound the error (m) of the tip's position from the typed digits of a row of joints.
 function blurOf(row, units, arm) {
   const at = makeChain(arm, row);
   const J = flatJacobian(at, chainFrames(at));
@@ -112,8 +112,8 @@ function blurOf(row, units, arm) {
   return norm([0, 1, 2].map(over));
 }
 
-// A row per step: columns turned round, a leading column of times or zeros dropped, one step too
-// many cut, and said.
+// Return a row for each step. Columns are transposed, a leading column of times or zeros and one
+// extra step are dropped, and the verdict reports each change.
 /** @returns {Run | null} */
 function upright(typed, arm, count, unit) {
   const dof = movingRows(arm).length;
@@ -143,7 +143,7 @@ function upright(typed, arm, count, unit) {
   return { ...inUnit(held, arm, unit), taken, extra: rows.length === count + 1 };
 }
 
-// Whether rows hold a value for the locked joints too, which stand still.
+// Return whether rows include constant values of the locked joints.
 function allJoints(rows, arm) {
   const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
   const still = (i) => rows.every((row) => row[i] === rows[0][i]);
@@ -208,7 +208,7 @@ function judged(run, arm, path, allowed, given) {
 
 const isOffOnly = (isOff, jump, startsRight) => isOff && !jump.length && startsRight;
 
-// The verdict where no mistake is known: Euler's drift, symptoms alone, or nothing wrong.
+// Return the verdict without a known mistake: Euler's drift, symptoms only, or nothing wrong.
 function unnamed(run, path, { arm, symptoms, errors, mayDrift, rest }) {
   if (mayDrift && !run.extra && followsPathByEuler(makeTrace(run.q, run.units, arm, path)))
     return rightByEuler(arm, errors, run.taken, rest);
@@ -216,7 +216,7 @@ function unnamed(run, path, { arm, symptoms, errors, mayDrift, rest }) {
   return reported(arm, RIGHT, "", run.taken, rest);
 }
 
-// Euler's own drift is no mistake: the joints are what the method gives with the student's steps.
+// Accept the drift of Euler's method: the joints are what it gives with the student's steps.
 function rightByEuler(arm, errors, taken, rest) {
   const fields = { error: formatMillimetres(Math.max(...errors), 4), steps: errors.length - 1 };
   const notes = [...rest.notes, formatMessage("trace euler drift", fields)];
@@ -227,7 +227,7 @@ function rightByEuler(arm, errors, taken, rest) {
 const oneMore = ({ extra }) =>
   extra ? [finding("trace.one more", formatMessage("trace.one more"))] : [];
 
-// Steps that are too long in every place jump of themselves.
+// Do not report jumps if all steps are too long.
 const withoutJumps = (named, symptoms, jump) =>
   causeName(named) === "trace.millimetres"
     ? symptoms.filter((one) => !jump.includes(one))
@@ -252,7 +252,7 @@ function unexplained(arm, symptoms, taken, rest) {
 /** @returns {Finding} */
 const finding = (what, words, where = "") => ({ what, where, words });
 
-// How far the tool's axis leans from where it was.
+// Return the angle between the tool's axis and its first direction.
 const leanOf = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
 
 function turnsOf(lean, turn) {
@@ -264,15 +264,15 @@ function turnsOf(lean, turn) {
     : [];
 }
 
-// The angle between two unit vectors.
+// Return the angle between two unit vectors.
 const between = (u, v) =>
   Math.atan2(
     norm([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]),
     dot(u, v),
   );
 
-// The steps that change a joint by far more than usual; where large ones are usual, those that
-// leave the path on their way.
+// List the steps that change a joint by far more than usual; if large steps are usual, those that
+// leave the path between their ends.
 function jumps(q, arm, path) {
   const change = q.slice(1).map((row, k) => Math.max(...subtractEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
@@ -281,7 +281,7 @@ function jumps(q, arm, path) {
   return far.length || usual <= JUMP ? far : over(JUMP).filter((k) => astray(q, arm, path, k));
 }
 
-// Whether, half way from row k to the next, the tip is farther from the path than its step is long.
+// Return whether half way from row k to the next the tip is off the path by more than the step.
 function astray(q, arm, { times, position }, k) {
   const half = q[k].map((x, i) => (x + q[k + 1][i]) / 2);
   const wanted = position(times[k] + 0.5 * (times[k + 1] - times[k]));
@@ -289,8 +289,8 @@ function astray(q, arm, { times, position }, k) {
   return off > norm(minus(position(times[k + 1]), position(times[k])));
 }
 
-// Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said;
-// untouched where other jumps are left.
+// Remove jumps by whole turns, as atan2 makes them, and report it; change nothing if other jumps
+// remain.
 /** @returns {[number[][], string[]]} */
 function unwound(q, arm, path) {
   const turns = revoluteFlags(arm);
@@ -314,7 +314,7 @@ function unwound(q, arm, path) {
   ];
 }
 
-// The first jump; to another branch only where the tip stays on its path.
+// Report the first jump; it is one to another branch only if the tip stays on the path.
 /** @returns {Finding} */
 function jumpOf(q, arm, far, on) {
   const { step, ...fields } = jumping(q, arm, far[0]);
@@ -329,7 +329,7 @@ function jumping(q, arm, k) {
   return { step: k, joint: jointNumbers(arm)[change.indexOf(most)], by: formatNumber(most) };
 }
 
-// The first jump, where it begins at a pose whose Jacobian has no inverse.
+// Return the cause of a first jump that begins at a singular pose.
 /** @returns {import("../causes/ranking.js").Cause | null} */
 function noInverse(q, arm, [k]) {
   const dof = movingRows(arm).length;
@@ -353,8 +353,7 @@ function median(list) {
   return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 }
 
-// Where the tip is farthest off, the first of the steps that are equally far; more than its digits
-// may.
+// Report the step at which the tip is farthest off, beyond its typed digits.
 function whereOf(errors, allowed) {
   const wrong = errors.map((error, k) => (error > allowed[k] ? error : 0));
   const most = Math.max(...wrong);
