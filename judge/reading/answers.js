@@ -60,6 +60,7 @@ function findIn(pasted, text, question) {
   const { block, want } = found;
   const tokens = tokensOf(text, block);
   refuseUnread(text, tokens, what);
+  if (isUnlikely(block) && holdsOtherList(tokens)) throw refusal(text, question, own);
   const left = setAside(text, block, pasted);
   return { ...inListedOrder(block, want, text), left, tokens };
 }
@@ -80,6 +81,14 @@ function firstBlock(own, whole, question) {
 }
 
 const NONE = /(?!)/; // no name
+
+// Whether a text holds half as many decimals beside its entries: then masses or an old answer are
+// hardly the answer, which could not be read.
+function holdsOtherList(tokens) {
+  const entries = tokens.filter(({ owner }) => owner === "entry");
+  const others = tokens.filter(({ owner, text }) => owner === "context" && hasDecimals(text));
+  return 2 * others.length >= entries.length;
+}
 
 // Whether a block is hardly the answer: it only counts, or is called another quantity or an old
 // answer.
@@ -159,8 +168,10 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
 }
 
 // Whether a row only numbers the joints, as in "for joints 1, 2, 4, 5, 6 and 7".
-const countsJoints = (cells) =>
-  cells.every(({ text }, k) => /^\d$/.test(text) && (!k || text > cells[k - 1].text));
+const countsJoints = (cells) => {
+  const texts = textsOf(cells).map((text) => text.replace(/[():.]/g, ""));
+  return texts.every((text, k) => /^\d$/.test(text) && (!k || text > texts[k - 1]));
+};
 
 // The block as it is wanted, or nothing. Of a row that is wanted as it stands no number counts it.
 function fitted(block, want, wants, names) {
@@ -185,7 +196,7 @@ function fitted(block, want, wants, names) {
 
 // A block of decimals below a row 1 2 3, without that row.
 const withoutCountedHeader = (block) =>
-  isCount(textsOf(block.rows[0])) &&
+  (isCount(textsOf(block.rows[0])) || countsJoints(block.rows[0])) &&
   block.rows
     .slice(1)
     .flat()
@@ -251,7 +262,9 @@ function withoutColumn(block) {
 function withoutRow(block) {
   const { rows, labels } = block;
   const [first, ...rest] = rows;
-  if (!rest.length || first.length < 2 || !(isCount(textsOf(first)) || areNames(first))) return [];
+  const isHeader =
+    first.length > 1 && (isCount(textsOf(first)) || countsJoints(first) || areNames(first));
+  if (!rest.length || !isHeader) return [];
   return [{ ...block, rows: rest, labels: labels.slice(1), headers: first }];
 }
 

@@ -234,7 +234,8 @@ function joinCellLines(rows, words) {
     const label = lines[k - 1];
     return line.row && label && !label.row ? [cellsFrom(lines, k)] : [];
   });
-  const values = sets.filter(({ cells }) => !countsUp(cells.map(({ text }) => text)));
+  const labelled = sets.filter(({ cells }) => !countsUp(cells.map(({ text }) => text)));
+  const values = labelled.length === 1 ? partByCount(labelled[0], lines) : labelled;
   const width = values[0]?.cells.length ?? 0;
   if (width < 2 || values.length < 2 || values.some(({ cells }) => cells.length !== width))
     return [];
@@ -273,6 +274,25 @@ function cellsFrom(lines, first) {
     cells: set.map(({ cell }) => cell),
     rows: set.map(({ row }) => row),
   };
+}
+
+// Cells whose rows count 1, 2, 3, parted by their width: that of the headers above and the count.
+function partByCount({ cells, rows }, lines) {
+  const first = lines.findIndex(({ row }) => row === rows[0]);
+  let top = first;
+  while (top && !lines[top - 1].row && lines[top - 1].line === lines[top].line - 1) top--;
+  const width = first - top + 1;
+  const widths = [width, width - 1].filter((size) => size > 2);
+  for (const size of widths) {
+    const from = Array.from({ length: Math.floor(cells.length / size) }, (_, i) => i * size);
+    if (cells.length % size || !countsUp(from.map((at) => cells[at].text))) continue;
+    return from.map((at) => ({
+      label: cells[at],
+      cells: cells.slice(at + 1, at + size),
+      rows: rows.slice(at, at + size),
+    }));
+  }
+  return [];
 }
 
 const countsUp = (texts) => texts.every((text, k) => Number(text) === k + 1);

@@ -41,7 +41,7 @@ export const MATRIX_CHARACTERS = [
   [new RegExp(String.raw`\b(?:${NOUNS})[ \t]+(?=\d)`, "gi"), joinedNoun],
   [/(?<![\p{L}\p{N}])(τ|θ|tau|theta|q)[ \t]+(?=\d[ \t]*=)/gu, "$1_"],
   [/(?<=[A-Za-z]\w*\[\d{1,2})\]\[(?=\d{1,2}\])/g, ","], // J[0][1]
-  [/(?<=[\p{L}\d_})\]][ \t]+)(?:is|equals)(?=[ \t]+[-+≈~]?[ ]?[.\d])/gu, "="],
+  [/(?<=[\p{L}\p{N}_})\]][ \t]+)(?:is|equals)(?=[ \t]+[-+≈~]?[ ]?[.\d])/gu, "="],
   [/\\pm\b/g, "±"],
   [/\.\.\.[ \t]*\n/g, CONTINUED],
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together

@@ -12,7 +12,7 @@ const UNIT =
   String.raw`°|mm?|cm|m\/s|rad\/s`;
 const SIUNITX = { newton: "N", metre: "m", meter: "m", radian: "rad", degree: "deg", milli: "m" };
 const SUPERSCRIPTS = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹";
-const TIMES_TEN = String.raw`(?<=\d)\s*(?:\\times|\\cdot|[×·⋅∙*]|\bx\b|(?<= )x(?= ))\s*10\s*`;
+const TIMES_TEN = String.raw`(?<=\d)[ \t]*(?:\\times|\\cdot|[×·⋅∙*x])[ \t]*10[ \t]*`;
 
 function shortUnit(unit) {
   const letters = unit.replace(/\\([a-z]+)/g, (all, word) => SIUNITX[word] ?? all);
@@ -20,10 +20,10 @@ function shortUnit(unit) {
 }
 
 // x ± u, where u is a few of x's last places; another ± stands for two numbers.
-function withoutUncertainty(all, x, uncertainty) {
+function withoutUncertainty(all, x, unit = "", uncertainty) {
   if (!/\.\d\d/.test(x)) return all; // 0.3 ± 0.1 may be 0.4 and 0.2
   const place = 10 ** -x.split(".")[1].length;
-  return Number(uncertainty) <= 20 * place ? x : all;
+  return Number(uncertainty) <= 20 * place ? x + unit : all;
 }
 
 const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|underline|num";
@@ -32,6 +32,10 @@ const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|un
 const BRACED = String.raw`\{((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){0,60}\}){0,80})\}`;
 // (corrected), (was 2.075), but (rad)
 const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ \t]*[*/^+-])`;
+
+const UNCERTAIN =
+  String.raw`(?<![\d.])(\d{0,9}\.\d{1,20})([ ]?(?:${UNIT}|π|pi))?` +
+  String.raw`\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
@@ -47,7 +51,10 @@ const DECORATIONS = [
   [new RegExp(String.raw`\\(?:${FACES})${BRACED}`, "g"), "$1"],
   [new RegExp(String.raw`\\text\{\s*(${UNIT})\s*\}`, "g"), " $1"],
   [
-    new RegExp(String.raw`${TIMES_TEN}(?:\^|\*\*)\s*[({]?\s*([-+]?\d{1,2})\s*[)}]?(?![\d.])`, "g"),
+    new RegExp(
+      String.raw`${TIMES_TEN}(?:\^|\*\*)\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?![\d.])`,
+      "g",
+    ),
     "e$1",
   ],
   [
@@ -57,11 +64,16 @@ const DECORATIONS = [
   [/(?<=\d\.\d{3})[\u2009\u202f](?=\d{1,3}(?!\d))/g, ""], // 0.123 456
   [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+−]?[\d.])/g, " "],
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
-  [/(?<![\d.])(\d{0,9}\.\d{1,20})\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)/g, withoutUncertainty],
+  [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
   [/(?<=\d)(?:[ ]*[†‡§✓✔]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\})/g, ""],
+  [/(?<=[\d}])\^\{\*\}/g, ""],
+  [/(?<=[\d)][ \t]+)[-–—](?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [/(?<=[\d\])°m][ ]*)(?:<-+|←|!)(?=[ ]*(?:$|[,;]))/gm, ""], // an arrow that points at a number
   ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`", "'"].map((mark) => [wrapped(mark), "$1"]),
-  [/(?<=\d\.\d{1,18})\*(?=\s*(?:$|[|&;,\]])|[ \t]{2,}[-+−.\d])/gm, ""], // a star behind
+  [
+    /(?<=\d\.\d{1,18}(?:e[-+]?\d{1,2})?)\*(?=\s*(?:$|[|&;,\]])|[ \t]{2,}(?:[-+−.\d]|%|#|\/\/))/gm,
+    "",
+  ], // a star behind
   [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
   [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}))?)[ ]*${REMARK}`, "g"), ""],
   [new RegExp(String.raw`(?<![\w.])${NUMBER}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"), ""], // corrected
@@ -137,7 +149,7 @@ const COMMENTS = [
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
-  /(?<=[\d\])},;°m][ \t]+)(?:#(?!\d)|%|\/\/|<-).*\d.*$/gm,
+  /(?<=[\d\])},;°m*][ \t]+)(?:#(?!\d)|%|\/\/|<-).*\d.*$/gm,
 ];
 
 /**

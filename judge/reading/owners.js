@@ -164,7 +164,11 @@ function ownerInside(row, { leads, perRow, alone }) {
 // Whether a row holds two numbers or more that do not count 1, 2, 3.
 function holdsValues({ cells }) {
   const numbers = cells.map(({ text }) => Number(text)).filter(Number.isFinite);
-  return numbers.length > 1 && !numbers.every((number, k) => !k || number === numbers[k - 1] + 1);
+  const isCount = numbers.every((number, k) => !k || number === numbers[k - 1] + 1);
+  const areJoints = numbers.every(
+    (number, k) => /^\d$/.test(`${number}`) && (!k || number > numbers[k - 1]),
+  );
+  return numbers.length > 1 && !isCount && !areJoints;
 }
 
 // Numbers apart from the block: a row that was torn off it, or another list.
