@@ -139,7 +139,8 @@ const shoulderAlone = (fits) =>
   fits.some(([first]) => first) &&
   fits.some(([first, ...rest]) => !first && rest.every(Boolean));
 
-// Find two branches that together have every joint of an answer; the first has most of them.
+// Explain an answer whose every joint occurs in some branch: name the branch with most of its
+// joints, and one that has the others; null if a joint occurs in none.
 /** @returns {{ causes: Cause[], words: string } | null} */
 function mixedOf({ arm, branches }, fits) {
   const names = jointNames(arm);

@@ -91,8 +91,9 @@ export const isPathKnown = (path) =>
     .every(([x]) => !Number.isNaN(x));
 
 /**
- * List paths that begin where the trajectory does; none if it begins at the right point. The circle
- * has no centre of its own (slip 11), or the trajectory begins at its centre (handed in).
+ * List the path shifted to where the trajectory begins; none if it begins at the right point.
+ * The shift leaves out coordinates of the circle's centre (slip 11) or has any other cause (handed
+ * in).
  * @param {Path} path @param {number[]} start @returns {Other[]}
  */
 export function displacedPaths(path, start, allowed) {

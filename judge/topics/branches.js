@@ -190,7 +190,7 @@ function outOfRange({ arm, branches }, hits, missing, found) {
   return beyond.length ? [formatMessage("ik out of range", { joints: joinList(beyond) })] : [];
 }
 
-// Report the first two equal answers.
+// Report each group of equal answers.
 function* twice(arm, given) {
   for (const [n, one] of given.entries()) {
     const same = given.map((other) => isSameAnswer(arm, other, one));

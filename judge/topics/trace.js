@@ -254,7 +254,7 @@ function unexplained(arm, symptoms, taken, rest) {
 /** @returns {Finding} */
 const finding = (what, words, where = "") => ({ what, where, words });
 
-// Return the angle between the tool's axis and its first direction.
+// Return the largest angle (rad) between the tool's axis and its first direction.
 const leanOf = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
 
 function turnsOf(lean, turn) {
