@@ -1,7 +1,7 @@
 // The idea of the inverse kinematics by structure: two ellipses, one of joint 1 and one of joint 3,
 // and their crossings. A lever turns the twist between axes 2 and 3 to 0, which flattens one.
 
-import { h, makeIndexedSymbol, setText, svg } from "../dom.js";
+import { h, makeIndexedSymbol, svg } from "../dom.js";
 import { getBranchColour } from "../look.js";
 import { findCrossings, sampleEllipses } from "./ellipse_curves.js";
 import { replaceAt } from "../text.js";
@@ -71,8 +71,12 @@ function describeCrossings(arm, count) {
 export function buildEllipsesFigure(host, spec) {
   const chart = makeChart();
   const legend = h("p.words", {}, "Blue: joint 1, undone. Orange: joint 3. Drag the tip.");
-  let count = 0;
-  const message = ({ arm }) => describeCrossings(arm, count);
+  const findCrossingsOf = (arm, frames) => {
+    const ellipses = sampleEllipses(arm, frames.at(-1).o);
+    return { ellipses, crossings: findCrossings(ellipses[0], ellipses[1]) };
+  };
+  const message = ({ arm }, { frames }) =>
+    describeCrossings(arm, findCrossingsOf(arm, frames).crossings.length);
   const live = makeLive(host, spec, { side: [chart.root, legend], message });
   const { rows } = live.store.state.arm;
   const put = (alpha) => {
@@ -84,11 +88,8 @@ export function buildEllipsesFigure(host, spec) {
   const lever = makeLever(makeIndexedSymbol("α", 2), [0, start || 1], start, options);
   live.card.querySelector(".side").prepend(lever.root);
   live.follow(({ arm }, { frames }) => {
-    const ellipses = sampleEllipses(arm, frames.at(-1).o);
-    const crossings = findCrossings(ellipses[0], ellipses[1]);
+    const { ellipses, crossings } = findCrossingsOf(arm, frames);
     chart.update(ellipses, crossings);
-    count = crossings.length;
-    setText(live.card.querySelector(".side > p:last-of-type"), describeCrossings(arm, count));
   });
   return live.dispose;
 }
