@@ -46,8 +46,9 @@ export const plainText = (pasted) => plainCharacters(withoutDecorations(pasted))
 export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
   const text = markHeadings(plain);
   const known = new Map();
+  const isPadded = COMMA_BEFORE_ZERO.test(text.text) ? (cell) => PADDED.test(cell) : () => false;
   const entry = (cell) => {
-    if (!known.has(cell)) known.set(cell, !PADDED.test(cell) && isEntry(cell));
+    if (!known.has(cell)) known.set(cell, !isPadded(cell) && isEntry(cell));
     return known.get(cell);
   };
   const partings = PARTINGS.filter(({ decimal }) => !decimal || /\d,\d/.test(text.text));
@@ -56,6 +57,7 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
   );
 }
 
+const COMMA_BEFORE_ZERO = /\d,0\d/;
 const PADDED = /^[-+]?0\d/; // the decimals of 1,0365 where a comma parts cells
 
 // A function that makes its result when it is first called.
