@@ -87,7 +87,9 @@ def _built():
 def test_page_is_built_and_up_to_date(name):
     assert (HTML / f"{name}.html").exists()
     source = next(p for p in (ROOT / f"book/{name}.ipynb", ROOT / f"book/{name}.md") if p.exists())
-    assert (HTML / ".whole").stat().st_mtime >= source.stat().st_mtime, "run `make book`"
+    is_generated = source.parent.name == "answers"  # by the build, after the time of its stamp
+    stamp = (HTML / ".whole").stat().st_mtime
+    assert is_generated or stamp >= source.stat().st_mtime, "run `make book`"
 
 
 @every_page

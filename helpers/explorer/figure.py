@@ -41,7 +41,7 @@ class ArmFigure(LiveWidget):
             which show one arm of any lengths.
         arm: The arm to show; the figure's default arm if None.
         q: The first joint vector, shape (dof,), rad or m; the arm's home if None.
-        joints: Numbers of the joints, from 1, that get a slider.
+        joints: Numbers of the joints, from 1, that the figure lets move.
         settings: Settings of one kind of figure: the `row` or `column`, from 1, shown first, the
             `wrench` at the tool, its `words`, and others of `SETTINGS`.
 
