@@ -47,31 +47,6 @@ export function units(texts, slacks = []) {
   return found.map(unit);
 }
 
-const LONG_COLUMN = 8; // rows: nobody types and rounds so many by hand, a program prints them
-
-/**
- * Return the units of a trajectory's last places. A program that leaves trailing zeros out prints
- * 1.1 for 1.1000: so a number is as fine as the column's finest one, unless both have as many
- * significant digits as 123.4 and 1.234.
- * @param {Entries} entries row by row @param {number[]} shape
- */
-export function printedUnits({ values, units }, [rows, width]) {
-  if (rows < LONG_COLUMN || !units.every(Boolean)) return units;
-  const columns = values.slice(0, width).map((_, k) => {
-    const indices = values.flatMap((_, i) => (i % width === k ? [i] : []));
-    const sizes = indices.map((i) => Math.abs(values[i]) / units[i]);
-    return {
-      finest: Math.min(...indices.map((i) => units[i])),
-      digits: Math.ceil(Math.log10(1 + Math.max(...sizes))),
-    };
-  });
-  return units.map((unit, i) => {
-    const { finest, digits } = columns[i % width];
-    const leading = Math.ceil(Math.log10(Math.abs(values[i]) || 1e-300));
-    return Math.min(unit, Math.max(finest, 10 ** (leading - digits)));
-  });
-}
-
 // Read a plain number as typed; null for a formula.
 function literal(text) {
   const trimmed = text.trim();

@@ -14,7 +14,7 @@ import {
 import { subtractEach, decomposeSingular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
-import { printedUnits, RIGHT, WRONG } from "../digits.js";
+import { RIGHT, WRONG } from "../digits.js";
 import { jointShapes, numbers, asDegrees, rowsOf, setAside } from "../reading/numbers.js";
 import { roundHalfToEven } from "../geometry/planar.js";
 import { formatMillimetres } from "../matching.js";
@@ -121,9 +121,7 @@ function upright(typed, arm, count, unit) {
   if (shape.length !== 2) return null;
   const taken = [...typed.said];
   const lengths = [count - 1, count, count + 1];
-  let [rows, units] = [typed.values, printedUnits(typed, shape)].map((list) =>
-    rowsOf(list, shape[1]),
-  );
+  let [rows, units] = [typed.values, typed.units].map((list) => rowsOf(list, shape[1]));
   if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
     [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
     taken.push(formatMessage("taken: list per joint"));
