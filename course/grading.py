@@ -70,7 +70,7 @@ def grade(
     rows = []
     for student, record in records.items():
         marks = _apply_overrides(record["marks"], overrides.get(student, {}))
-        rows.append(_make_row(course, student, marks, record, folder))
+        rows.append(_make_row(course, student, marks, record))
         text = _write_hints if before_deadline else _write_feedback
         store.write(out / student / "feedback.txt", text(course, student, marks, record))
     store.write(out / "grades.csv", format_table(rows))
@@ -230,17 +230,16 @@ def _apply_overrides(
     return result
 
 
-# What is written
+# Files that are written
 
 
 def _make_row(
-    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record, folder: Path
+    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record
 ) -> dict[str, Any]:
     credits = {mark["part"]: round(mark["credit"], 4) for mark in marks}
     total = round(sum(course.weight(part) * credit for part, credit in credits.items()), 4)
-    late = "late" if (folder / student / ".late").exists() else ""
     named = {"id": student, "name": course.names[student], "total": total}
-    return {**named, **credits, "late": late, "note": record["note"]}
+    return {**named, **credits, "note": record["note"]}
 
 
 def _write_feedback(

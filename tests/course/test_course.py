@@ -133,10 +133,10 @@ def test_a_term_from_roster_to_grades(here, capsys):
     said = typed("grade hw --out out --jobs 2", capsys)
     assert said == f"2 students marked: {Path('out/grades.csv')}\n"
     lines = Path("out/grades.csv").read_text("utf-8").splitlines()
-    assert lines[0] == "id,name,total,J,xi,J_column,late,note"
+    assert lines[0] == "id,name,total,J,xi,J_column,note"
     assert lines[1:] == [
-        "ab,Ada Ü,2.5,0.5,1.0,1.0,,",
-        "cd,Bo,0.0,0.0,0.0,0.0,,nothing was answered",
+        "ab,Ada Ü,2.5,0.5,1.0,1.0,",
+        "cd,Bo,0.0,0.0,0.0,0.0,nothing was answered",
     ]
     words = Path("out/ab/feedback.txt").read_text("utf-8")
     assert words.startswith("Ä, Ada Ü (ab): 2.5 of 3\n\nJ: 0.5 of 1 for the Jacobian, ")
