@@ -47,7 +47,7 @@ class Answer:
 
     @property
     def is_number(self) -> bool:
-        """Whether the answer has one entry."""
+        """Return whether the answer has one entry."""
         return self.value.shape == (1, 1)
 
 

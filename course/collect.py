@@ -77,7 +77,7 @@ def _student_of(file: HandedFile) -> str:
 
 
 def _doubt(file: HandedFile, student: str, why: str) -> str:
-    """What is to be looked at by hand, in words; "" for a file that is surely the student's."""
+    """Say what must be looked at by hand; "" for a file that is surely the student's."""
     if why or file.trouble:
         return f"not placed: {file}: {why}".removesuffix(": ")
     other = compare_sheet_names(_student_of(file) or None, student)
@@ -85,7 +85,7 @@ def _doubt(file: HandedFile, student: str, why: str) -> str:
 
 
 def _owner(file: HandedFile, people: People, submitters: Mapping[str, Words]) -> tuple[str, Words]:
-    """What a platform's names of one owner's files share, and the words that mean the owner."""
+    """Find the shared part of one owner's file names, and the words that name the owner."""
     parts = PurePosixPath(file.name).parts
     for part in parts:
         if part in submitters:

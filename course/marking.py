@@ -37,7 +37,7 @@ _MAX_NAMED = 3  # mistakes that give the same numbers; nobody reads more
 _NOT_ANSWERED = "Not answered."
 _RIGHT = "Right."
 _NOTHING_SEEN = "It was read; no usual mistake explains all of it."
-# What the checkers say of their options, which nobody can set on a sheet.
+# Advice of the checkers about their options, which nobody can set on a sheet.
 _HINT = re.compile(r"(\n- | )If that is what you mean, say .*")
 _BLANK = (None, "", "...", ".", "-")
 

@@ -26,7 +26,7 @@ from helpers.inputs import ArmError, require_choice, require_type, tuple_of_item
 __all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
 TOPICS = tuple(BY_NAME)
-# What of a part counts by itself, by its kind.
+# The pieces of a part that count by themselves, by its kind.
 _COUNTS = {
     "numbers": "each number counts",
     "rotation": "each column counts",

@@ -34,7 +34,7 @@ _KINDS: dict[str, Kind] = {
 }
 _MISSING_NUMBER = (math.nan,)
 
-# What to do with a file of another format, by its root element.
+# Advice for a file of another format, by its root element.
 _OTHER_FORMATS = {
     "sdf": "an SDF model of Gazebo; give the robot's URDF, from which most SDF models are made",
     "mujoco": "an MJCF model of MuJoCo; give the robot's URDF, which its README mostly names",

@@ -22,7 +22,7 @@ import { compareTrace } from "./topics/trace.js";
  */
 
 /**
- * What answers each topic: a judge of answers, or a reader of what is typed.
+ * The function that answers each topic: a judge of answers, or a reader of what is typed.
  * @type {Record<string, (question: Question) => any>}
  */
 const TOPICS = {

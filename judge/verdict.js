@@ -41,7 +41,7 @@ export const GRADE_MARKS = {
  * @property {Arm} arm the reference in the student's joints
  */
 /**
- * What a judge says about an answer.
+ * The judgement of an answer, as a judge returns it.
  * @typedef {object} Verdict
  * @property {string} topic
  * @property {string} arm its name

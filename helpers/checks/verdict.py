@@ -97,7 +97,7 @@ class Verdict:
 
     @property
     def agrees(self) -> bool:
-        """Whether the answer is right and has enough digits to show it."""
+        """Return whether the answer is right and has enough digits to show it."""
         return self.grade in (RIGHT, RIGHT_BY_MAP)
 
     @property

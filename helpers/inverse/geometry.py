@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 REACH = 1e-12
 # A sine this small counts as 0, which moves the tool by no more than as many radians.
 SINGULAR = 1e-11
-# What rounding does to an axis that is computed from a pose, at most.
+# Largest effect of rounding on an axis that is computed from a pose.
 NOISE = 4e-15
 
 

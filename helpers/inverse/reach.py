@@ -133,7 +133,7 @@ def _gap_and_step(
     for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
         curvature = dot(gap, cross(directions[i], velocities[j])) if axes[i].turns else 0.0
         hessian[..., i, j] = hessian[..., j, i] = dot(velocities[i], velocities[j]) - curvature
-    # Of a Hessian with negative eigenvalues their sizes count, so that the step leads downhill.
+    # Negative eigenvalues of the Hessian count by their size, so that the step leads downhill.
     values, vectors = np.linalg.eigh(hessian)
     along = (vectors.swapaxes(-1, -2) @ gradient[..., None])[..., 0]
     step = (vectors @ (along / (np.abs(values) + damping[..., None]))[..., None])[..., 0]

@@ -32,7 +32,7 @@ SCARA = "SCARA arm"
 
 @dataclass(frozen=True)
 class Structure:
-    """Which axes of an arm meet or are parallel.
+    """The axes of an arm that meet or are parallel.
 
     Attributes:
         kind: WRIST, FIRST_THREE_MEET, PARALLEL, PLANAR_3R, SCARA, PLANAR_2R or POSITION.

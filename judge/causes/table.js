@@ -54,8 +54,8 @@ function tries(rows, reference, wanted, modified, length) {
   );
 }
 
-// What a reading leaves: the entries, where they are few and no more than the axes; else the axes,
-// of which beside a cause there is one. Null where that is too much.
+// Return the differences that a reading leaves: the entries, where they are few and no more than
+// the axes; else the axes, of which beside a cause there is one. Null where that is too much.
 function fewerOff(entries, axes, why) {
   const few = entries && entries.length <= FEW;
   if (few && axes.length && entries.length <= axes.length) return entries;

@@ -198,7 +198,7 @@ function* writings(arm) {
 const inFrameBefore = ({ centres, T }) =>
   centres.map((centre, row) => chains.changeFrame(T[row], T[row + 1], centre));
 
-// What each joint's own link weighs, without those behind it.
+// Compute the torque of each joint's own link, without those behind it.
 function ownLinks(at) {
   const alone = at.masses.map((_, i) => at.masses.map((mass, k) => (k === i ? mass : 0)));
   return at.c.at.map((row, k) => weightOf({ ...at, masses: alone[row] })[k]);

@@ -101,8 +101,8 @@ const withLimits = (
 export const isSameRow = (p, q) =>
   p.kind === q.kind && ENTRIES.every(([key]) => Math.abs(p[key] - q[key]) < 1e-12);
 
-// Whether two rows differ in lengths only, so that the joint keeps its zero and its sign. The zero
-// of a joint that slides is a length too.
+// Return whether two rows differ in lengths only, so that the joint keeps its zero and its sign.
+// The zero of a joint that slides is a length too.
 const differsInLengthsOnly = (row, other) =>
   other && isSameRow({ ...row, a: other.a, d: row.kind === "prismatic" ? row.d : other.d }, other);
 

@@ -138,14 +138,14 @@ export function isSameMachine(mine, reference) {
   return !compareAxes(describeAxes(ours), describeAxes(theirs)).differences.length;
 }
 
-// Whether z_0 points the other way. A level axis 1 cannot show it.
+// Return whether z_0 points the other way. A level axis 1 cannot show it.
 const isUpsideDown = (mine, reference, signs) =>
   !isLevel(mine) && signs[0] * mine.up * reference.up < 0;
 
-// Whether axis 1 points neither up nor down.
+// Return whether axis 1 points neither up nor down.
 const isLevel = ({ axis }) => Math.abs(axis[2]) < TINY;
 
-// Whether the costs p are lower than q: the first that differs decides.
+// Return whether the costs p are lower than q: the first that differs decides.
 function isCheaper(p, q) {
   const k = p.findIndex((x, i) => x !== q[i]);
   return k >= 0 && p[k] < q[k];

@@ -189,7 +189,8 @@ const FORMS = {
   },
 };
 
-// Whether the structure of an arm is solved for poses, not for points; null without a structure.
+// Return whether the structure of an arm is solved for poses, not for points; null without a
+// structure.
 function isSolvedForPoses(arm) {
   const structure = findStructure(arm);
   return structure && !["position", "two links"].includes(structure.kind);

@@ -166,18 +166,18 @@ function solveCurve(n, curve, c, size, chosen) {
   return curve.turns ? solveCosineSine(a, b, c, size, chosen) : solveQuadratic(a, b, c, size);
 }
 
-// Where a conic crosses the line of a segment.
+// Find the points where a conic crosses the line of a segment.
 const crossLine = ({ across }, segment, conic, size, chosen) =>
   solveCurve(across, conic, along(across, subtract(segment.b, conic.b)), size, chosen);
 
-// Where on the segment the conic crosses it.
+// Find the points of the segment where the conic crosses it.
 function alongLine(flat, [segment, conic], q, size, chosen) {
   const at = curveAt(conic, q);
   const offset = at.map((x, i) => x + conic.b[i] - segment.b[i]);
   return solveCurve(flat.along, segment, along(flat.along, offset), size, chosen);
 }
 
-// Where two circles, or two parabolas, cross: their difference is a line.
+// Find the points where two circles, or two parabolas, cross: their difference is a line.
 function crossAlike(curve1, curve3, chosen) {
   const [[a, b], [c, d]] = curve3.A;
   const det = a * d - b * c;

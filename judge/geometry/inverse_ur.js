@@ -100,7 +100,7 @@ function endOfLinks({ side, rows }, x, y, u) {
   return [x + reach * u[1], y - reach * u[0]];
 }
 
-// Whether only one turn about the wrist's centre leaves the links within reach.
+// Return whether only one turn about the wrist's centre leaves the links within reach.
 function isIsolated({ rows, links }, x, y) {
   const [far, arc] = [Math.hypot(x, y), Math.abs(rows[4].d)];
   const [nearest, farthest] = [Math.abs(far - arc), far + arc];

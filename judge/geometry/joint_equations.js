@@ -1,5 +1,5 @@
-// What joints do to points and directions, and the three equations that every structured arm comes
-// down to; as helpers/inverse/equations.py.
+// The action of joints on points and directions, and the three equations that every structured arm
+// comes down to; as helpers/inverse/equations.py.
 
 import { cross, dot, minus, norm, plus, scaled } from "./kinematics.js";
 

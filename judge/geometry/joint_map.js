@@ -27,7 +27,7 @@ export function findJointMap(mine, reference, found, tolerance = 1e-6) {
   const own = linkFrames(mine, still).map((F) => placed(base, F).o);
   const offsets = [...still];
   const toCarry = [...reference.joints.entries()];
-  // Where the next axis tells nothing, one farther out does, once the zeros between are known.
+  // If the next axis does not fix the map, one farther out does, once the zeros between are known.
   for (const [k, i] of [...toCarry, ...toCarry]) {
     const { z, o } = linkFrames(reference, offsets)[i - 1];
     const theirs = features(reference.rows, offsets, BASE, plain);
@@ -57,8 +57,8 @@ function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
   return { ...(upsideDown ? UPSIDE_DOWN : BASE), o: scaled(up * baseHigher, axis) };
 }
 
-// What each joint carries, its axis: a line (point, direction), or for a slide a direction without
-// place; then the tip and the axes of the tool; in the reference's base.
+// List what each joint carries, in the reference's base: the axes, each a line (point, direction)
+// or, for a slide, a direction without place; the tip; the axes of the tool.
 function features(rows, q, base, signs) {
   const T = linkFrames({ rows }, q).map((F) => placed(base, F));
   const axes = movingRows({ rows }).map((i, k) => ({
@@ -98,7 +98,7 @@ function turn(z, p, m, o, r) {
   return null;
 }
 
-// What of w is perpendicular to the unit vector d.
+// Return the part of w that is perpendicular to the unit vector d.
 const across = (w, d) => minus(w, scaled(dot(w, d), d));
 
 // How far along z r is carried to m; null where it does not show.

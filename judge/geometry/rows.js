@@ -1,4 +1,4 @@
-// Which entries of a table's row are angles, and which one its joint changes.
+// The entries of a table's row: those that are angles, and the one that its joint changes.
 
 // rad: angles are often typed with four decimals
 export const ANGLE_TOLERANCE = 1e-4;

@@ -1,5 +1,5 @@
-// Which rows of an arm's Jacobian count. A planar arm moves its tip along two axes of the base and
-// turns it about the third: its rows are (x, y, φ), and the other three are always 0.
+// The rows of an arm's Jacobian that count. A planar arm moves its tip along two axes of the base
+// and turns it about the third: its rows are (x, y, φ), and the other three are always 0.
 
 import { jacobianColumns, linkFrames, movingRows } from "./kinematics.js";
 

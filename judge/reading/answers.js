@@ -82,16 +82,16 @@ function firstBlock(own, whole, question) {
 
 const NONE = /(?!)/; // no name
 
-// Whether a text holds half as many decimals beside its entries: then masses or an old answer are
-// hardly the answer, which could not be read.
+// Return whether a text holds half as many decimals beside its entries: then masses or an old
+// answer are hardly the answer, which could not be read.
 function holdsOtherList(tokens) {
   const entries = tokens.filter(({ owner }) => owner === "entry");
   const others = tokens.filter(({ owner, text }) => owner === "context" && hasDecimals(text));
   return 2 * others.length >= entries.length;
 }
 
-// Whether a block is hardly the answer: it only counts, or is called another quantity or an old
-// answer.
+// Return whether a block is hardly the answer: it only counts, or is called another quantity or an
+// old answer.
 const isUnlikely = (block) =>
   countsAlone(block) || isOtherQuantity(block) || block.sources.every(isOld);
 
@@ -167,7 +167,7 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
   if (rivals.length) throw askWhich([block, ...rivals]);
 }
 
-// Whether a row only numbers the joints, as in "for joints 1, 2, 4, 5, 6 and 7".
+// Return whether a row only numbers the joints, as in "for joints 1, 2, 4, 5, 6 and 7".
 const countsJoints = (cells) => {
   const texts = textsOf(cells).map((text) => text.replace(/[():.]/g, ""));
   return texts.every((text, k) => /^\d$/.test(text) && (!k || text > texts[k - 1]));
@@ -204,7 +204,7 @@ const withoutCountedHeader = (block) =>
     ? withoutRow(block)
     : [];
 
-// Where one row is wanted, each is tried.
+// Make a block of each row alone, for questions that want one row.
 function rowsAlone(block) {
   if (block.rows.length < 2) return [block];
   const isOwn = block.sources.length === block.rows.length;
@@ -276,7 +276,7 @@ const areNames = (cells) => {
 const isCount = (texts) =>
   [0, 1].some((from) => texts.every((text, k) => Number(text.replace(/[()]/g, "")) === k + from));
 
-// Whether cells count, or grow by as much each, as times do.
+// Return whether cells count, or grow by as much each, as times do.
 function isSeries(texts) {
   const values = texts.map(Number);
   if (isCount(texts)) return true;

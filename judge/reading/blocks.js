@@ -81,7 +81,7 @@ function blocksOf({ rows: all, words }, names, given) {
   return blocks.map((block) => ({ ...block, lines }));
 }
 
-// Whether cells are numbers that the question gave, to their digits, in radians or degrees.
+// Return whether cells are numbers that the question gave, to their digits, in radians or degrees.
 const isGiven = (cells, given) =>
   cells.length === given.length &&
   given.length > 1 &&
@@ -136,7 +136,7 @@ export function namesOtherQuantity({ name, words }) {
   return OTHER_NAMES.test(name) || OTHER_WORDS.test([...last, name].join(" "));
 }
 
-// Whether one of two rows is numbered and the other is named, or has words before it.
+// Return whether one of two rows is numbered and the other is named, or has words before it.
 function strays(row, other) {
   const [isFirst, isSecond] = [row, other].map(isNumbered);
   return isFirst !== isSecond && [row, other].some(isNamedApart);
@@ -219,7 +219,7 @@ function joinNamed(rows) {
   ];
 }
 
-// Whether a row d3 = 0.4 stands beside one of another joint, q2 = 0.3: then it is a slide.
+// Return whether a row d3 = 0.4 stands beside one of another joint, q2 = 0.3: then it is a slide.
 const isSlideBeside = (row, other) =>
   /^d/i.test(row.name) && Math.abs(row.line - other.line) < 2 && !namesOtherQuantity(other);
 

@@ -24,7 +24,7 @@ export const foldCharacter = (one) => SAME.get(one);
 export const SPACING =
   /\\(?:left|right|[bB]ig[lr]?|displaystyle|q?quad)(?![A-Za-z])\.?|\\[[\],;:! ()]|\$|~(?! *[\d.])/g;
 
-// What formulas and whole texts have in common.
+// Replace the characters that formulas and whole texts write in several ways.
 export const foldCharacters = (text) => text.replace(FOLDED, foldCharacter);
 export const withoutSpacing = (text) => text.replace(SPACING, " ");
 

@@ -28,7 +28,7 @@ function withoutUncertainty(all, x, unit = "", uncertainty) {
 
 const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|underline|num";
 
-// What stands in braces, themselves two deep.
+// Matches text in braces, with braces inside it up to two deep.
 const BRACED = String.raw`\{((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){0,60}\}){0,80})\}`;
 // (corrected), (was 2.075), but (rad)
 const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ \t]*[*/^+-])`;

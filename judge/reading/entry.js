@@ -9,7 +9,7 @@ import { isFunction, parse, plain, value } from "./formula.js";
 
 const LONGEST = 200; // characters
 
-/** What a quantity's units are worth in SI, what a bare number means, and how much is too much. */
+/** For each quantity: its units in SI, the unit of a bare number, and the largest value. */
 const QUANTITIES = {
   angle: {
     units: { deg: RAD, rad: 1 },
@@ -92,8 +92,8 @@ function valueFor(tree, worth, turn) {
 const HAIR = 1e-9; // of the whole: less is what arithmetic leaves of none
 
 /**
- * What a tree without symbols comes to in SI, its bare numbers in units of `bare`, where that is
- * said.
+ * Compute the value of a tree without symbols in SI, its bare numbers in units of `bare`, where
+ * that is said.
  * @param {any[]} tree @param {Record<string, number>} units @param {string | null} bare
  */
 function inSI(tree, units, bare) {
@@ -153,7 +153,7 @@ function treeOf(typed, units) {
 }
 
 /**
- * What a reader typed, as { value } in SI, or { error } in words.
+ * Read what a reader typed as { value } in SI, or { error } in words.
  * @param {string} typed
  * @param {keyof typeof QUANTITIES} kind
  * @param {string} [unit] what a bare number is in: deg or rad for an angle
@@ -205,7 +205,7 @@ export function formulaOf(typed, kinds) {
   }
 }
 
-// Whether what is typed so far may still become an entry: no error is said while a reader is in the
-// middle of one.
+// Return whether what is typed so far may still become an entry: no error is said while a reader is
+// in the middle of one.
 export const unfinished = (typed) =>
   /^\s*$|[-+*/(.,eE−–πp]\s*$/.test(typed) || /^[\s\d.,]*$/.test(typed);

@@ -73,10 +73,10 @@ const SHORT = /[acdlsCS]_?(?:\d|\{[\d+-]+\})+/g;
 
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 
-// Whether a text is one number in plain signs, as nearly every cell of a long paste is.
+// Return whether a text is one number in plain signs, as nearly every cell of a long paste is.
 export const isNumber = (text) => NUMBER.test(text);
 
-// Whether a number with decimals stands in a text.
+// Return whether a number with decimals stands in a text.
 export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 
 // The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
@@ -228,7 +228,7 @@ function atom(tokens, k, depth) {
   return [inner, next + 1];
 }
 
-// What a function is taken of: a bracket, or the next factor, as in "sin theta_1".
+// Read the argument of a function: a bracket, or the next factor, as in "sin theta_1".
 function argument(tokens, k, depth) {
   if (depth > DEEPEST) throw new NoFormula();
   if (at(tokens, k)[1] !== "-") return atom(tokens, k, depth);

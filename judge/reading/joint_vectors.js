@@ -51,7 +51,7 @@ export function answers(mine, arm, angles, { byColumns = false, ...asked } = {})
   return { answers: each.map((one, i) => ({ values: one, units: places[i] })), taken, typed };
 }
 
-// What is told where the text names another unit than the question.
+// Return the message for a text that names another unit than the question.
 /** @param {import("./numbers.js").Typed} typed @param {string} angles */
 const inUnit = ({ says }, angles) =>
   says?.angles && says.angles !== angles

@@ -1,4 +1,4 @@
-// What stands beside numbers: names of joints, of rows, and plain counts, which order an answer;
+// The labels beside numbers: names of joints, of rows, and plain counts, which order an answer;
 // and what is said of its units.
 
 import { plain } from "./formula.js";
@@ -21,7 +21,7 @@ const UR = new Map(
 );
 
 /**
- * What a label says: "row" and which of vx ... wz, "joint" and its number, or "count" and how far.
+ * Read a label: "row" and which of vx ... wz, "joint" and its number, or "count" and how far.
  * @param {string} text
  * @returns {{ kind: string, at: number } | null}
  */

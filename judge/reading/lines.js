@@ -102,7 +102,7 @@ export function readRows(plain, isEntry, parting) {
 const endsRow = (character, { leaves }) =>
   character === "\n" || character === ROW_END || (character === ";" && leaves > 0);
 
-// Where the walk through a text stands: the row that goes on, the words before the next one and of
+// The state of the walk through a text: the row that goes on, the words before the next one and of
 // the line above, how deep in lists.
 const startState = (plain, isEntry, parting) => ({
   plain,

@@ -1,4 +1,4 @@
-// What a reader types, or Python holds, taken as numbers.
+// Reads the numbers that a reader types, or that Python holds.
 
 import { movingRows, jointNumbers, revoluteFlags, jointNames } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
@@ -125,7 +125,7 @@ function shapeOf(list) {
   return [list.length, ...(even ? (inner[0] ?? []) : [])];
 }
 
-// Whether a cell is a number, or a formula of symbols that are known.
+// Return whether a cell is a number, or a formula of symbols that are known.
 function entryIn(known) {
   return (cell) => {
     if (isNumber(cell)) return true;

@@ -22,7 +22,7 @@ export const headerLabels = ({ headers, rows }) => {
   return extra >= 0 && extra < 3 ? labelsOf(headers.slice(extra).map((one) => [one])) : null;
 };
 
-// Whether labels say that rows are what is wanted as columns.
+// Return whether labels say that rows are what is wanted as columns.
 export function liesBy(block, { by }) {
   if (by === "row" && TURNED.test(block.name)) return true;
   const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];

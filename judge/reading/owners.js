@@ -90,7 +90,8 @@ const DATES = [
 const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 const NUMBER_OF_LETTERS = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d/; // 7l2, O.5
 
-// Whether a word holds a number with decimals that was no entry, or digits with a letter for one.
+// Return whether a word holds a number with decimals that was no entry, or digits with a letter for
+// one.
 const isMisspelt = (word) =>
   (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) ||
   NUMBER_OF_LETTERS.test(word);
@@ -111,7 +112,7 @@ function linesBeside(text, { from, to }) {
 
 const isParted = (line) => (line.match(/[&|\t;]/g) ?? []).length > 2 && /\d/.test(line);
 
-// Whether a line has cells, or numbers with decimals and neither a name nor a sentence.
+// Return whether a line has cells, or numbers with decimals and neither a name nor a sentence.
 function mayBeRow(line) {
   if (isParted(line)) return true;
   if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
@@ -161,7 +162,7 @@ function ownerInside(row, { leads, perRow, alone }) {
   return !withDecimals(row) && (alone || row.cells.length === 1) ? "context" : "unread";
 }
 
-// Whether a row holds two numbers or more that do not count 1, 2, 3.
+// Return whether a row holds two numbers or more that do not count 1, 2, 3.
 function holdsValues({ cells }) {
   const numbers = cells.map(({ text }) => Number(text)).filter(Number.isFinite);
   const isCount = numbers.every((number, k) => !k || number === numbers[k - 1] + 1);

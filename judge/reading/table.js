@@ -155,7 +155,7 @@ const withContext = (heads, context) => {
 };
 
 /**
- * What was said of the units and the convention: by the reader, else by the heads.
+ * Find the units and the convention that were given: by the reader, else by the heads.
  * @param {{ lengths?: string, angles?: string, convention?: string }} options
  * @param {{ lengths?: string, angles?: string, convention?: string }} heads
  */
@@ -191,7 +191,7 @@ function variablesInAlpha(rows, order) {
   return alphas.some(isVariable) && !thetas.some(isVariable);
 }
 
-// Whether the lengths are taken as millimetres though nobody said so.
+// Return whether the lengths are taken as millimetres though nobody said so.
 const inMillimetres = ({ lengths, rows }) =>
   lengths === null &&
   rows.some(({ numbers: n, metres }) =>
@@ -256,7 +256,7 @@ const ANGLES = ["alpha", "theta"];
 const bareAngles = ({ rows }) =>
   rows.flatMap(({ numbers, radians }) => ANGLES.map((c) => (radians.has(c) ? 0 : numbers[c])));
 
-// Whether a number is a quarter turn or two in radians, to two decimals or more.
+// Return whether a number is a quarter turn or two in radians, to two decimals or more.
 const isQuarter = (x) =>
   [Math.PI / 2, Math.PI].some((turn) => !Number.isInteger(x) && Math.abs(x - turn) < 0.005);
 

@@ -201,7 +201,8 @@ const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
 const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbe])$/i;
 // The kind of a joint, and what stands for the number of a row that has none.
 const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
-// Whether a cell may stand in a table: a number, a formula of symbols, what stands for a variable.
+// Return whether a cell may stand in a table: a number, a formula of symbols, what stands for a
+// variable.
 function entryIn(known) {
   const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {

@@ -1,4 +1,5 @@
-// Which column of a table is which: by the heads above them, else by what stands in them.
+// Finds the meaning of each column of a table: by the heads above them, else by what stands in
+// them.
 
 import { number, plain } from "./formula.js";
 import { labelIn } from "./labels.js";
@@ -18,7 +19,7 @@ const WORDS = new Map([
 
 const LONGEST = 80; // characters of a head
 
-// Which entry a head names, or "i" for the rows' numbers.
+// Find the entry that a column header names, or "i" for the rows' numbers.
 export function headOf(cell) {
   if (cell.length > LONGEST) return undefined;
   const words = plain(cell.replace(/-\s*1/g, "")).replaceAll("*", "");
@@ -64,7 +65,7 @@ export function withoutIndex({ cells, heads }) {
   };
 }
 
-// Whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
+// Return whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
 const isCounted = (first) =>
   !first.some(isVariable) &&
   [0, 1].some((from) => first.every((text, k) => labelIn([{ text }])?.at === k + from));
@@ -138,7 +139,7 @@ function wide(cells) {
   if (sorted[0] !== 4) throw new ArmError(formatMessage("row width", { widths }));
 }
 
-// What a cell looks like, apart from where it stands.
+// Describe what a cell looks like, apart from its position.
 function lookOf(text) {
   return {
     variable: isVariable(text),
@@ -147,7 +148,7 @@ function lookOf(text) {
   };
 }
 
-// Whether the variables stand in theta or d, and no length looks like a twist.
+// Return whether the variables stand in theta or d, and no length looks like a twist.
 function possible(looks, order) {
   const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
   if ([...a, ...alpha].some(({ variable }) => variable)) return false;

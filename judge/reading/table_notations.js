@@ -58,7 +58,7 @@ function groupsIn(text) {
   return found.sort((one, other) => one.from - other.from);
 }
 
-// What of a text stands in none of the parts that were read: lines, and decimals within the parts
+// List what no part that was read covers: lines, and decimals within the parts
 // or beside them.
 function outside(text, { parts, cells, entries = cells.flat() }) {
   const hidden = (from, to) => text.slice(from, to).replace(/[^\n]+/g, READ);

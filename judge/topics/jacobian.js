@@ -68,7 +68,7 @@ const halvesExchanged = (typed) => ({
   units: exchanged(typed.units),
 });
 
-// What was typed as a matrix; all of its entries in one row or column are taken row by row. A
+// Read what was typed as a matrix; all of its entries in one row or column are taken row by row. A
 // formula needs no q; `computed` are the values of a function, which count as one.
 /** @param {any} mine @param {any} known @param {any} arm @param {any} asked */
 function matrix(mine, known, arm, { at, which, generic = false, computed = false }) {
@@ -198,8 +198,8 @@ function listRowSelections(arm, count) {
   return selections.filter(({ rows }) => rows.length === count);
 }
 
-// Which rows were typed: of those that fit, the nearest to the right ones. A half of a planar arm's
-// rows has rows of zeros, so it is read only where zeros were typed.
+// Select the rows that were typed: of those that fit, the nearest to the right ones. A half of a
+// planar arm's rows has rows of zeros, so it is read only where zeros were typed.
 /** @returns {RowSelection} */
 function selectRows({ values, shape }, arm, right) {
   if (shape[0] === 6) return { rows: ALL_ROWS, half: null };

@@ -61,7 +61,7 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
  */
 
 /**
- * Whether a typed table describes the reference, and if not, where they differ and why.
+ * Compare a typed table with the reference: where they differ, and why.
  * @param {any} mine text, or an arm that Python holds
  * @param {any} reference
  * @param {Options} options

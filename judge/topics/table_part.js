@@ -51,6 +51,6 @@ export function judgeFirstRows({ table, reference, rows, wanted, mine, ref }, le
   });
 }
 
-// Whether a difference is where the last frame stands along the next axis, which is free.
+// Return whether a difference is where the last frame stands along the next axis, which is free.
 const isBeyond = (/** @type {Difference} */ { key, row, ends }, count) =>
   (key === "table along" && row > count) || (key === "table distance" && !ends[1]);

@@ -44,8 +44,8 @@ const MAX_MISTAKES = 3; // entries: a table with more of them chose other zeros 
  * @property {AxisWalk} ref
  */
 /**
- * What the question fixes and the table does not meet: a message without a full stop, the place in
- * the table, and the entry to blame ("" for any).
+ * Something that the question fixes and the table does not meet: a message without a full stop, the
+ * place in the table, and the entry to blame ("" for any).
  * @typedef {{ message: string, where: string, entry: string }} Fault
  */
 /**
@@ -114,14 +114,14 @@ function findFault(sides, comparison, map, { length, startPose }) {
   );
 }
 
-/** Whether the base's frame stands elsewhere on axis 1, or upside down. @returns {Fault | null} */
+/** Find a base frame that is elsewhere on axis 1, or upside down. @returns {Fault | null} */
 function findBaseFault({ table, mine }, { upsideDown, baseHigher }, map, length) {
   const gap = mine.gaps.find(isBaseHeightGap)?.bunch.at(-1) ?? 0;
   const row = typedRowNumber(table, mine.joints[gap], "d");
   const where = `row ${row}, d`;
   if (upsideDown)
     return { message: formatMessage("base upside down"), where: "row 1, alpha", entry: "" };
-  // Where axis 1 leans from z_0, the height counts along axis 1.
+  // If axis 1 leans from z_0, the height is measured along axis 1.
   const higher = map && mine.foot[1] <= ANGLE_TOLERANCE ? map.base.o[2] : baseHigher;
   if (Math.abs(higher) <= length) return null;
   const height = formatNumber(roundTo(1000 * Math.abs(higher), 6), 4);
@@ -129,7 +129,7 @@ function findBaseFault({ table, mine }, { upsideDown, baseHigher }, map, length)
   return { message: formatMessage("base", { height, way, row }), where, entry: "d" };
 }
 
-// Whether the last frame leans otherwise. Which way its z axis points along the last joint axis is
+// Find a last frame that leans otherwise. Which way its z axis points along the last joint axis is
 // the student's choice.
 /** @returns {Fault | null} */
 function findToolFault({ table, mine }, { tilts: [tilt, wanted] }) {
@@ -141,7 +141,7 @@ function findToolFault({ table, mine }, { tilts: [tilt, wanted] }) {
   return { message, where: `row ${row}, alpha`, entry: "alpha" };
 }
 
-/** Whether the joint values whose pose is fixed take the tool elsewhere. @returns {Fault | null} */
+/** Find a tool elsewhere at the joint values whose pose is fixed. @returns {Fault | null} */
 function findStartFault({ rows, reference }, startPose, length) {
   const [mine, ref] = [rows, reference.rows].map((arm) => linkFrames({ rows: arm }, startPose));
   const away = norm(minus(mine.at(-1).o, ref.at(-1).o));
@@ -175,7 +175,7 @@ function makeFaultVerdict(sides, fault, length) {
 
 // The joint map
 
-/** Whether all joints count as in the reference. @param {JointMap} map */
+/** Return whether all joints count as in the reference. @param {JointMap} map */
 function isIdentity({ signs, offsets }, ref, grade) {
   // Rounded lengths turn a joint's zero a little.
   const turn = grade === RIGHT ? TURN_TOLERANCE : 1 / DEG;

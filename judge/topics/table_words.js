@@ -1,4 +1,4 @@
-// What is said of one wrong entry of a table, and of one difference of the axes.
+// The messages about one wrong entry of a table, and about one difference of the axes.
 
 import { makeCause, causeName } from "../causes/ranking.js";
 import { DEG } from "../geometry/angles.js";
@@ -116,7 +116,7 @@ export const roundTo = (x, decimals) => Number(x.toFixed(decimals));
 export const typedRowNumber = ({ added, modified }, row, column) =>
   row - added + Number(modified && (column === "a" || column === "alpha"));
 
-// What was typed as an entry of a row; undefined where no row holds it.
+// Return the text that was typed as an entry of a row; undefined where no row holds it.
 const typedText = (table, row, column) =>
   table.texts[typedRowNumber(table, row, column) - 1]?.[column];
 

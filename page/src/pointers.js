@@ -59,7 +59,7 @@ export function enableGrabbing(picture, store, { grip, goTo }) {
   figure.signal.addEventListener("abort", () => cancelStep(hand.step));
 }
 
-/** What the pointer has grabbed, and what one frame of the drag does. */
+/** The object that the pointer has grabbed, and the work of one frame of the drag. */
 class Grabber {
   constructor(picture, store, goTo) {
     this.picture = picture;

@@ -110,8 +110,8 @@ const DEPENDENT_FIELDS = {
 const UNDO_FIELDS = ["arm", "base", "reference", "q", "wrench"]; // the fields that undo restores
 const MAX_UNDO_STEPS = 200;
 
-// What each kind of event changes in the state. A handler returns null for an event that the state
-// does not allow.
+// The change that each kind of event makes to the state. A handler returns null for an event that
+// the state does not allow.
 const EVENT_HANDLERS = {
   selectArm: (state, { arm, q, reference = arm }) => selectArm(state, arm, q, reference),
   editTable: (state, { rows, q, rowBefore }) => editTable(state, rows, q, rowBefore),

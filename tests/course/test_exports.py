@@ -38,7 +38,7 @@ def on_canvas(name):
     return "".join(c for c in f"{last}{''.join(first)}".lower() if c.isalnum())
 
 
-# Where each platform puts the file of the n-th student.
+# Path at which each platform puts the file of the n-th student.
 PLACES = {
     "Canvas": lambda _, name, n: (
         f"{on_canvas(name)}{'_LATE' * (n % 3 == 0)}_{1000 + n}_{90000 + n}_answers-{n % 4}.json"

@@ -1,4 +1,4 @@
-// Which rows of the Jacobian an arm has, and what the explorer says of its rank.
+// The rows of an arm's Jacobian that count, and the rank that the explorer shows.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

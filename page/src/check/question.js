@@ -219,7 +219,7 @@ export function findArm(question, arms) {
 
 /** @typedef {import("../../../judge/advice.js").Advice} Advice */
 /**
- * What comes of an answer: the verdict on it, or why there is none.
+ * Judge an answer: the verdict on it, or why there is none.
  * @typedef {object} Outcome
  * @property {Verdict} [verdict]
  * @property {string} [error] why there is no verdict

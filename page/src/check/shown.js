@@ -1,4 +1,4 @@
-// What the page shows of an answer: its reading cell by cell, and the verdict.
+// Shows how an answer was read, cell by cell, and the verdict on it.
 
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";

@@ -190,7 +190,7 @@ function makeTipBar(store, shown) {
   return { root, update };
 }
 
-// Whether the arm has the joints to hold the tool's direction while the tip moves anywhere.
+// Return whether the arm has the joints to hold the tool's direction while the tip moves anywhere.
 const canTurnFreely = (arm) => movingRows(arm).length >= 6 && movableRows(arm).length === 6;
 
 function togglePin(store) {
