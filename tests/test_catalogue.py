@@ -19,7 +19,7 @@ from tests.corpus import jacobians, tables, torques
 from tests.corpus.arms import KNOWN, pose
 from tests.corpus.machine import Machine
 from tests.mixed import arm_of, heavy
-from tests.test_judge import in_python
+from tests.test_judge import judge_in_python
 
 # For some planted mistakes the judge names another cause that is also true. Keys and values are
 # beginnings of cause keys.
@@ -117,7 +117,9 @@ def test_stray_number_is_never_ignored(case, place):
     blanks = [0, *(k for k, character in enumerate(text) if character.isspace()), len(text)]
     at = blanks[round(place * (len(blanks) - 1))]
     try:
-        report = in_python({**typed_fields(case), "answer": f"{text[:at]} 99.125 {text[at:]}"})
+        report = judge_in_python(
+            {**typed_fields(case), "answer": f"{text[:at]} 99.125 {text[at:]}"}
+        )
     except ArmError:
         return
     assert report.grade == "wrong" or report.mark or "99.125" in str(report), report

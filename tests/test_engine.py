@@ -1,4 +1,4 @@
-"""Test the JavaScript engine of the judge: its threads, its late start and its limits."""
+"""Test QuickJS, which runs the judge for a student: its answers, threads, late start and limits."""
 
 import subprocess
 import sys
@@ -12,16 +12,38 @@ from helpers.checks import engine
 from helpers.inputs import ArmError
 from helpers.kinematics import jacobian
 from helpers.robots import ELBOW
+from tests.cases import QUESTIONS, typed_fields
+from tests.conftest import start_quickjs
+from tests.node import needs_node
+from tests.test_judge import judge_in_python
 
 Q = [0.5, 0.7, -0.4]
 J = jacobian(ELBOW, Q).round(4)
 
 
-def fresh(monkeypatch, **limits):
-    """A new engine with these limits; the old one comes back after the test."""
-    for name, value in limits.items():
-        monkeypatch.setattr(engine, name, value)
+@pytest.fixture(autouse=True)
+def quickjs(monkeypatch):
+    """Ask QuickJS during a test of this file."""
+    monkeypatch.setattr(engine, "_start_quickjs", start_quickjs)
     monkeypatch.setattr(engine, "_engines", engine.threading.local())
+
+
+@needs_node
+@pytest.mark.parametrize(
+    "case", QUESTIONS[::12], ids=lambda case: f"{case['ask']}, {case['about']}"
+)
+def test_quickjs_gives_the_verdict_of_node(case, monkeypatch):
+    """Almost all other tests ask the judge under Node.js (tests/conftest.py)."""
+    in_quickjs = judge_or_refuse(typed_fields(case))
+    monkeypatch.undo()
+    assert judge_or_refuse(typed_fields(case)) == in_quickjs
+
+
+def judge_or_refuse(fields):
+    try:
+        return str(judge_in_python(fields))
+    except ArmError as refusal:
+        return str(refusal)
 
 
 def test_import_loads_neither_engine_nor_sympy():
@@ -44,10 +66,12 @@ def test_engine_recovers_after_exceeding_a_limit(monkeypatch, limits):
         return checks.compare_jacobian(J * [1.7, 0.3, -2] + 1, ELBOW, Q)
 
     headline = wrong().headline
-    fresh(monkeypatch, **limits)
-    with pytest.raises(ArmError, match="the judge gave up"):
-        wrong()
-    monkeypatch.undo()
+    with monkeypatch.context() as limited:
+        limited.setattr(engine, "_engines", engine.threading.local())
+        for name, value in limits.items():
+            limited.setattr(engine, name, value)
+        with pytest.raises(ArmError, match="the judge gave up"):
+            wrong()
     assert wrong().headline == headline
 
 

@@ -48,7 +48,8 @@ def test_sympy_latex_of_sums_is_read(arm, form):
 ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]
 
 
-def in_page(questions):
+def judge_on_page(questions):
+    """Return the page's grade, causes and words, or its error, for each question."""
     arms = [judge.list_entry(call) for call in judge.CALLS]
     return ask_node("judge_page.mjs", {"arms": arms, "questions": questions})
 
@@ -61,8 +62,8 @@ VALUES = {
 OPTIONS = ("columns", "lengths", "angles", "convention", "wrench")
 
 
-def in_python(given):
-    """The same question as Python asks it, of the arm that is called so."""
+def judge_in_python(given):
+    """Return the verdict on the fields of the page's form, asked in Python."""
     ask, mine, q = given["ask"], given["answer"], given.get("q")
     how = {"angles": given.get("unit", "rad")} if ask != "table" else {}
     how |= {key: given[key] for key in OPTIONS if key in given}
@@ -114,8 +115,8 @@ def test_page_and_python_print_the_same_report():
     """Each question goes through a link first. Advice is an argument here, a button there."""
     advice = ("- If that is what you mean, ", "- The arm in your joints is report.")
     asked = [*judge.EXAMPLES, judge.trace_example(), *map(typed_fields, QUESTIONS)]
-    for given, answer in zip(asked, in_page(asked), strict=True):
-        found = of_python(given)
+    for given, answer in zip(asked, judge_on_page(asked), strict=True):
+        found = summarize_verdict(given)
         if "error" in answer:
             assert found["grade"] == "refused", given
             assert len(answer["error"]) > 20, answer
@@ -124,14 +125,15 @@ def test_page_and_python_print_the_same_report():
         assert [x for x in lines if not x.startswith(advice)] == answer["words"].splitlines(), given
 
 
-def of_python(given):
-    return _of_python(json.dumps(given))
+def summarize_verdict(given):
+    """Return grade, words and causes in Python, asked once."""
+    return _summarize_verdict(json.dumps(given))
 
 
 @cache
-def _of_python(given):
+def _summarize_verdict(given):
     try:
-        report = in_python(json.loads(given))
+        report = judge_in_python(json.loads(given))
     except ArmError as refused:
         return {"grade": "refused", "words": str(refused), "causes": ()}
     return {"grade": report.grade, "words": str(report), "causes": report.causes}
@@ -139,7 +141,7 @@ def _of_python(given):
 
 @pytest.mark.parametrize("case", QUESTIONS, ids=lambda case: f"{case['ask']}, {case['about']}")
 def test_question_gets_expected_verdict(case):
-    found = of_python(typed_fields(case))
+    found = summarize_verdict(typed_fields(case))
     assert found["grade"] == case["grade"], found
     if cause := case.get("cause"):
         assert any(one == cause or one.startswith(f"{cause}:") for one in found["causes"]), found
@@ -154,7 +156,7 @@ def test_question_gets_expected_verdict(case):
 def test_page_examples_name_their_mistakes():
     examples = [*judge.EXAMPLES, judge.trace_example()]
     assert [fields["ask"] for fields in examples] == ASKED
-    assert [answer["causes"] for answer in in_page(examples)] == [
+    assert [answer["causes"] for answer in judge_on_page(examples)] == [
         ["J.z_i angular"],
         ["tau.force sign"],
         ["table.craig"],
@@ -172,7 +174,7 @@ def test_answers_are_judged_in_the_joint_angles_of_a_table():
     J += "0 0.8776 0.8776; 1 0 0"
     asked = {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, -0.7, 0.4", "answer": J}
     other_arm = joints.replace("0.4", "0.41")
-    own, plain, other = in_page(
+    own, plain, other = judge_on_page(
         [{**asked, "joints": joints}, asked, {**asked, "joints": other_arm}]
     )
     assert (own["grade"], plain["grade"]) == ("right", "wrong")
@@ -193,7 +195,7 @@ def test_pose_in_own_joint_angles_reaches_the_given_tool_frame():
     target = forward_kinematics(PANDA, q)[:3].round(6).tolist()
     asked = {"ask": "pose", "arm": "PANDA", "target": str(target), "joints": joints}
     answers = [{**asked, "answer": ", ".join(map(str, x.round(6)))} for x in (own, q)]
-    assert [answer["grade"] for answer in in_page(answers)] == ["right", "wrong"]
+    assert [answer["grade"] for answer in judge_on_page(answers)] == ["right", "wrong"]
 
 
 # What only a reader of Python knows: shapes, keywords, names and values. Not what is quoted or put
@@ -225,7 +227,7 @@ def test_unreadable_input_message_uses_no_python_terms():
     asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula
     bad = [{**one, field: text} for one in asked
            for field in TYPED if field in one for text in [*REFUSED, *COUNTS]]  # fmt: skip
-    for given, said in zip(bad, in_page(bad), strict=True):
+    for given, said in zip(bad, judge_on_page(bad), strict=True):
         words = said.get("error") or said["words"]
         assert given["answer"] not in REFUSED or len(said["error"]) > 20, given
         assert not PYTHON.search(QUOTED.sub("", words)), (given, words)
