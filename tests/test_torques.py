@@ -12,6 +12,7 @@ import sympy as sp
 
 from helpers.arm import ArmError
 from helpers.checks import compare_torques
+from helpers.robots import UR10E
 from tests.corpus.torques import force, weight
 from tests.mixed import HEAVY, MIXED, heavy
 
@@ -85,7 +86,7 @@ def test_square_matrix_is_not_transposed(by, cause):
         (TAU2[:1], Q2, "1x3", "2x3"),
         (TAU2[:, :1], Q2, None, None),
         (7.5, BENT, None, None),
-        (TAU[:2], BENT, "2", "3"),
+        (TAU[1:], BENT, "2", "3"),
         (np.ones((2, 2, 3)), Q2, "2x2x3", "2x3"),
     ],
 )
@@ -125,6 +126,48 @@ def test_loads_of_any_number_type_are_read():
     assert verdict(-mine, BENT, wrench=[F, 2 * F]).causes == ("tau.all signs",)
 
 
+# Torques of the first joints only
+
+UR_POSE = "0.3, -1.1, 1.4, -0.8, 0.9, 0.2"
+UR_TORQUES = ["0.0", "-97.5297", "-54.7816", "-6.3177", "1.5577", "0.0"]  # tests/corpus
+
+
+def of_ur(mine):
+    return compare_torques(mine, UR10E, UR_POSE, wrench=[0, 0, -20, 0, 0, 0])
+
+
+def by_joint(torques):
+    return "\n".join(f"Joint {k}: {tau} Nm" for k, tau in enumerate(torques, start=1))
+
+
+@pytest.mark.parametrize(
+    "layout", [", ".join, "\n".join, by_joint, lambda x: [float(t) for t in x]]
+)
+@pytest.mark.parametrize("count", [2, 4, 5])
+def test_torques_of_first_joints_are_right_so_far(layout, count):
+    report = of_ur(layout(UR_TORQUES[:count]))
+    assert report.grade == "so far"
+    assert (report.figures["right"], report.figures["of"]) == (count, 6)
+    assert report.findings[-1].words.endswith("joint 6.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0.0, -97.5297, ?, -6.3177, 1.5577, 0.0",  # joint 3 left out
+        "Joint 1: 0.0\nJoint 2: -97.5297\nJoint 3: ?\nJoint 4: -6.3177",
+        by_joint(UR_TORQUES[:3]).replace("Joint 3", "Joint 4"),
+        "[0.0, -97.5297 ... 1.5577, 0.0]",
+        "0.0, -97.5297, -54.7l16",
+        "0.0, -97.5297, -54.2816",
+        "0 0 0",
+    ],
+)
+def test_text_with_other_torques_than_the_first_is_refused(text):
+    with pytest.raises(ArmError):
+        of_ur(text)
+
+
 # Functions
 
 
@@ -145,7 +188,7 @@ def test_function_is_called_for_each_pose():
     ):
         assert verdict(mine, Q2).agrees
     assert verdict(torques_at_one_pose).agrees
-    assert verdict(lambda q: torques_at_one_pose(q)[:2]).causes == ("tau.shape",)
+    assert verdict(lambda q: torques_at_one_pose(q)[:2], Q2).causes == ("tau.shape",)
     for mine, words in (
         (failing, "your arm: your torques: your function failed .KeyError: .no such run"),
         (lambda q: None, "your arm: your torques"),

@@ -10,6 +10,9 @@ import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { ArmError, joinList, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
+/** Numbers were read, but none of them in the shape that is asked for. */
+export class NoFitError extends ArmError {}
+
 const LONGEST = 2_000_000; // characters of a text: a trajectory of 20 000 steps
 
 /**
@@ -352,7 +355,7 @@ function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings) {
   const sizes = new Set(sorted.map(({ rows }) => `${rows.length}x${rows[0].length}`));
   const found = joinList([...sizes].slice(0, 3));
   const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
-  return new ArmError(formatMessage("no fit", { what, found, line, wanted }));
+  return new NoFitError(formatMessage("no fit", { what, found, line, wanted }));
 }
 
 const sizeOf = ({ rows, columns }) =>

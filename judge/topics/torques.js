@@ -13,6 +13,7 @@ import { judgeEntries } from "../entries.js";
 import { transpose } from "../geometry/chains.js";
 import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
+import { NoFitError } from "../reading/answers.js";
 import {
   eachJoint,
   inRadians,
@@ -25,6 +26,7 @@ import {
   unnamed,
 } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { judgeFirstJoints, judgeFirstJointsInText } from "./torques_part.js";
 import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81];
@@ -46,14 +48,34 @@ function torquesCompared(mine, arm, q, options = {}) {
   const load = makeLoad(arm, wrenches, gravity);
   const given = [...rowsOf(at.values, dof), ...wrenches];
   const asked = { wants: shapes(wrenches.length, arm), names: NAMES, given, which: options.which };
-  const typed = inNewtonMetres(
-    numbers(unnamed(mine), `${arm.name}: your torques`, undefined, undefined, asked),
-  );
-  const found = upright(typed, wrenches.length, arm);
-  if (!found) return { ...misshapen(typed, wrenches.length, arm), typed };
-  const said = [...typed.said, ...(at.locked ?? []), ...found.said, ...model(load)];
-  const report = judged({ ...found, said }, at, load, { arm, tolerance });
-  return { ...report, typed };
+  const taken = [...(at.locked ?? []), ...describeModel(load)];
+  const context = { arm, q: at, load, tolerance, taken };
+  const read = (question) =>
+    inNewtonMetres(
+      numbers(unnamed(mine), `${arm.name}: your torques`, undefined, undefined, question),
+    );
+  try {
+    return judgeTorques(read(asked), context);
+  } catch (error) {
+    const isShort = error instanceof NoFitError && wrenches.length === 1;
+    const verdict =
+      isShort && judgeFirstJointsInText((wants) => read({ ...asked, wants }), context);
+    if (verdict) return verdict;
+    throw error;
+  }
+}
+
+/** @param {import("./torques_part.js").Context} context */
+function judgeTorques(typed, context) {
+  const { arm, q, load, tolerance, taken } = context;
+  const count = load.wrenches.length;
+  const found = upright(typed, count, arm);
+  if (found) {
+    const said = [...typed.said, ...found.said, ...taken];
+    return { ...judged({ ...found, said }, q, load, { arm, tolerance }), typed };
+  }
+  const verdict = count === 1 ? judgeFirstJoints(typed, context) : null;
+  return verdict ?? { ...misshapen(typed, count, arm), typed };
 }
 
 // Shapes that are read: a row for each pose, or a list for each joint, with or without locked
@@ -102,7 +124,7 @@ export function readPoses(q, arm, angles) {
 }
 
 // Describe the masses that are used for comparison.
-const model = ({ masses, gravity }) => [
+const describeModel = ({ masses, gravity }) => [
   formatMessage("taken: masses", {
     masses: masses.map((mass) => formatNumber(mass, 3)).join(", "),
     g: formatNumber(Math.hypot(...gravity), 4),
