@@ -9,7 +9,7 @@ from typing import Any
 
 from answers.command_line import read_arm
 from course import gradescope, making, sheets, store
-from course.collect import collect
+from course.collect import collect_hand_ins
 from course.grading import grade
 from course.roster import read_roster
 from helpers.inputs import ArmError
@@ -17,7 +17,7 @@ from helpers.inputs import ArmError
 _OPTIONS: dict[str, dict[str, Any]] = {
     "course": {"type": Path, "help": "the folder that new made"},
     "--secret": {"type": Path, "help": "a file of 16 letters or more; drawn unless given"},
-    "--roster": {"required": True, "help": "CSV with the columns id and name"},
+    "--roster": {"type": Path, "required": True, "help": "CSV with the columns id and name"},
     "--arm": {"required": True, "help": "a name of the catalogue, arm.urdf, or my_arm.py:MINE"},
     "--title": {"default": "Homework", "help": "what the sheets are headed; Homework unless given"},
     "--topic": {
@@ -34,84 +34,84 @@ _OPTIONS: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 
-def main(words: Sequence[str] | None = None) -> int:
-    """Run one command; 0 if all went well, 2 with words on stderr if not."""
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; return 0, or 2 with a message on stderr if it fails."""
     parser = argparse.ArgumentParser(prog="python -m course", description=__doc__)
     commands = parser.add_subparsers(required=True)
-    for name, (run, help_words, options) in COMMANDS.items():
-        command = commands.add_parser(name, help=help_words, description=help_words)
+    for name, (run, description, names) in COMMANDS.items():
+        command = commands.add_parser(name, help=description, description=description)
         command.set_defaults(run=run)
-        for option in options.split():
+        for option in names.split():
             command.add_argument(option, **_OPTIONS[option])
-    given = parser.parse_args(words)
+    options = parser.parse_args(arguments)
     try:
-        given.run(given)
+        options.run(options)
     except (ArmError, OSError, ModuleNotFoundError) as error:
         print(f"course: {error}", file=sys.stderr)
         return 2
     return 0
 
 
-def _new(given: argparse.Namespace) -> None:
-    arm, roster = read_arm(given.arm), read_roster(given.roster)
-    secret = given.secret.read_text(encoding="utf-8").strip() if given.secret else ""
-    if given.secret and len(secret) < 16:
-        raise ArmError(f"the secret in {given.secret} is too short; expected 16 letters or more")
-    course = making.new(
-        roster, arm, given.out, title=given.title, topics=tuple(given.topic), secret=secret
+def _make(options: argparse.Namespace) -> None:
+    arm, roster, path = read_arm(options.arm), read_roster(options.roster), options.secret
+    secret = path.read_text(encoding="utf-8").strip() if path else ""
+    if path and len(secret) < 16:
+        raise ArmError(f"the secret in {path} is too short; expected 16 letters or more")
+    course = making.make_course(
+        roster, arm, options.out, title=options.title, topics=tuple(options.topic), secret=secret
     )
-    print(f"{len(course.sheets)} sheets in {given.out}")
+    print(f"{len(course.sheets)} sheets in {options.out}")
 
 
-def _key(given: argparse.Namespace) -> None:
-    for name, answer in making.right_work(store.load(given.course).sheet(given.id)).items():
+def _print_key(options: argparse.Namespace) -> None:
+    sheet = store.load(options.course).sheet(options.id)
+    for name, answer in making.make_right_answers(sheet).items():
         print(f"{name}: {json.dumps(answer)}")
 
 
-def _collect(given: argparse.Namespace) -> None:
-    course = store.load(given.course)
-    placed, doubtful = collect(given.download, course.names, given.course)
+def _collect(options: argparse.Namespace) -> None:
+    course = store.load(options.course)
+    placed, messages = collect_hand_ins(options.download, course.names, options.course)
     print(f"{len(placed)} of {len(course.sheets)} students handed in")
-    for words in doubtful:
-        print(words)
+    for message in messages:
+        print(message)
 
 
-def _grade(given: argparse.Namespace) -> None:
+def _grade(options: argparse.Namespace) -> None:
     result = grade(
-        given.course,
-        given.out,
-        given.jobs,
-        again=given.again,
-        before_deadline=given.hints,
+        options.course,
+        options.out,
+        options.jobs,
+        again=options.again,
+        before_deadline=options.hints,
         report=_show_progress,
     )
-    rows = result.rows
     for change in result.changes:
         print("{id}, {part}: {before:.3g} is now {now:.3g}. {why}".format(**change))
-    print(f"{len(rows)} students marked: {given.out / 'grades.csv'}")
+    print(f"{len(result.rows)} students marked: {options.out / 'grades.csv'}")
 
 
 def _show_progress(line: str) -> None:
-    """Show a line in place of the last one, if a person is looking."""
+    """Show a line in place of the last one, if stderr is a terminal."""
     if sys.stderr.isatty():
         print(f"\r{line}", end="", file=sys.stderr, flush=True)
 
 
-def _gradescope(given: argparse.Namespace) -> None:
-    course = store.load(given.course)
-    gradescope.pack(course, given.out)
-    print(f"autograder for {len(course.sheets)} students: {given.out}")
+def _pack_autograder(options: argparse.Namespace) -> None:
+    course = store.load(options.course)
+    gradescope.pack_autograder(course, options.out)
+    print(f"autograder for {len(course.sheets)} students: {options.out}")
 
 
 COMMANDS = {
     "new": (
-        _new, "make a sheet for each line of a roster",
+        _make, "make a sheet for each line of a roster",
         "--roster --arm --title --topic --secret --out",
     ),
-    "key": (_key, "print one student's key", "course --id"),
+    "key": (_print_key, "print one student's key", "course --id"),
     "collect": (_collect, "sort a download of hand-ins by student", "course download"),
     "grade": (_grade, "mark every hand-in of a course", "course --out --jobs --again --hints"),
-    "gradescope": (_gradescope, "make Gradescope's autograder", "course --out"),
+    "gradescope": (_pack_autograder, "make Gradescope's autograder", "course --out"),
 }  # fmt: skip
 
 if __name__ == "__main__":

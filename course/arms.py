@@ -1,4 +1,4 @@
-"""An arm as JSON and as Python, symbols and all."""
+"""Write an arm as JSON or as Python, with its symbols, and read it from JSON."""
 
 import math
 from collections.abc import Mapping
@@ -9,24 +9,31 @@ from helpers.inputs import ArmError, require_type
 
 
 def to_json(arm: Arm) -> dict[str, Any]:
-    """An arm as plain data: entries as they are written, no entry for a limit that is not known."""
+    """Convert an arm to plain data; entries stay as written, unknown limits are left out."""
     require_type(arm, Arm, "arm")
-    bodies = [{"mass": body.mass, "com": list(body.com)} for body in arm.bodies]
-    kept = {"values": dict(arm.values), "bodies": bodies, "home": list(arm.home)}
-    return {"name": arm.name, "rows": [*map(_plain, arm.rows)], **kept, "source": arm.source}
+    return {
+        "name": arm.name,
+        "rows": [_row_to_json(row) for row in arm.rows],
+        "values": dict(arm.values),
+        "bodies": [{"mass": body.mass, "com": list(body.com)} for body in arm.bodies],
+        "home": list(arm.home),
+        "source": arm.source,
+    }
 
 
-def _plain(row: Row) -> dict[str, Any]:
+def _row_to_json(row: Row) -> dict[str, Any]:
     unknown = (None, math.inf, -math.inf)
-    known = {name: value for name, value in vars(row.joint).items() if value not in unknown}
     return {
         "entries": dict(zip(("a", "alpha", "d", "theta"), row.entries, strict=True)),
-        "joint": known,
+        "joint": {name: x for name, x in vars(row.joint).items() if x not in unknown},
     }
 
 
 def from_json(data: Mapping[str, Any]) -> Arm:
-    """The arm that `to_json` made the data of; raises ArmError where they make none."""
+    """Make the arm that `to_json` converted.
+
+    Raises ArmError if the data make no arm.
+    """
     try:
         rows = [Row(**row["entries"], joint=Joint(**row["joint"])) for row in data["rows"]]
         return Arm(**{**data, "rows": rows, "bodies": [Body(**body) for body in data["bodies"]]})
@@ -37,22 +44,22 @@ def from_json(data: Mapping[str, Any]) -> Arm:
 
 
 def to_python(arm: Arm) -> str:
-    """An expression of Python that makes the arm, with `Arm`, `Body`, `Joint`, `Row` at hand."""
+    """Write a Python expression that makes the arm from `Arm`, `Body`, `Joint` and `Row`."""
     data = to_json(arm)
     rows = [
-        f"Row({', '.join(map(repr, row['entries'].values()))}, Joint({_named(row['joint'])})),"
+        f"Row({', '.join(map(repr, row['entries'].values()))},"
+        f" Joint({_format_arguments(row['joint'])})),"
         for row in data.pop("rows")
     ]
-    bodies = [f"Body({_named(body)})," for body in data.pop("bodies")]
-    lists = {"rows": rows, "bodies": bodies}
-    fields = [
+    bodies = [f"Body({_format_arguments(body)})," for body in data.pop("bodies")]
+    lines = [
         line
-        for name, lines in lists.items()
-        for line in (f"{name}=[", *(f"    {line}" for line in lines), "],")
+        for name, items in {"rows": rows, "bodies": bodies}.items()
+        for line in (f"{name}=[", *(f"    {item}" for item in items), "],")
     ]
-    fields += [f"{name}={value!r}," for name, value in data.items()]
-    return "\n    ".join(["Arm(", *fields]) + "\n)"
+    lines += [f"{name}={value!r}," for name, value in data.items()]
+    return "\n    ".join(["Arm(", *lines]) + "\n)"
 
 
-def _named(fields: Mapping[str, Any]) -> str:
-    return ", ".join(f"{name}={value!r}" for name, value in fields.items())
+def _format_arguments(arguments: Mapping[str, Any]) -> str:
+    return ", ".join(f"{name}={value!r}" for name, value in arguments.items())

@@ -1,4 +1,4 @@
-"""The same marking inside Gradescope."""
+"""Mark inside Gradescope, as the command `grade` does."""
 
 import json
 import shutil
@@ -16,12 +16,12 @@ from course.files import read_files
 from course.grading import MAX_HINTS, write_hints
 from course.handed_in import compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
-from course.roster import People
+from course.roster import StudentIndex
 from course.store import Course
 
 _SETTINGS = "settings.json"  # in the pack: for how many submissions a student gets hints
-# Gradescope (docs/specs.md of gradescope/autograder_samples): the zip's root holds setup.sh and the
-# executable run_autograder; what it must write is /autograder/results/results.json.
+# Gradescope (docs/specs.md of gradescope/autograder_samples) runs setup.sh and run_autograder from
+# the zip's root; the latter must write /autograder/results/results.json.
 _FILES = {
     "setup.sh": """#!/usr/bin/env bash
 set -euo pipefail
@@ -44,48 +44,47 @@ exec /autograder/env/bin/python -m course.gradescope /autograder
 }
 
 
-def pack(course: Course, path: Path) -> None:
-    """Gradescope's autograder: the course without its secret, the helpers, set-up and start.
+def pack_autograder(course: Course, path: Path) -> None:
+    """Write Gradescope's autograder: the course without its secret, the helpers, the set-up.
 
-    Raises ModuleNotFoundError where the helpers are not installed.
+    Raises ModuleNotFoundError if the helpers are not installed.
     """
-    needs = requires("manipulator-homework-helpers") or ()
-    needed = [need for need in needs if "extra ==" not in need]
+    requirements = requires("manipulator-homework-helpers") or ()
+    needed = [requirement for requirement in requirements if "extra ==" not in requirement]
     with TemporaryDirectory() as folder:
         root = Path(folder)
         for package in (Path(helpers.__file__).parent, Path(__file__).parent):
             ignored = shutil.ignore_patterns("__pycache__")
             shutil.copytree(package, root / package.name, ignore=ignored)
         store.save(replace(course, secret=""), root)
-        store.write(root / _SETTINGS, store.as_json({"hints": MAX_HINTS}))
+        store.write_text(root / _SETTINGS, store.format_json({"hints": MAX_HINTS}))
         for name, text in _FILES.items():
-            store.write(root / name, text.format(needed="\n".join(needed)))
+            store.write_text(root / name, text.format(needed="\n".join(needed)))
             (root / name).chmod(0o755)
         shutil.make_archive(str(path.with_suffix("")), "zip", root)
 
 
-def run(root: Path) -> dict[str, Any]:
-    """Mark the one submission under /autograder, and write results/results.json, always."""
+def run_autograder(root: Path) -> dict[str, Any]:
+    """Mark the submission in a folder such as /autograder, and always write results.json."""
     try:
-        found = _results(root)
-    except Exception as error:  # Gradescope calls a crash its own failure; say it in words instead
-        words = f"Marking stopped ({type(error).__name__}); please tell your instructor."
-        found = {"score": 0, "output": words, "tests": []}
-    store.write(root / "results" / "results.json", store.as_json(found))
-    return found
+        results = _mark_submission(root)
+    except Exception as error:  # Gradescope would show a crash as a failure of its own
+        message = f"Marking stopped ({type(error).__name__}); please tell your instructor."
+        results = {"score": 0, "output": message, "tests": []}
+    store.write_text(root / "results" / "results.json", store.format_json(results))
+    return results
 
 
-def _results(root: Path) -> dict[str, Any]:
+def _mark_submission(root: Path) -> dict[str, Any]:
     course = store.load(root / "source")
     metadata = json.loads((root / "submission_metadata.json").read_bytes())
-    users = metadata["users"]
-    told = [str(user.get(key, "")) for user in users for key in ("email", "name")]
-    meant = People(course.names).called(told)
-    if len(meant) != 1:
-        who = "More than one sheet" if meant else "No sheet"
-        words = f"{who} of this course belongs to your name and e-mail address"
-        return {"score": 0, "output": f"{words}; tell your instructor.", "tests": []}
-    student = meant.pop()
+    labels = [str(user.get(key, "")) for user in metadata["users"] for key in ("email", "name")]
+    candidates = StudentIndex(course.names).find(labels)
+    if len(candidates) != 1:
+        count = "More than one sheet" if candidates else "No sheet"
+        message = f"{count} of this course belongs to your name and e-mail address"
+        return {"score": 0, "output": f"{message}; tell your instructor.", "tests": []}
+    student = candidates.pop()
     sheet = course.sheet(student)
     hand_in = read_hand_in(read_files(root / "submission"), sheet.parts)
     other = compare_sheet_names(hand_in.answers.get(SHEET), store.name_sheet(course, student))
@@ -103,12 +102,12 @@ def _results(root: Path) -> dict[str, Any]:
     ]
     trouble = "; ".join(filter(None, [other, hand_in.trouble]))
     first = f"Read as the sheet of {student}: {trouble or 'every part was read'}."
-    most = int(json.loads((root / "source" / _SETTINGS).read_bytes())["hints"])
+    max_hints = int(json.loads((root / "source" / _SETTINGS).read_bytes())["hints"])
     number = 1 + len(metadata.get("previous_submissions") or ())
-    hints = write_hints([(mark.part, mark.hint) for mark in marks], number, most)
+    hints = write_hints([(mark.part, mark.hint) for mark in marks], number, max_hints)
     score = round(sum(course.weight(mark.part) * mark.credit for mark in marks), 4)
     return {"score": score, "output": "\n".join([first, *hints]), "tests": tests}
 
 
 if __name__ == "__main__":
-    run(Path(sys.argv[1]))
+    run_autograder(Path(sys.argv[1]))

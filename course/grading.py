@@ -23,6 +23,7 @@ from course.answers import SHEET
 from course.files import HandedFile, read_files
 from course.handed_in import compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
+from course.roster import read_table
 from course.store import Course
 from helpers.inputs import ArmError, whole_number
 
@@ -72,11 +73,11 @@ def grade(
         marks = _apply_overrides(record["marks"], overrides.get(student, {}))
         rows.append(_make_row(course, student, marks, record))
         text = _write_hints if before_deadline else _write_feedback
-        store.write(out / student / "feedback.txt", text(course, student, marks, record))
-    store.write(out / "grades.csv", format_table(rows))
+        store.write_text(out / student / "feedback.txt", text(course, student, marks, record))
+    store.write_text(out / "grades.csv", format_table(rows))
     changes = [c for s in records for c in _list_changes(s, old[s], records[s])]
     if changes:
-        store.write(out / "changes.csv", format_table(changes))
+        store.write_text(out / "changes.csv", format_table(changes))
     return Result(rows, changes)
 
 
@@ -163,7 +164,7 @@ def _make_record(
 
 
 def _save(out: Path, student: str, record: Record) -> Record:
-    store.write(out / student / "mark.json", store.as_json(record))
+    store.write_text(out / student / "mark.json", store.format_json(record))
     return record
 
 
@@ -195,12 +196,8 @@ def read_overrides(path: Path, course: Course) -> dict[str, dict[str, tuple[floa
     if not path.exists():
         return {}
     overrides, problems = dict[str, dict[str, tuple[float, str]]](), list[str]()
-    text = path.read_bytes().decode("utf-8-sig")
-    separator = ";" if ";" in text.partition("\n")[0] else ","
-    for line, row in enumerate(csv.DictReader(io.StringIO(text), delimiter=separator), 2):
-        student, part, credit, why = (
-            (row.get(key) or "").strip() for key in ("id", "part", "credit", "why")
-        )
+    for line, row in read_table(path):
+        student, part, credit, why = (row.get(key, "") for key in ("id", "part", "credit", "why"))
         if student not in course.sheets or part not in course.sheet(student).parts:
             problems.append(f"line {line}: no student {student!r} with the part {part!r}")
             continue

@@ -1,7 +1,7 @@
-"""Homework with numbers of its own: what is drawn, how it is asked, and the key to it.
+"""Draw homework with numbers of its own, write how it is asked, and compute its key.
 
-A seed draws plain numbers; an arm and those numbers make a text and its key, so that exactly the
-numbers that the text prints are judged. A sheet keeps what was drawn.
+A seed draws plain numbers. An arm and those numbers make a text and its key, so that exactly the
+printed numbers are judged. A sheet keeps what was drawn.
 """
 
 import hashlib
@@ -18,16 +18,16 @@ from course.topics import (
     Rng,
     draw_numbers,
     find_missing_property,
-    make_question,
+    write_question,
 )
 from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
 
-__all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
+__all__ = ["TOPICS", "Part", "Question", "Sheet", "draw_question", "draw_sheet"]
 
 TOPICS = tuple(BY_NAME)
-# The pieces of a part that count by themselves, by its kind.
-_COUNTS = {
+# The pieces that are marked one by one, for each kind of part.
+_MARKED_PIECES = {
     "numbers": "each number counts",
     "rotation": "each column counts",
     "jacobian": "each column counts by halves, linear and angular",
@@ -41,7 +41,7 @@ _COUNTS = {
 
 @dataclass(frozen=True, repr=False)
 class Question:
-    """One topic of the homework with numbers of its own: what was drawn, the text and the key."""
+    """A topic of the homework with its drawn numbers, the text and the parts of the key."""
 
     topic: str
     arm: Arm
@@ -53,7 +53,7 @@ class Question:
     def markdown(self) -> str:
         """The question and the names to answer by."""
         title = self.topic[0].upper() + self.topic[1:]
-        names = [f"- `{p.name}`: {p.what}; {_asked(p)}" for p in self.parts]
+        names = [f"- `{p.name}`: {p.what}; {_describe_marking(p)}" for p in self.parts]
         return "\n".join([f"## {title}", "", self.text, "", *names])
 
     def __repr__(self) -> str:
@@ -66,7 +66,7 @@ class Question:
 
 @dataclass(frozen=True)
 class Sheet:
-    """All questions of one student about one arm, whose lengths are the student's own."""
+    """All questions of one student about one arm with the student's own lengths."""
 
     arm: Arm
     drawn: Mapping[str, Numbers]
@@ -74,7 +74,9 @@ class Sheet:
     @cached_property
     def questions(self) -> tuple[Question, ...]:
         """The questions, in the order of the topics."""
-        return tuple(question(topic, self.arm, given) for topic, given in self.drawn.items())
+        return tuple(
+            make_question(topic, self.arm, numbers) for topic, numbers in self.drawn.items()
+        )
 
     @property
     def parts(self) -> dict[str, Part]:
@@ -82,65 +84,70 @@ class Sheet:
         return {part.name: part for question in self.questions for part in question.parts}
 
 
-def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
-    """The sheet that a seed draws: a word or a number; the same seed draws the same sheet.
+def draw_sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
+    """Draw a sheet from a seed; the same seed draws the same sheet.
 
-    `topics` are those that suit the arm unless given. Raises ArmError for an unknown topic, for one
-    that does not suit the arm, and for an arm of which no pose can be found away from singular ones
-    at which every slip shows.
+    Args:
+        arm: Arm whose lengths are changed.
+        seed: Any text or whole number.
+        topics: Topics to ask, those that suit the arm unless given.
+
+    Raises ArmError for an unknown topic, for one that does not suit the arm, and if no pose is
+    found that is away from singular ones and at which every mistake shows.
     """
     require_type(arm, Arm, "arm")
     if topics is None:
-        topics = suiting(arm)
+        topics = list_suitable_topics(arm)
     for topic in tuple_of_items(topics, "topics", f"some of {', '.join(TOPICS)}"):
         if lacking := find_missing_property(require_choice(topic, "topic", TOPICS), arm):
             raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
-    own = _with_other_lengths(arm, seed)
+    own_arm = _draw_lengths(arm, seed)
     return Sheet(
-        own, {topic: draw_numbers(topic, own, _generator(seed, topic)) for topic in topics}
+        own_arm,
+        {topic: draw_numbers(topic, own_arm, _make_generator(seed, topic)) for topic in topics},
     )
 
 
-def variant(topic: str, arm: Arm, seed: int | str) -> Question:
-    """A topic's question about an arm with other lengths, as a seed draws them."""
-    return sheet(arm, seed, (topic,)).questions[0]
+def draw_question(topic: str, arm: Arm, seed: int | str) -> Question:
+    """Draw a topic's question about an arm with other lengths."""
+    return draw_sheet(arm, seed, (topic,)).questions[0]
 
 
-def question(topic: str, arm: Arm, numbers: Numbers) -> Question:
-    """The question and its key from an arm and the numbers that were drawn."""
-    return Question(topic, arm, numbers, *make_question(topic, arm, numbers))
+def make_question(topic: str, arm: Arm, numbers: Numbers) -> Question:
+    """Make the question and its key from an arm and drawn numbers."""
+    return Question(topic, arm, numbers, *write_question(topic, arm, numbers))
 
 
-def _asked(part: Part) -> str:
-    """How many decimals are asked, and what of an answer counts."""
+def _describe_marking(part: Part) -> str:
+    """Say how many decimals are asked, and which pieces of an answer count."""
     if part.kind in ("column", "table"):
-        return _COUNTS[part.kind]
-    return f"{part.digits} decimals; {_COUNTS[part.kind]}"
+        return _MARKED_PIECES[part.kind]
+    return f"{part.digits} decimals; {_MARKED_PIECES[part.kind]}"
 
 
-def suiting(arm: Arm) -> tuple[str, ...]:
-    """The topics that can be asked about an arm."""
+def list_suitable_topics(arm: Arm) -> tuple[str, ...]:
+    """List the topics that can be asked about an arm."""
     return tuple(topic for topic in TOPICS if not find_missing_property(topic, arm))
 
 
-def _generator(seed: int | str, label: str) -> Rng:
-    """A generator of its own for each label, from the bytes of the seed."""
+def _make_generator(seed: int | str, label: str) -> Rng:
+    """Make a random generator from the bytes of a seed and a label."""
     if not isinstance(seed, str):
         seed = str(whole_number(seed, "seed"))
     digest = hashlib.sha256(f"{label}\n{seed}".encode()).digest()
     return np.random.default_rng(list(digest))
 
 
-def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
-    """The arm with every value within a tenth of its own, to three decimals."""
-    factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
+def _draw_lengths(arm: Arm, seed: int | str) -> Arm:
+    """Change every value of an arm by up to a tenth, to three decimals."""
+    factors = _make_generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
     pairs = zip(arm.values.items(), factors, strict=True)
     new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
-    return with_lengths(replace(arm, name=f"{arm.name}, lengths of your own"), new)
+    return change_lengths(replace(arm, name=f"{arm.name}, lengths of your own"), new)
 
 
-def with_lengths(arm: Arm, values: Mapping[str, float]) -> Arm:
-    """An arm with other values, and bodies of just the six decimals that a sheet prints."""
+def change_lengths(arm: Arm, values: Mapping[str, float]) -> Arm:
+    """Give an arm other values, and bodies of the six decimals that a sheet prints."""
     arm = arm.with_values(**values)
     bodies = [[round(arm.number(x), 6) + 0.0 for x in (b.mass, *b.com)] for b in arm.bodies]
     return arm.with_bodies([Body(mass, com) for mass, *com in bodies])

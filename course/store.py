@@ -1,8 +1,8 @@
-"""A course on disk: `course.json` keeps the arm, the secret, and every sheet that was drawn.
+"""Keep a course on disk: `course.json` holds the arm, the secret and every drawn sheet.
 
-The drawn numbers are stored, not the keys: a key follows from them. So whoever reads the file has
-the keys, and it stays with the instructor. Files are written beside and then renamed, so that an
-interrupted command leaves the old file or the new one.
+The file holds the drawn numbers, not the keys. Keys follow from the numbers, so whoever reads the
+file has them, and it stays with the instructor. Each file is written beside its place and then
+renamed, so that an interrupted command leaves the old file or the new one.
 """
 
 import hashlib
@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from course import arms
-from course.sheets import Sheet, with_lengths
+from course.sheets import Sheet, change_lengths
 from helpers.arm import Arm
 from helpers.inputs import ArmError
 
@@ -24,7 +24,16 @@ FILE = "course.json"
 
 @dataclass(frozen=True)
 class Course:
-    """An arm, the topics asked, the secret that seeds are made from, each student's drawn sheet."""
+    """A course.
+
+    Attributes:
+        title: Heading of every sheet.
+        arm: The arm, before lengths are drawn.
+        topics: Topics that are asked.
+        secret: Text from which all seeds are derived.
+        sheets: For each student's id the name, the lengths and the drawn numbers.
+        weights: What a part is worth, by its name; 1 for a part that is not listed.
+    """
 
     title: str
     arm: Arm
@@ -43,12 +52,11 @@ class Course:
         return {student: str(entry["name"]) for student, entry in self.sheets.items()}
 
     def sheet(self, student: str) -> Sheet:
-        """A student's sheet as it was drawn; raises ArmError for an unknown id."""
+        """Return a student's sheet; raise ArmError for an unknown id."""
         if student not in self.sheets:
             raise ArmError(f"student {student!r} is not in this course")
         stored = self.sheets[student]
-        arm = with_lengths(self.arm, stored["values"])
-        return Sheet(arm, stored["drawn"])
+        return Sheet(change_lengths(self.arm, stored["values"]), stored["drawn"])
 
 
 def name_sheet(course: Course, student: str) -> str:
@@ -59,19 +67,14 @@ def name_sheet(course: Course, student: str) -> str:
     return f"{short}/{student}" + (f"#{issue}" if issue else "")
 
 
-def seed(course: Course, student: str, attempt: int) -> str:
-    """64 hexadecimal digits that nobody guesses without the secret (HMAC-SHA-256, RFC 2104)."""
-    words = json.dumps([course.title, student, attempt])
-    return hmac.digest(course.secret.encode(), words.encode(), "sha256").hex()
-
-
-def text(course: Course) -> str:
-    """A course as JSON."""
-    return as_json({**vars(course), "arm": arms.to_json(course.arm)})
+def derive_seed(course: Course, student: str, attempt: int) -> str:
+    """Derive 64 hexadecimal digits that need the secret (HMAC-SHA-256, RFC 2104)."""
+    message = json.dumps([course.title, student, attempt])
+    return hmac.digest(course.secret.encode(), message.encode(), "sha256").hex()
 
 
 def load(folder: Path) -> Course:
-    """The course in a folder; raises ArmError where its file is none that `new` made."""
+    """Load the course in a folder; raise ArmError if `new` did not make its file."""
     path = folder / FILE
     try:
         data = json.loads(path.read_bytes())
@@ -81,19 +84,20 @@ def load(folder: Path) -> Course:
         raise ArmError(f"{path} is no course that `new` made: {error!r}") from None
 
 
-def as_json(data: Mapping[str, Any]) -> str:
-    """Data as it is written to a file; raises ValueError for a number that JSON does not know."""
+def save(course: Course, folder: Path) -> None:
+    """Write course.json, readable by its owner alone, and a .gitignore that names it."""
+    write_text(folder / ".gitignore", f"{FILE}\n")
+    data = {**vars(course), "arm": arms.to_json(course.arm)}
+    write_text(folder / FILE, format_json(data), mode=0o600)
+
+
+def format_json(data: Mapping[str, Any]) -> str:
+    """Format data as JSON; raise ValueError for a number that JSON does not know."""
     return json.dumps(data, indent=1, allow_nan=False) + "\n"
 
 
-def save(course: Course, folder: Path) -> None:
-    """Write course.json, readable by its owner alone, and a .gitignore that keeps it to itself."""
-    write(folder / ".gitignore", f"{FILE}\n")
-    write(folder / FILE, text(course), mode=0o600)
-
-
-def write(path: Path, text: str, mode: int = 0o666) -> None:
-    """Write a text file whole or not at all; a file's name in it may be no text, and is escaped."""
+def write_text(path: Path, text: str, mode: int = 0o666) -> None:
+    """Write a text file whole or not at all; escape what is no text, such as odd file names."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}")
     beside.unlink(missing_ok=True)

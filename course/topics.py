@@ -422,8 +422,8 @@ def _compute_circle(arm: Arm, numbers: Numbers) -> dict[str, Array]:
     return {"centre": run.path.positions[0] - numbers["radius"] * first, **joints}
 
 
-def make_question(topic: str, arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
-    """Return a topic's text and the parts of its key."""
+def write_question(topic: str, arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+    """Write a topic's text and the parts of its key."""
     return BY_NAME[topic].ask(arm, numbers)
 
 
@@ -431,7 +431,7 @@ def draw_numbers(topic: str, arm: Arm, rng: Rng) -> Numbers:
     """Draw numbers for a topic until they can be asked and every mistake shows."""
     for _ in range(_MAX_TRIES):
         numbers = BY_NAME[topic].draw(arm, rng)
-        if numbers and all(part.digits for part in make_question(topic, arm, numbers)[1]):
+        if numbers and all(part.digits for part in write_question(topic, arm, numbers)[1]):
             return numbers
     raise ArmError(
         f"{arm.name}: no {topic} that shows every mistake was found in {_MAX_TRIES} tries"

@@ -1,4 +1,4 @@
-"""What comes from learning platforms and goes to them: downloads, tables, packs."""
+"""Test downloads of learning platforms, tables of grades and Gradescope's autograder."""
 
 import csv
 import io
@@ -15,7 +15,7 @@ import helpers
 from course import __main__ as commands
 from course import collect, gradescope, grading, making, store
 from course.files import HandedFile
-from course.making import right_work
+from course.making import make_right_answers
 from course.roster import Student
 from helpers.arm import ArmError
 from helpers.robots import ELBOW
@@ -25,23 +25,24 @@ FIRST = ["Ada", "Émile", "Jean-Luc", "Zoë", "Mary", "Chika", "José", "Wei", "
          "Björn", "O'Neil"]  # fmt: skip
 LAST = ["Lovelace", "Dupont", "Picard", "Łukasz", "Jones", "Okafor", "García", "Zhang", "Văn",
         "Øst", "Müller", "van"]  # fmt: skip
-CLASS = {f"s{n:03}": f"{FIRST[n % 12]} {LAST[n // 10]}" for n in range(118)}
-CLASS |= {"twin1": "Ada Twin", "twin2": "Ada Twin"}
+NAMES = {f"s{n:03}": f"{FIRST[n % 12]} {LAST[n // 10]}" for n in range(118)}
+NAMES |= {"twin1": "Ada Twin", "twin2": "Ada Twin"}
 
 
-def answers(student):
+def write_answers(student):
     return json.dumps({"sheet": student, "p": [1, 2, len(student)]})
 
 
-def on_canvas(name):
+def format_canvas_name(name):
     *first, last = name.split()
     return "".join(c for c in f"{last}{''.join(first)}".lower() if c.isalnum())
 
 
-# Path at which each platform puts the file of the n-th student.
-PLACES = {
+# Path of the n-th student's file in each platform's download.
+PATHS = {
     "Canvas": lambda _, name, n: (
-        f"{on_canvas(name)}{'_LATE' * (n % 3 == 0)}_{1000 + n}_{90000 + n}_answers-{n % 4}.json"
+        f"{format_canvas_name(name)}{'_LATE' * (n % 3 == 0)}"
+        f"_{1000 + n}_{90000 + n}_answers-{n % 4}.json"
     ),
     "Moodle": lambda _, name, n: (
         f"{name.replace(chr(39), '')}_{70000 + n}_assignsubmission_file{'_' * (n % 2)}"
@@ -53,25 +54,25 @@ PLACES = {
 }
 
 
-def about_gradescope():
+def list_gradescope_submitters():
     entries = {
         f"submission_{3000 + n}": {
             ":submitters": [{":name": name, ":sid": student if n % 2 else None,
                              ":email": f"{student}@school.example"}],
             ":status": "processed",
         }
-        for n, (student, name) in enumerate(CLASS.items())
+        for n, (student, name) in enumerate(NAMES.items())
     }  # fmt: skip
     return {"assignment_5_export/submission_metadata.yml": yaml.safe_dump(entries)}
 
 
 @pytest.mark.parametrize(
-    ("platform", "folder"), [*((platform, False) for platform in PLACES), ("Moodle", True)]
+    ("platform", "folder"), [*((platform, False) for platform in PATHS), ("Moodle", True)]
 )
-def test_a_class_of_120_is_sorted_whatever_the_platform_called_it(tmp_path, platform, folder):
-    files = about_gradescope() if platform == "Gradescope" else {}
-    for n, (student, name) in enumerate(CLASS.items()):
-        files[PLACES[platform](student, name, n=n)] = answers(student)
+def test_class_of_120_is_sorted_for_each_platform(tmp_path, platform, folder):
+    files = list_gradescope_submitters() if platform == "Gradescope" else {}
+    for n, (student, name) in enumerate(NAMES.items()):
+        files[PATHS[platform](student, name, n=n)] = write_answers(student)
     files |= {"__MACOSX/._x": "noise", ".DS_Store": "noise"}
     download = tmp_path / "download"
     with zipfile.ZipFile(f"{download}.zip", "w") as archive:
@@ -80,79 +81,80 @@ def test_a_class_of_120_is_sorted_whatever_the_platform_called_it(tmp_path, plat
     if folder:
         with zipfile.ZipFile(f"{download}.zip") as archive:
             archive.extractall(download)
-    place = download if folder else Path(f"{download}.zip")
-    for _ in range(2):  # again, in place of the first
-        placed, doubtful = collect.collect(place, CLASS, tmp_path / "hw")
-        assert doubtful == ()
-        assert placed.keys() == CLASS.keys()
-    for student in CLASS:
+    path = download if folder else Path(f"{download}.zip")
+    for _ in range(2):  # the second time in place of the first
+        placed, messages = collect.collect_hand_ins(path, NAMES, tmp_path / "hw")
+        assert messages == ()
+        assert placed.keys() == NAMES.keys()
+    for student in NAMES:
         (path,) = (tmp_path / "hw" / student / "handed_in").iterdir()
         assert json.loads(path.read_bytes())["sheet"] == student
 
 
-def sort(**files):
+def sort_files(**files):
     names = {"ab": "Ada Twin", "cd": "Ada Twin", "ef": "Bo Berg", "gh": "Li Na"}
-    placed, doubtful = collect.sort([HandedFile(n, c.encode()) for n, c in files.items()], names)
-    return {s: [f.name for f in group] for s, group in placed.items()}, doubtful
+    handed = [HandedFile(name, content.encode()) for name, content in files.items()]
+    placed, messages = collect.sort_by_student(handed, names)
+    return {s: [f.name for f in group] for s, group in placed.items()}, messages
 
 
-def test_what_is_not_certain_is_listed_and_not_placed():
-    placed, doubtful = sort(**{
+def test_doubtful_files_are_listed_and_not_placed():
+    placed, messages = sort_files(**{
         "twinada_1_2_answers.json": "{}",
-        "twinada_3_4_answers.json": answers("cd"),
-        "bergbo_5_6_answers.json": answers("gh"),  # another's sheet, in Bo's own name
+        "twinada_3_4_answers.json": write_answers("cd"),
+        "bergbo_5_6_answers.json": write_answers("gh"),  # another's sheet, in Bo's own name
         "nobody_7_8_homework.pdf": "%PDF",
-        "anon_x_9_answers.json": answers("gh"),
+        "anon_x_9_answers.json": write_answers("gh"),
         "Participant_11_assignsubmission_file_x.json": "{}",
     })  # fmt: skip
     assert placed == {
         "cd": ["twinada_3_4_answers.json"], "ef": ["bergbo_5_6_answers.json"],
         "gh": ["anon_x_9_answers.json"],
     }  # fmt: skip
-    assert [words.split(":")[1].strip() for words in doubtful] == [
+    assert [message.split(":")[1].strip() for message in messages] == [
         "twinada_1_2_answers.json", "bergbo_5_6_answers.json", "nobody_7_8_homework.pdf",
         "Participant_11_assignsubmission_file_x.json",
     ]  # fmt: skip
-    assert doubtful[1].endswith("answers the sheet of 'gh', not of 'ef'")
-    assert "twinada may be ab or cd; the sheet in it does not tell" in doubtful[0]
+    assert messages[1].endswith("answers the sheet of 'gh', not of 'ef'")
+    assert "twinada may be ab or cd; the sheet in it does not tell" in messages[0]
 
 
-def test_collecting_is_told_on_one_screen(tmp_path, capsys):
+def test_collect_command_reports_and_places(tmp_path, capsys):
     roster = [Student("ab", "Ada Lovelace"), Student("cd", "Bo Berg")]
-    made = making.new(roster, ELBOW, tmp_path / "hw", topics=("forward kinematics",))
+    course = making.make_course(roster, ELBOW, tmp_path / "hw", topics=("forward kinematics",))
     download = tmp_path / "d"
     (download / "x").mkdir(parents=True)
-    key = json.dumps(right_work(made.sheet("ab")))
+    key = json.dumps(make_right_answers(course.sheet("ab")))
     (download / "lovelaceada_1_2_answers-1.json").write_text(key, encoding="utf-8")
     (download / "x" / "scan.pdf").write_bytes(b"%PDF")
     (download / "ab").mkdir()
     with zipfile.ZipFile(download / "ab" / "all.zip", "w") as climbing:
         climbing.writestr("../../../../evil.txt", "out of here")
     assert commands.main(["collect", str(tmp_path / "hw"), str(download)]) == 0
-    said = capsys.readouterr().out.splitlines()
-    assert said[0] == "1 of 2 students handed in"
-    assert said[1].startswith("not placed: x/scan.pdf: x is nobody in the course")
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "1 of 2 students handed in"
+    assert lines[1].startswith("not placed: x/scan.pdf: x is nobody in the course")
     assert {path.parent.name for path in tmp_path.rglob("*evil.txt")} == {"handed_in"}
-    words = ["grade", str(tmp_path / "hw"), "--out", str(tmp_path / "out")]
-    assert commands.main(words) == 0
+    arguments = ["grade", str(tmp_path / "hw"), "--out", str(tmp_path / "out")]
+    assert commands.main(arguments) == 0
     assert "ab,Ada Lovelace,2.0,1.0,1.0," in (tmp_path / "out" / "grades.csv").read_text("utf-8")
     assert commands.main(["collect", str(tmp_path / "hw"), str(tmp_path / "none.zip")]) == 2
     assert "none.zip is not there; expected a download" in capsys.readouterr().err
 
 
-def test_an_export_of_gradescope_that_cannot_be_read_is_told():
+def test_broken_gradescope_export_is_reported():
     for text in ("{", "[]", "a: b", "a: {b: c}"):
         with pytest.raises(ArmError, match=r"^x/submission_metadata\.yml cannot be read: "):
-            sort(**{"x/submission_metadata.yml": text})
+            sort_files(**{"x/submission_metadata.yml": text})
 
 
-def test_no_word_of_the_grades_is_a_formula():
+def test_no_text_in_table_is_a_formula():
     rows = [{"id": "ab", "name": "Ada", "total": 2.0235}, {"id": "cd", "name": "=1", "total": 0}]
     text = grading.format_table(rows)
     assert text == "id,name,total\r\nab,Ada,2.0235\r\ncd,'=1,0\r\n"
     for first in "=+-@\t\r\n|%":
-        told = grading.format_table([{"name": f"{first}1"}])
-        assert list(csv.reader(io.StringIO(told, newline="")))[1] == [f"'{first}1"]
+        text = grading.format_table([{"name": f"{first}1"}])
+        assert list(csv.reader(io.StringIO(text, newline="")))[1] == [f"'{first}1"]
 
 
 # Other systems
@@ -160,25 +162,25 @@ def test_no_word_of_the_grades_is_a_formula():
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory):
-    """Two students, two topics, the folders they were given."""
+    """Make a course of two students and two topics."""
     folder = tmp_path_factory.mktemp("exports") / "hw"
     students = [Student("Ada@x.example", "Ada L"), Student("b.7", "Bo Ü")]
     topics = ("forward kinematics", "Jacobian")
-    return making.new(students, ELBOW, folder, topics=topics, secret=SECRET)
+    return making.make_course(students, ELBOW, folder, topics=topics, secret=SECRET)
 
 
 @pytest.fixture(scope="module")
 def unpacked(course, tmp_path_factory):
-    """Gradescope's folder as it is before setup.sh installs what the helpers need."""
+    """Unpack the autograder as Gradescope does before it runs setup.sh."""
     root = tmp_path_factory.mktemp("autograder")
-    gradescope.pack(course, root / "a.zip")
+    gradescope.pack_autograder(course, root / "a.zip")
     with zipfile.ZipFile(root / "a.zip") as file:
         file.extractall(root / "source")
         modes = {i.filename: i.external_attr >> 16 & 0o777 for i in file.infolist()}
     return root, modes
 
 
-def test_the_zip_holds_the_course_the_helpers_and_no_secret(unpacked):
+def test_autograder_holds_course_without_secret(unpacked):
     root, modes = unpacked
     assert modes["setup.sh"] == modes["run_autograder"] == 0o755
     assert {*modes} > {"setup.sh", "run_autograder", "course.json"}
@@ -196,18 +198,18 @@ def test_the_zip_holds_the_course_the_helpers_and_no_secret(unpacked):
         assert subprocess.run(["bash", "-n"], input=text, check=False).returncode == 0
 
 
-def handed_in(root, users, given):
+def submit(root, users, answers):
     folder = root / "submission"
     folder.mkdir(exist_ok=True)
-    (folder / "answers (1).json").write_text(json.dumps(given), encoding="utf-8")
-    about = json.dumps({"users": users})
-    (root / "submission_metadata.json").write_text(about, encoding="utf-8")
+    (folder / "answers (1).json").write_text(json.dumps(answers), encoding="utf-8")
+    metadata = json.dumps({"users": users})
+    (root / "submission_metadata.json").write_text(metadata, encoding="utf-8")
 
 
-def test_gradescope_marks_by_what_was_packed(course, unpacked):
+def test_gradescope_marks_from_the_pack(course, unpacked):
     root, _ = unpacked
-    given = right_work(course.sheet("b.7"))
-    handed_in(root, [{"email": "B.7@school.example", "name": "B", "id": 9}], given)
+    answers = make_right_answers(course.sheet("b.7"))
+    submit(root, [{"email": "B.7@school.example", "name": "B", "id": 9}], answers)
     command = [sys.executable, "-m", "course.gradescope", str(root)]
     subprocess.run(command, cwd=root / "source", check=True)
     results = json.loads((root / "results" / "results.json").read_text("utf-8"))
@@ -221,7 +223,7 @@ def test_gradescope_marks_by_what_was_packed(course, unpacked):
 
 
 @pytest.mark.parametrize(
-    ("users", "words"),
+    ("users", "message"),
     [
         ([{"email": "ada@X.example"}], "Read as the sheet of Ada@x.example: "),
         ([{"email": "x@y", "name": "bo ü"}], "Read as the sheet of b.7: "),
@@ -231,23 +233,23 @@ def test_gradescope_marks_by_what_was_packed(course, unpacked):
         (None, "Marking stopped (TypeError); please tell your instructor."),
     ],
 )
-def test_gradescope_finds_whose_sheet_it_is_or_says_so(course, unpacked, users, words):
+def test_gradescope_finds_the_sheet_of_the_user(course, unpacked, users, message):
     root, _ = unpacked
-    handed_in(root, users, {"p": [1, 2, 3]})
-    results = gradescope.run(root)
-    assert results["output"].startswith(words)
+    submit(root, users, {"p": [1, 2, 3]})
+    results = gradescope.run_autograder(root)
+    assert results["output"].startswith(message)
     assert results["score"] == 0
     assert json.loads((root / "results" / "results.json").read_bytes()) == results
 
 
-def test_gradescope_says_whose_sheet_was_answered(course, unpacked):
+def test_gradescope_reports_answers_to_another_sheet(course, unpacked):
     root, _ = unpacked
     other = {
-        **right_work(course.sheet("Ada@x.example")),
+        **make_right_answers(course.sheet("Ada@x.example")),
         "sheet": store.name_sheet(course, "Ada@x.example"),
     }
-    handed_in(root, [{"email": "b.7@z"}], other)
-    results = gradescope.run(root)
-    words = "Read as the sheet of b.7: this answers the sheet of 'Ada@x.example', not of 'b.7'."
-    assert results["output"].startswith(words)
+    submit(root, [{"email": "b.7@z"}], other)
+    results = gradescope.run_autograder(root)
+    message = "Read as the sheet of b.7: this answers the sheet of 'Ada@x.example', not of 'b.7'."
+    assert results["output"].startswith(message)
     assert results["score"] == 0

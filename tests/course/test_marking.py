@@ -1,4 +1,4 @@
-"""Test what an answer is worth: the laws of marks over arms, topics and mistakes."""
+"""Test what an answer is worth over arms, topics and mistakes."""
 
 import re
 from dataclasses import replace
@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from course import marking
-from course.making import right_work
+from course.making import make_right_answers
 from course.marking import MISTAKE_SHARE, mark_part, mark_sheet
-from course.sheets import Sheet, sheet
+from course.sheets import Sheet, draw_sheet
 from course.topics import make_camera_arm
 from helpers.arm import Arm, prismatic, revolute
 from helpers.kinematics import forward_kinematics, jacobian
@@ -47,13 +47,13 @@ NUMBERS = {
     "DH table": {"rows": TABLE_ROWS, "along": [0.0, 0.05, 0.1, 0.0]},
 }
 ELBOWS = Sheet(ELBOW, NUMBERS)
-ONE_WAY = [0.5, 0.2, 0.4]
+ONE_SOLUTION = [0.5, 0.2, 0.4]
 SLIDER = Sheet(
     RODS,
     {
         "inverse kinematics": {
-            "target": forward_kinematics(RODS, ONE_WAY)[:3, 3:].tolist(),
-            "solution": ONE_WAY,
+            "target": forward_kinematics(RODS, ONE_SOLUTION)[:3, 3:].tolist(),
+            "solution": ONE_SOLUTION,
         }
     },
 )
@@ -61,54 +61,54 @@ laws = pytest.mark.parametrize("arm", [ELBOW, HANGING, STANFORD, RODS], ids=lamb
 
 
 @cache
-def draw_sheet(arm, seed=0):
-    return sheet(arm, f"law {seed}")
+def get_sheet(arm):
+    """Draw the sheet of an arm once."""
+    return draw_sheet(arm, "law 0")
 
 
-def value(name, of=ELBOWS):
-    return of.parts[name].value
+def get_value(name, own=ELBOWS):
+    return own.parts[name].value
 
 
-def credit(name, answer, of=ELBOWS):
-    return mark_part(of, name, answer).credit
+def mark(name, answer, own=ELBOWS):
+    return mark_part(own, name, answer).credit
 
 
 @laws
 def test_right_answer_in_asked_digits_is_worth_one(arm):
-    mine = draw_sheet(arm)
-    for part in list_measured_parts(mine):
+    own = get_sheet(arm)
+    for part in list_measured_parts(own):
         assert f"`{part.name}`: {part.what}; {part.digits} decimals; " in "\n".join(
-            question.markdown for question in mine.questions
+            question.markdown for question in own.questions
         )
         cut = np.trunc(part.value * 10**part.digits) / 10**part.digits
         for numbers, digits in ((part.value, part.digits), (part.value, 8), (cut, part.digits)):
-            assert mark_text(mine, part, numbers, digits).message == "Right."
-    assert all(mark.credit == 1 for mark in mark_sheet(mine, right_work(mine)))
+            assert mark_text(own, part, numbers, digits).message == "Right."
+    assert all(mark.credit == 1 for mark in mark_sheet(own, make_right_answers(own)))
 
 
 @laws
-def test_every_named_mistake_is_worth_the_same(arm):
-    """A mistake that only copies what is known is worth nothing."""
-    mine = draw_sheet(arm)
-    for part in list_measured_parts(mine):
+def test_named_mistakes_are_worth_the_same(arm):
+    """A mistake that only copies known numbers is worth nothing."""
+    own = get_sheet(arm)
+    for part in list_measured_parts(own):
         for mistake in part.mistakes:
-            mark = mark_text(mine, part, mistake.values, 6)
+            mark = mark_text(own, part, mistake.values, 6)
             is_copied = np.abs(mistake.values - part.idle).max() <= part.unit
             assert mark.credit == (0 if is_copied else MISTAKE_SHARE), (part.name, mistake.name)
             assert is_copied or mistake.name in mark.mistakes
 
 
 @laws
-def test_coarse_digits_earn_only_what_they_prove(arm):
-    """They earn only by blocks whose rounded numbers are right by themselves."""
-    mine, rng = draw_sheet(arm), np.random.default_rng(1)
+def test_coarse_digits_earn_by_right_numbers_only(arm):
+    own, rng = get_sheet(arm), np.random.default_rng(1)
     for digits in (0, 1, 2):
-        for part in list_measured_parts(mine):
+        for part in list_measured_parts(own):
             if digits >= part.digits:
                 continue
             for size in rng.uniform(0.003, 0.1, 5):
                 wrong = part.value * (1 + size * rng.choice([-1, 1], np.shape(part.value)))
-                earned = mark_text(mine, part, wrong, digits).credit
+                earned = mark_text(own, part, wrong, digits).credit
                 is_right = np.abs(np.round(wrong, digits) - part.value) <= part.unit
                 is_right &= np.abs(part.value - part.idle) > part.unit
                 assert earned == 0 if not is_right.any() else earned < 1
@@ -127,22 +127,22 @@ def leave_out_some_blocks(part, written, rng):
 
 @laws
 def test_leaving_out_never_beats_writing(arm):
-    mine, rng = draw_sheet(arm), np.random.default_rng(3)
-    for part in list_measured_parts(mine):
+    own, rng = get_sheet(arm), np.random.default_rng(3)
+    for part in list_measured_parts(own):
         wrong = np.asarray(part.value) * 1.05 + 0.02
         for _ in range(4):
             written = np.where(rng.random(np.shape(part.value)) < 0.5, part.value, wrong)
             left = leave_out_some_blocks(part, written, rng)
-            assert mark_text(mine, part, left, 6).credit <= mark_text(mine, part, written, 6).credit
+            assert mark_text(own, part, left, 6).credit <= mark_text(own, part, written, 6).credit
 
 
 @laws
 def test_wrong_additions_never_raise(arm):
-    mine, rng = draw_sheet(arm), np.random.default_rng(4)
-    for part in list_measured_parts(mine):
+    own, rng = get_sheet(arm), np.random.default_rng(4)
+    for part in list_measured_parts(own):
         some = np.where(rng.random(np.shape(part.value)) < 0.5, part.value, 0)
         more = np.where(some == part.value, some, rng.uniform(20, 30, np.shape(part.value)))
-        assert mark_text(mine, part, more, 6).credit <= mark_text(mine, part, some, 6).credit
+        assert mark_text(own, part, more, 6).credit <= mark_text(own, part, some, 6).credit
 
 
 NOTHING = [
@@ -165,13 +165,13 @@ def list_guesses(right, question):
 
 @pytest.mark.parametrize("arm", [HANGING, RODS], ids=str)
 def test_no_work_earns_nothing(arm):
-    mine = draw_sheet(arm)
-    right = right_work(mine)
-    for question in mine.questions:
+    own = get_sheet(arm)
+    right = make_right_answers(own)
+    for question in own.questions:
         for part in question.parts:
             for guess in [*NOTHING, *list_guesses(right[part.name], question)]:
-                assert credit(part.name, guess, mine) == 0, (part.name, guess)
-    assert credit("tau", as_text(mine.parts["g"].value, 4), mine) == 0 if arm is HANGING else True
+                assert mark(part.name, guess, own) == 0, (part.name, guess)
+    assert mark("tau", as_text(own.parts["g"].value, 4), own) == 0 if arm is HANGING else True
 
 
 @pytest.mark.parametrize(
@@ -197,7 +197,7 @@ def test_no_work_earns_nothing(arm):
     ],
 )  # fmt: skip
 def test_numbers_are_read_as_students_write_them(name, change, expected, message):
-    mark = mark_part(ELBOWS, name, change(value(name)))
+    mark = mark_part(ELBOWS, name, change(get_value(name)))
     assert mark.credit == pytest.approx(expected)
     assert message in mark.message
 
@@ -232,10 +232,10 @@ def test_constants_for_joints_are_wrong():
     question = ELBOWS.questions[1]
     camera = make_camera_arm(ELBOW, question.numbers)
     numbers = jacobian(camera, question.numbers["q"])[:, question.numbers["column"] - 1]
-    assert credit("J_column", [f"{x:.6f}" for x in numbers]) < 0.5
+    assert mark("J_column", [f"{x:.6f}" for x in numbers]) < 0.5
 
 
-TABLE = right_work(ELBOWS)["table"]
+TABLE = make_right_answers(ELBOWS)["table"]
 # Row 1 with z_1 turned over: alpha_1, d_2, alpha_2 and q_2 change sign.
 OTHER_FRAMES = [
     ["0.3", "-pi/2", "0.1", "q_1"], ["0.2", "pi/2", "-q_2 - 0.2", "-pi/2"], *TABLE[2:],
@@ -247,20 +247,20 @@ OTHER_FRAMES = [
     ("row", "column", "entry"),
     [(0, 0, "0.45"), (2, 1, "-pi/2"), (3, 2, "0"), (2, 0, "0"), (3, 0, "-0.5")],
 )
-def test_one_mistake_in_a_table_costs_the_same_in_any_frames(frames, row, column, entry):
-    assert credit("table", frames) == 1
+def test_table_mistake_costs_the_same_in_any_frames(frames, row, column, entry):
+    assert mark("table", frames) == 1
     table = [list(entries) for entries in frames]
     table[row][column] = entry
-    assert credit("table", table) == MISTAKE_SHARE
+    assert mark("table", table) == MISTAKE_SHARE
 
 
 def test_table_of_another_shape_is_worth_nothing():
     for other in ([*TABLE, TABLE[3]], [row[:3] for row in TABLE], "a b"):
-        assert credit("table", other) == 0
+        assert mark("table", other) == 0
 
 
 def test_rows_of_the_first_joints_earn_half_of_their_share():
-    assert credit("table", TABLE[:3]) == MISTAKE_SHARE * 3 / 4
+    assert mark("table", TABLE[:3]) == MISTAKE_SHARE * 3 / 4
 
 
 @pytest.mark.parametrize(
@@ -278,29 +278,29 @@ def test_rows_of_the_first_joints_earn_half_of_their_share():
     ],
 )
 def test_branches_count_one_by_one(change, expected):
-    assert credit("q", change(value("q")).tolist()) == expected
+    assert mark("q", change(get_value("q")).tolist()) == expected
 
 
-def test_branches_in_two_decimals_are_told_so():
-    mark = mark_part(ELBOWS, "q", as_text(value("q"), 2))
+def test_coarse_branches_are_reported():
+    mark = mark_part(ELBOWS, "q", as_text(get_value("q"), 2))
     assert "Too few decimals: 3 were asked." in mark.message
     assert mark.mistakes == ()
 
 
 @pytest.mark.parametrize("turns", [[1, 0, 0], [-1, 0, 0], [3, 0, -3], [40, 0, 0]])
 def test_whole_turns_do_not_count(turns):
-    q = np.array(ONE_WAY) + 2 * np.pi * np.array(turns)
-    assert credit("q", q.tolist(), SLIDER) == 1
-    assert credit("q", (q + 0.02).tolist(), SLIDER) == 0
+    q = np.array(ONE_SOLUTION) + 2 * np.pi * np.array(turns)
+    assert mark("q", q.tolist(), SLIDER) == 1
+    assert mark("q", (q + 0.02).tolist(), SLIDER) == 0
 
 
 def test_branches_beyond_limits_are_not_asked_for():
     rows = [replace(row, joint=replace(row.joint, lower=-2, upper=2)) for row in ELBOW.rows]
     near = Sheet(replace(ELBOW, rows=rows), {"inverse kinematics": TARGET})
-    two, four = value("q", near), value("q")
+    two, four = get_value("q", near), get_value("q")
     assert (len(two), len(four)) == (2, 4)
     assert "There are 2; of more rows the first 2 count." in near.questions[0].text
-    assert credit("q", two.tolist(), near) == 1
+    assert mark("q", two.tolist(), near) == 1
 
 
 def test_reader_that_breaks_costs_its_own_part(monkeypatch):
@@ -317,30 +317,30 @@ NUMBER = re.compile(r"\d+[.,]\d+")
 
 
 @laws
-def test_hints_tell_no_number_and_no_right_entry(arm):
-    mine = draw_sheet(arm)
-    right = right_work(mine)
-    for name, part in mine.parts.items():
+def test_hints_show_no_number_and_no_right_entry(arm):
+    own = get_sheet(arm)
+    right = make_right_answers(own)
+    for name, part in own.parts.items():
         answers = [right[name]]
-        if part in list_measured_parts(mine):
+        if part in list_measured_parts(own):
             answers.append(as_text(part.value * 1.07, 4))
         answers += [[["1"] * 4] * 4, [[4] * 6] * 6]
         for answer in answers:
-            hint = mark_part(mine, name, answer).hint
+            hint = mark_part(own, name, answer).hint
             assert "Right" not in hint
             assert not NUMBER.search(hint.replace("8000", "")), hint
 
 
 def test_hint_is_the_same_for_right_and_for_unknown_work():
-    right = mark_part(ELBOWS, "p", value("p").tolist())
-    wrong = mark_part(ELBOWS, "p", (value("p") + 0.05).tolist())
+    right = mark_part(ELBOWS, "p", get_value("p").tolist())
+    wrong = mark_part(ELBOWS, "p", (get_value("p") + 0.05).tolist())
     assert right.hint == wrong.hint
-    assert "millimetres" in mark_part(ELBOWS, "p", (1000 * value("p")).tolist()).hint
+    assert "millimetres" in mark_part(ELBOWS, "p", (1000 * get_value("p")).tolist()).hint
 
 
 @pytest.mark.parametrize("arm", [ELBOW, UR10E], ids=lambda arm: arm.name)
 def test_draws_are_even(arm):
-    drawn = [sheet(arm, f"even {n}", ("Jacobian", "inverse kinematics")) for n in range(6)]
+    drawn = [draw_sheet(arm, f"even {n}", ("Jacobian", "inverse kinematics")) for n in range(6)]
     lengths = [len("".join(one.parts["J_column"].formulas)) for one in drawn]
     assert max(lengths) <= 1.6 * min(lengths)  # 1.25 either way of the usual, and camera numbers
     assert len({len(one.parts["q"].value) for one in drawn}) == 1
