@@ -69,13 +69,12 @@ coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach;
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(NBVAL) $(NOTEBOOKS)
 
-# Other processors round the last digit differently; nothing that is stored may show it. One run takes OpenBLAS's oldest
-# kernel, the other one seeded noise on all that OpenBLAS does not compute.
+# Other processors round the last digit differently; nothing that is stored may show it. OpenBLAS takes its oldest
+# kernel, and seeded noise changes all that OpenBLAS does not compute.
 NBVAL := $(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120
 
 elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would round; nothing stored may change
-	OPENBLAS_CORETYPE=Prescott $(NBVAL) $(NOTEBOOKS)
-	PYTHONPATH=$(CURDIR)/tools/elsewhere $(NBVAL) $(NOTEBOOKS)
+	OPENBLAS_CORETYPE=Prescott PYTHONPATH=$(CURDIR)/tools/elsewhere $(NBVAL) $(NOTEBOOKS)
 
 # An hour of processor time; `make test` tries one change of each chapter.
 changed: $(BIN)/.installed-dev ## run each chapter with each length, mass and limit of each of its arms changed

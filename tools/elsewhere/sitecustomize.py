@@ -2,7 +2,7 @@
 
 Python runs this file at its start if its folder is on PYTHONPATH. The noise is up to two units in
 the last place. It leaves out the functions that OpenBLAS computes: `OPENBLAS_CORETYPE` changes
-those, and `make elsewhere` does both.
+those, and `make elsewhere` does both at once.
 """
 
 import math
