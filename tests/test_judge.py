@@ -16,7 +16,7 @@ from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics
 from helpers.motion import circle_below, rest_to_rest
-from helpers.robots import ELBOW, PANDA, STANFORD
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from tests.cases import QUESTIONS, questions_about, typed_fields
 from tests.node import ask_node, needs_node
 from tests.pastes import PROGRAMS
@@ -150,6 +150,58 @@ def test_question_gets_expected_verdict(case):
         assert words in found["words"], found
     for words in case.get("unsaid", ()):
         assert words not in found["words"], found
+
+
+# Joint values of the first joints only
+
+UR_JOINTS = ["0.300", "-1.100", "1.400", "-0.800", "0.900", "0.200"]
+UR_TARGET = forward_kinematics(UR10E, [float(x) for x in UR_JOINTS])
+NAMED = "\n".join(f"q{k} = {x}" for k, x in enumerate(UR_JOINTS, start=1))
+SHORT = {
+    "row": ", ".join(UR_JOINTS[:3]),
+    "names": NAMED[: NAMED.index("\nq4")],
+    "list": [0.3, -1.1, 1.4],
+}
+OTHER = {
+    "wrong joint": "0.300, -1.100, 1.410",
+    "gap": "0.300, ?, 1.400, -0.800",
+    "late joints": NAMED[NAMED.index("q2") :],
+    "misspelt": "0.300, -1.l00, 1.400",
+    "cut": "0.300, -1.100 ... 0.900, 0.200",
+}
+
+
+def judge_pose(mine):
+    return checks.compare_pose(mine, UR10E, UR_TARGET)
+
+
+def judge_branches(mine):
+    return checks.compare_branches(mine, inverse.ur(UR10E, UR_TARGET))
+
+
+@pytest.mark.parametrize("compare", [judge_pose, judge_branches])
+@pytest.mark.parametrize("mine", SHORT.values(), ids=SHORT)
+def test_first_joints_of_a_branch_are_right_so_far(compare, mine):
+    report = compare(mine)
+    assert (report.grade, report.figures["right"], report.figures["of"]) == ("so far", 3, 6)
+    assert report.findings[-1].words == "Add q_4, q_5 and q_6."
+
+
+@pytest.mark.parametrize("compare", [judge_pose, judge_branches])
+@pytest.mark.parametrize("mine", OTHER.values(), ids=OTHER)
+def test_other_joints_than_the_first_are_refused(compare, mine):
+    with pytest.raises(ArmError):
+        compare(mine)
+
+
+def test_first_joints_of_all_branches_are_right_so_far():
+    solutions = inverse.ur(UR10E, UR_TARGET)
+    rows = [f"Answer {k}: " + ", ".join(f"{x:.4f}" for x in q[:4])
+            for k, q in enumerate(solutions.q[solutions.times > 0], start=1)]  # fmt: skip
+    assert judge_branches("\n".join(rows)).figures["right"] == 4
+    wrong = rows[-1].replace(rows[-1][-3:], "999")
+    with pytest.raises(ArmError, match="8x4"):
+        judge_branches("\n".join([*rows[:-1], wrong]))
 
 
 @needs_node

@@ -3,7 +3,7 @@
 import { movingRows, jointNumbers, revoluteFlags, jointNames } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
-import { findAnswer } from "./answers.js";
+import { findAnswer, NoFitError } from "./answers.js";
 import { unitsSaid } from "./labels.js";
 import {
   formulaSlack,
@@ -246,7 +246,7 @@ export function notPerJoint(what, arm, shape) {
     given: describeShape(shape),
     wanted: eachJoint(arm),
   });
-  return new ArmError(words + tooMany(arm, shape.at(-1)));
+  return new NoFitError(words + tooMany(arm, shape.at(-1)));
 }
 
 // A list of numbers as rows.

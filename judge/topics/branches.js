@@ -3,13 +3,14 @@
 import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
 import { causeName, causeMessage } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
-import { needsPose, findClosedForm, solveInverse } from "../geometry/inverse.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
+import { solveTarget } from "../geometry/target.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
+import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
@@ -25,13 +26,23 @@ import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 export const compareBranches = completeVerdicts(branchesCompared);
 
 function branchesCompared(mine, arm, target, options = {}) {
-  const { tolerance = null, found = null } = options;
-  const own = found && found.arm === arm.name;
+  const { angles = "rad", tolerance = null, found = null } = options;
+  const isFound = found && found.arm === arm.name;
   const sought = found?.target ?? target;
-  const right = rightOf(arm, own ? found.branches : branchesOf(arm, sought));
-  const { answers: given, taken, typed } = upright(mine, right, sought, options);
+  const right = rightOf(arm, isFound ? found.branches : solveTarget(arm, sought));
+  const given = rowsGiven(sought);
+  const part = { topic: "branches", angles, tolerance, given, many: true };
+  return judgeWholeOrPart(
+    () => judgeAnswers(mine, right, sought, options),
+    () => judgeFirstAngles(mine, right, part),
+  );
+}
+
+function judgeAnswers(mine, right, target, options) {
+  const { tolerance = null } = options;
+  const { answers: given, taken, typed } = upright(mine, right, target, options);
   const { astray, ...report } = judged(right, given, tolerance, taken);
-  const dof = movingRows(arm).length;
+  const dof = movingRows(right.arm).length;
   const asRows = !taken.length && typed.shape.at(-1) === dof;
   const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));
   return wrong ? { ...report, typed, wrong } : { ...report, typed };
@@ -48,23 +59,6 @@ function upright(mine, right, target, { angles = "rad", tolerance = null, which 
   const columns = answers(mine, arm, angles, { ...asked, byColumns: true });
   return matchAnswers(right, columns.answers, tolerance).astray.length ? rows : columns;
 }
-
-// Solve for all branches by the arm's closed form, if the question does not bring them.
-function branchesOf(arm, target) {
-  const form = findClosedForm(arm);
-  if (!form) return [];
-  if (needsPose(form)) return solveInverse(arm, form, frameOf(target));
-  return solveInverse(
-    arm,
-    form,
-    Array.isArray(target[0]) ? target.slice(0, 3).map((x) => x[3]) : target,
-  );
-}
-
-const frameOf = (rows) => {
-  const [x, y, z, o] = [0, 1, 2, 3].map((k) => rows.slice(0, 3).map((row) => row[k]));
-  return { x, y, z, o };
-};
 
 // Collect the different branches, and their count before equal ones were joined.
 /** @returns {Solutions} */

@@ -6,6 +6,8 @@ import { tableMistakes } from "../causes/chain.js";
 import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
+import { findClosedForm, needsPose } from "../geometry/inverse.js";
+import { orthonormalize, solveTarget } from "../geometry/target.js";
 import {
   cross,
   dot,
@@ -20,7 +22,15 @@ import { describeMiss } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, rowsGiven } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
-import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
+import {
+  ArmError,
+  describeShape,
+  formatMessage,
+  joinList,
+  tryOrNull,
+  uncapitalize,
+} from "../sentences.js";
+import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 
 const TARGETS = [
   { rows: 4, columns: 4 },
@@ -44,22 +54,34 @@ const FEW = 3; // wrong entries: a wrong q changes more of them
 export const comparePose = completeVerdicts(poseCompared);
 
 function poseCompared(q, arm, T, options = {}) {
-  const { angles = "rad", tolerance = null } = options;
-  const {
-    answers: given,
-    taken,
-    typed,
-  } = answers(q, arm, angles, {
-    wants: jointShapes(arm, false),
-    given: rowsGiven(T),
-    which: options.which,
-  });
+  return judgeWholeOrPart(
+    () => judgeJoints(q, arm, T, options),
+    () => judgeFirstJoints(q, arm, T, options),
+  );
+}
+
+function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null }) {
+  const wants = jointShapes(arm, false);
+  const read = answers(q, arm, angles, { wants, given: rowsGiven(T), which });
+  const { answers: given, taken, typed } = read;
   if (given.length !== 1)
     throw new ArmError(formatMessage("one answer", { arm: arm.name, count: given.length }));
   const known = lookup(arm, given[0].values);
   const target = readTarget(T, arm, known);
   const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
   return { ...judged({ ...given[0], units }, arm, target, tolerance, taken), typed };
+}
+
+// Judge the angles of the first joints alone, if the arm has a closed form for such targets.
+function judgeFirstJoints(q, arm, T, { angles = "rad", tolerance = null }) {
+  const form = findClosedForm(arm);
+  const target = tryOrNull(() => readTarget(T, arm, undefined));
+  if (!form || target?.pose !== needsPose(form)) return null;
+  const values = target.pose ? orthonormalize(target.values) : target.values[0];
+  const branches = tryOrNull(() => solveTarget(arm, values)) ?? [];
+  const right = { arm, branches, count: branches.length };
+  const question = { topic: "pose", angles, tolerance, given: rowsGiven(T), many: false };
+  return judgeFirstAngles(q, right, question);
 }
 
 /**

@@ -13,7 +13,6 @@ import { judgeEntries } from "../entries.js";
 import { transpose } from "../geometry/chains.js";
 import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
-import { NoFitError } from "../reading/answers.js";
 import {
   eachJoint,
   inRadians,
@@ -26,7 +25,7 @@ import {
   unnamed,
 } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
-import { judgeFirstJoints, judgeFirstJointsInText } from "./torques_part.js";
+import { judgeFirstTorques, judgeFirstTorquesInText, judgeWholeOrPart } from "./first_joints.js";
 import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81];
@@ -54,18 +53,16 @@ function torquesCompared(mine, arm, q, options = {}) {
     inNewtonMetres(
       numbers(unnamed(mine), `${arm.name}: your torques`, undefined, undefined, question),
     );
-  try {
-    return judgeTorques(read(asked), context);
-  } catch (error) {
-    const isShort = error instanceof NoFitError && wrenches.length === 1;
-    const verdict =
-      isShort && judgeFirstJointsInText((wants) => read({ ...asked, wants }), context);
-    if (verdict) return verdict;
-    throw error;
-  }
+  return judgeWholeOrPart(
+    () => judgeTorques(read(asked), context),
+    () =>
+      wrenches.length > 1
+        ? null
+        : judgeFirstTorquesInText((wants) => read({ ...asked, wants }), context),
+  );
 }
 
-/** @param {import("./torques_part.js").Context} context */
+/** @param {import("./first_joints.js").TorqueContext} context */
 function judgeTorques(typed, context) {
   const { arm, q, load, tolerance, taken } = context;
   const count = load.wrenches.length;
@@ -74,7 +71,7 @@ function judgeTorques(typed, context) {
     const said = [...typed.said, ...found.said, ...taken];
     return { ...judged({ ...found, said }, q, load, { arm, tolerance }), typed };
   }
-  const verdict = count === 1 ? judgeFirstJoints(typed, context) : null;
+  const verdict = count === 1 ? judgeFirstTorques(typed, context) : null;
   return verdict ?? { ...misshapen(typed, count, arm), typed };
 }
 

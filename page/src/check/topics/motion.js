@@ -1,9 +1,10 @@
 // Check joint angles, of one pose or all branches, and trajectories along a circle.
 
-import { cross, dot, movingRows } from "../../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../../judge/geometry/kinematics.js";
 import { compareBranches } from "../../../../judge/topics/branches.js";
 import { numbers, pose as poseOf } from "../../../../judge/reading/numbers.js";
 import { needsPose, findClosedForm } from "../../../../judge/geometry/inverse.js";
+import { orthonormalize } from "../../../../judge/geometry/target.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
 import { comparePose, readTarget } from "../../../../judge/topics/pose.js";
 import { ArmError } from "../../../../judge/sentences.js";
@@ -13,8 +14,6 @@ import { judgeTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 // with fewer steps, a trajectory that stays at the start would pass
 const [MIN_STEPS, MAX_STEPS] = [8, 20_000];
-// tolerance for axis lengths and cosines of a pose typed with two decimals
-const POSE_ROUNDING = 0.02;
 
 /** @type {import("../question.js").Checker} */
 export const checkPose = (question, arm) =>
@@ -47,22 +46,6 @@ function prepareTarget(question, arm, form) {
   const { values, pose } = readTarget(requireTarget(question), arm, undefined, !needsPose(form));
   if (needsPose(form)) return [...orthonormalize(values), [0, 0, 0, 1]];
   return pose ? values.map((row) => row[3]) : values[0];
-}
-
-// Make the axes of a pose typed with few decimals perpendicular and of unit length: the nearest
-// rotation, by Newton's steps R <- (R + R^-T) / 2. A pose farther off is returned unchanged, and
-// refused later.
-function orthonormalize(rows) {
-  const off = (u, v, wanted) => Math.abs(dot(u, v) - wanted);
-  let R = rows.map((row) => row.slice(0, 3));
-  if (R.some((u, i) => R.some((v, j) => off(u, v, Number(i === j)) > POSE_ROUNDING))) return rows;
-  for (let step = 0; step < 6; step++) {
-    const [a, b, c] = R;
-    const size = dot(a, cross(b, c));
-    const back = [cross(b, c), cross(c, a), cross(a, b)];
-    R = R.map((row, i) => row.map((x, k) => (x + back[i][k] / size) / 2));
-  }
-  return rows.map((row, i) => [...R[i], row[3]]);
 }
 
 /** @type {import("../question.js").Checker} */

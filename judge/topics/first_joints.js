@@ -1,0 +1,137 @@
+// Verdicts on torques and joint angles of the first joints only; those of the other joints are
+// missing.
+
+import { torqueMaker } from "../causes/torques.js";
+import { SO_FAR, WRONG } from "../digits.js";
+import { judgeEntries } from "../entries.js";
+import { jointNames, jointNumbers, movingRows } from "../geometry/kinematics.js";
+import { findBranch } from "../matching.js";
+import { NoFitError } from "../reading/answers.js";
+import { jointShapes } from "../reading/numbers.js";
+import { answers } from "../reading/joint_vectors.js";
+import { formatMessage, joinList, tryOrNull } from "../sentences.js";
+import { makeVerdict } from "../verdict.js";
+
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+/** @typedef {import("../reading/answers.js").Want} Want */
+/** @typedef {import("../reading/numbers.js").Typed} Typed */
+/** @typedef {import("../verdict.js").Verdict} Verdict */
+/**
+ * A question about torques: one pose q of a loaded arm, and how the verdict describes q and the
+ * masses.
+ * @typedef {{ arm: Arm, q: import("../digits.js").Entries,
+ *   load: import("../causes/torques.js").Load, tolerance: number | null,
+ *   taken: string[] }} TorqueContext
+ */
+
+/**
+ * Judge an answer; if it has too few numbers, judge it as the first joints' part of an answer.
+ * @template {Verdict} T
+ * @param {() => T} judge throws a NoFitError if there are too few numbers
+ * @param {() => Verdict | null} judgePart returns null if the numbers are not right either
+ * @returns {T | Verdict}
+ */
+export function judgeWholeOrPart(judge, judgePart) {
+  try {
+    return judge();
+  } catch (error) {
+    const verdict = error instanceof NoFitError ? judgePart() : null;
+    if (verdict) return verdict;
+    throw error;
+  }
+}
+
+/**
+ * Judge a text with too few torques.
+ * @param {(wants: Want[]) => Typed} read reads the text as numbers of some shape
+ * @param {TorqueContext} context
+ * @returns {Verdict | null} null if it has other numbers than right torques of the first joints
+ */
+export function judgeFirstTorquesInText(read, context) {
+  for (const want of listPartialShapes(context.load.c.dof)) {
+    const typed = tryOrNull(() => read([want]));
+    if (typed && hasOnlyFirstJoints(typed)) return judgeFirstTorques(typed, context);
+  }
+  return null;
+}
+
+/**
+ * Judge a list of too few torques.
+ * @param {Typed} typed in N m
+ * @param {TorqueContext} context
+ * @returns {Verdict | null} null if they are not the right torques of the first joints
+ */
+export function judgeFirstTorques(typed, { arm, q, load, tolerance, taken }) {
+  const { dof } = load.c;
+  const { values, shape } = typed;
+  const count = values.length;
+  const isList = shape.filter((n) => n !== 1).length === 1;
+  if (!isList || count >= dof) return null;
+  const makeTorques = torqueMaker(load, dof, q.values)();
+  const right = (angles) => makeTorques(angles).slice(0, count);
+  const { grade, wrong } = judgeEntries({ mine: typed, q, dof, right, slips: [], tolerance });
+  if (grade === WRONG) return null;
+  const missing = jointNumbers(arm).slice(count);
+  const joints = joinList(missing.map((joint) => formatMessage("joint", { joint })));
+  const words = formatMessage("tau first missing", { joints });
+  const headline = formatMessage("tau first joints", { arm: arm.name, count, all: dof });
+  return makeVerdict("torques", arm, SO_FAR, headline, {
+    findings: [{ what: "missing", where: joints, words }],
+    taken: [...typed.said, ...taken],
+    figures: { right: count, of: dof },
+    typed,
+    wrong,
+  });
+}
+
+// List the shapes of two or more torques, the longest first.
+/** @param {number} dof @returns {Want[]} */
+const listPartialShapes = (dof) =>
+  Array.from({ length: Math.max(0, dof - 2) }, (_, k) => dof - 1 - k).flatMap((count) => [
+    { rows: 1, columns: count, by: "joint" },
+    { rows: count, columns: 1 },
+  ]);
+
+/**
+ * Judge joint vectors without the last joints, which are missing in all of them.
+ * @param {any} mine text or nested lists
+ * @param {import("../matching.js").Solutions} right
+ * @param {{ topic: string, angles: string, tolerance: number | null, given: number[][],
+ *   many: boolean }} question `given` are numbers of the question, `many` allows several vectors
+ * @returns {Verdict | null} null if some vector begins no solution branch
+ */
+export function judgeFirstAngles(mine, { arm, branches }, question) {
+  const { topic, angles, tolerance, given, many } = question;
+  const dof = movingRows(arm).length;
+  for (let count = dof - 1; count > 1; count--) {
+    const firstLinks = { ...arm, rows: arm.rows.slice(0, movingRows(arm)[count]) };
+    const wants = jointShapes(firstLinks, many);
+    const read = tryOrNull(() => answers(mine, firstLinks, angles, { wants, given }));
+    if (!read?.answers.length || !hasOnlyFirstJoints(read.typed)) continue;
+    const begun = branches.map((branch) => ({ ...branch, q: branch.q.slice(0, count) }));
+    const solutions = { arm: firstLinks, branches: begun, count: begun.length };
+    const isRight = (answer) => findBranch(solutions, answer, tolerance) >= 0;
+    if (!read.answers.every(isRight)) continue;
+    const joints = joinList(jointNames(arm).slice(count));
+    const words = formatMessage("ik first missing", { joints });
+    const headline = formatMessage("ik first joints", { arm: arm.name, count, all: dof });
+    return makeVerdict(topic, arm, SO_FAR, headline, {
+      findings: [{ what: "missing", where: joints, words }],
+      taken: read.taken,
+      figures: { right: count, of: dof },
+      typed: read.typed,
+    });
+  }
+  return null;
+}
+
+// Return whether each number of a text is an entry or a label that counts the joints, or the
+// vectors, from 1. Any other number may be an entry that could not be read.
+/** @param {Typed} typed */
+function hasOnlyFirstJoints({ tokens = [], values, shape }) {
+  const labels = tokens.filter(({ owner }) => owner !== "entry");
+  const isCounted = labels.every(
+    ({ owner, text }, k) => owner === "label" && Number(text) === k + 1,
+  );
+  return isCounted && [0, shape[0], values.length].includes(labels.length);
+}
