@@ -12,18 +12,32 @@ from course import gradescope, making, sheets, store
 from course.collect import collect_hand_ins
 from course.grading import grade
 from course.roster import read_roster
+from course.sheets import Exercise
 from helpers.inputs import ArmError
+
+
+class _AddTopic(argparse.Action):
+    """Add a topic to the arm that was named last."""
+
+    def __call__(self, parser: Any, namespace: Any, values: Any, _: Any = None) -> None:
+        if not namespace.arm:
+            parser.error(f"--topic {values!r} stands before --arm; expected it after its arm")
+        namespace.arm[-1].append(values)
+
 
 _OPTIONS: dict[str, dict[str, Any]] = {
     "course": {"type": Path, "help": "the folder that new made"},
     "--secret": {"type": Path, "help": "a file of 16 letters or more; drawn unless given"},
     "--roster": {"type": Path, "required": True, "help": "CSV with the columns id and name"},
-    "--arm": {"required": True, "help": "a name of the catalogue, arm.urdf, or my_arm.py:MINE"},
+    "--arm": {
+        "action": "append", "required": True, "type": lambda name: [name],
+        "help": "a name of the catalogue, arm.urdf, or my_arm.py:MINE; may be given again",
+    },
     "--title": {"default": "Homework", "help": "what the sheets are headed; Homework unless given"},
     "--topic": {
-        "action": "append", "default": [], "choices": sheets.TOPICS, "metavar": "TOPIC",
-        "help": f"one of {', '.join(sheets.TOPICS)}; may be given again; all that suit unless"
-        " given",
+        "action": _AddTopic, "choices": sheets.TOPICS, "metavar": "TOPIC", "dest": "arm",
+        "help": f"one of {', '.join(sheets.TOPICS)}, about the last --arm; may be given again; all"
+        " that suit unless given",
     },
     "--id": {"required": True, "help": "a student's id in the roster"},
     "--jobs": {"type": int, "default": 0, "help": "processes; one for each processor unless given"},
@@ -53,12 +67,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _make(options: argparse.Namespace) -> None:
-    arm, roster, path = read_arm(options.arm), read_roster(options.roster), options.secret
+    exercises = [Exercise(read_arm(name), tuple(topics)) for name, *topics in options.arm]
+    roster, path = read_roster(options.roster), options.secret
     secret = path.read_text(encoding="utf-8").strip() if path else ""
     if path and len(secret) < 16:
         raise ArmError(f"the secret in {path} is too short; expected 16 letters or more")
     course = making.make_course(
-        roster, arm, options.out, title=options.title, topics=tuple(options.topic), secret=secret
+        roster,
+        exercises,
+        options.out,
+        title=options.title,
+        secret=secret,
+        jobs=options.jobs,
+        report=_show_progress,
     )
     print(f"{len(course.sheets)} sheets in {options.out}")
 
@@ -67,6 +88,15 @@ def _print_key(options: argparse.Namespace) -> None:
     sheet = store.load(options.course).sheet(options.id)
     for name, answer in making.make_right_answers(sheet).items():
         print(f"{name}: {json.dumps(answer)}")
+
+
+def _reissue(options: argparse.Namespace) -> None:
+    course = making.reissue_sheet(options.course, options.id)
+    print(f"new sheet: {store.name_sheet(course, options.id)}")
+
+
+def _drop(options: argparse.Namespace) -> None:
+    print(f"{len(making.drop_student(options.course, options.id).sheets)} sheets are left")
 
 
 def _collect(options: argparse.Namespace) -> None:
@@ -106,9 +136,11 @@ def _pack_autograder(options: argparse.Namespace) -> None:
 COMMANDS = {
     "new": (
         _make, "make a sheet for each line of a roster",
-        "--roster --arm --title --topic --secret --out",
+        "--roster --arm --title --topic --secret --out --jobs",
     ),
     "key": (_print_key, "print one student's key", "course --id"),
+    "reissue": (_reissue, "draw other numbers for one student", "course --id"),
+    "drop": (_drop, "remove one student and leave all others alone", "course --id"),
     "collect": (_collect, "sort a download of hand-ins by student", "course download"),
     "grade": (_grade, "mark every hand-in of a course", "course --out --jobs --again --hints"),
     "gradescope": (_pack_autograder, "make Gradescope's autograder", "course --out"),

@@ -11,11 +11,9 @@ from typing import Any
 
 import helpers
 from course import store
-from course.answers import SHEET
 from course.files import read_files
-from course.grading import MAX_HINTS, write_hints
-from course.handed_in import compare_sheet_names, read_hand_in
-from course.marking import mark_sheet
+from course.grading import MAX_HINTS, make_record, write_hints
+from course.handed_in import read_hand_in
 from course.roster import StudentIndex
 from course.store import Course
 
@@ -85,27 +83,25 @@ def _mark_submission(root: Path) -> dict[str, Any]:
         message = f"{count} of this course belongs to your name and e-mail address"
         return {"score": 0, "output": f"{message}; tell your instructor.", "tests": []}
     student = candidates.pop()
-    sheet = course.sheet(student)
-    hand_in = read_hand_in(read_files(root / "submission"), sheet.parts)
-    other = compare_sheet_names(hand_in.answers.get(SHEET), store.name_sheet(course, student))
-    marks = mark_sheet(sheet, {} if other else hand_in.answers)
+    hand_in = read_hand_in(read_files(root / "submission"), course.sheet(student).parts)
+    record = make_record(course, student, hand_in)
+    marks = record["marks"]
     # Gradescope hides the score while a test is hidden.
     tests = [
         {
-            "name": mark.part,
-            "score": round(course.weight(mark.part) * mark.credit, 4),
-            "max_score": course.weight(mark.part),
-            "output": mark.message,
+            "name": mark["part"],
+            "score": round(course.weight(mark["part"]) * mark["credit"], 4),
+            "max_score": course.weight(mark["part"]),
+            "output": mark["message"],
             "visibility": "after_published",
         }
         for mark in marks
     ]
-    trouble = "; ".join(filter(None, [other, hand_in.trouble]))
-    first = f"Read as the sheet of {student}: {trouble or 'every part was read'}."
+    first = f"Read as the sheet of {student}: {record['note'] or 'every part was read'}."
     max_hints = int(json.loads((root / "source" / _SETTINGS).read_bytes())["hints"])
     number = 1 + len(metadata.get("previous_submissions") or ())
-    hints = write_hints([(mark.part, mark.hint) for mark in marks], number, max_hints)
-    score = round(sum(course.weight(mark.part) * mark.credit for mark in marks), 4)
+    hints = write_hints([(mark["part"], mark["hint"]) for mark in marks], number, max_hints)
+    score = round(sum(course.weight(mark["part"]) * mark["credit"] for mark in marks), 4)
     return {"score": score, "output": "\n".join([first, *hints]), "tests": tests}
 
 

@@ -8,11 +8,8 @@ import csv
 import hashlib
 import io
 import json
-import multiprocessing
-import os
-import threading
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures import Future, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from pathlib import Path
@@ -21,13 +18,13 @@ from typing import Any, NamedTuple
 from course import store
 from course.answers import SHEET
 from course.files import HandedFile, read_files
-from course.handed_in import compare_sheet_names, read_hand_in
+from course.handed_in import HandIn, compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
+from course.processes import make_pool
 from course.roster import read_table
 from course.store import Course
 from helpers.inputs import ArmError, whole_number
 
-_START = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
 _STOPPED = "marking it stopped; please look at it by hand"
 _OVERRIDES = "overrides.csv"
 MAX_HINTS = 3  # hand-ins of a student that get hints before the deadline
@@ -63,7 +60,7 @@ def grade(
         before_deadline: Write hints in place of marks into the feedback.
         report: Receives a line of progress after each student.
     """
-    jobs = whole_number(jobs, "jobs") or os.cpu_count() or 1
+    jobs = whole_number(jobs, "jobs")
     course = store.load(folder)
     overrides = read_overrides(folder / _OVERRIDES, course)
     old = {student: _read_record(out, student) for student in course.sheets}
@@ -84,13 +81,11 @@ def grade(
 def _mark_all(
     folder: Path, out: Path, course: Course, jobs: int, *, again: bool, report: Callable
 ) -> dict[str, Record]:
-    """Mark all students by several processes; one that breaks its process is told so."""
+    """Mark all students by several processes; report a hand-in that breaks its process."""
     singles = {s: replace(course, secret="", sheets={s: x}) for s, x in course.sheets.items()}
     records = dict[str, Record]()
     broken = False
-    if _START == "forkserver":
-        multiprocessing.set_forkserver_preload([__name__])  # NumPy and all are read once
-    with _make_pool(jobs) as pool:
+    with make_pool(jobs, __name__) as pool:
         futures: dict[Future, str] = {
             pool.submit(mark_student, folder, out, single, again): student
             for student, single in singles.items()
@@ -107,30 +102,14 @@ def _mark_all(
     return {student: records[student] for student in course.sheets}
 
 
-def _make_pool(jobs: int) -> ProcessPoolExecutor:
-    context = multiprocessing.get_context(_START)
-    return ProcessPoolExecutor(jobs, mp_context=context, initializer=_end_with_parent)
-
-
-def _end_with_parent() -> None:
-    """End this process as soon as the one that began it ends, even by a signal."""
-
-    def wait() -> None:
-        if (parent := multiprocessing.parent_process()) is not None:
-            parent.join()
-            os._exit(1)
-
-    threading.Thread(target=wait, daemon=True).start()
-
-
 def _mark_apart(folder: Path, out: Path, course: Course, again: bool) -> Record:
     """Mark one student in a process of its own."""
     try:
-        with _make_pool(1) as pool:
+        with make_pool(1, __name__) as pool:
             return pool.submit(mark_student, folder, out, course, again).result()
     except BrokenProcessPool:
         (student,) = course.sheets
-        return _save(out, student, _make_record(course, student, {}, _STOPPED, ""))
+        return _save(out, student, make_record(course, student, HandIn(trouble=_STOPPED)))
 
 
 def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -> Record:
@@ -144,22 +123,20 @@ def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -
         if stored and stored["of"] == digest and not again:
             return stored
         hand_in = read_hand_in(files, course.sheet(student).parts)
-        record = _make_record(course, student, hand_in.answers, hand_in.trouble, digest)
+        record = make_record(course, student, hand_in, digest)
         is_new = not stored or stored["of"] != digest
         record["hand_ins"] = (stored or {}).get("hand_ins", 0) + (is_new and bool(hand_in.answers))
     except Exception as error:  # a hand-in may break its reader in ways nobody thought of
         trouble = f"{_STOPPED} ({type(error).__name__})"
-        record = _make_record(course, student, {}, trouble, digest)
+        record = make_record(course, student, HandIn(trouble=trouble), digest)
     return _save(out, student, record)
 
 
-def _make_record(
-    course: Course, student: str, answers: Mapping[str, Any], trouble: str, digest: str
-) -> Record:
+def make_record(course: Course, student: str, hand_in: HandIn, digest: str = "") -> Record:
     """Mark the answers; those to another sheet are not marked."""
-    other = compare_sheet_names(answers.get(SHEET), store.name_sheet(course, student))
-    marks = mark_sheet(course.sheet(student), {} if other else answers)
-    note = "; ".join(filter(None, [other, trouble]))
+    other = compare_sheet_names(hand_in.answers.get(SHEET), store.name_sheet(course, student))
+    marks = mark_sheet(course.sheet(student), {} if other else hand_in.answers)
+    note = "; ".join(filter(None, [other, hand_in.trouble]))
     return {"of": digest, "marks": [vars(mark) for mark in marks], "note": note, "hand_ins": 0}
 
 

@@ -3,9 +3,11 @@
 The notebook holds nothing of the key: only what the questions print, and whose sheet it is.
 """
 
+import re
 import secrets
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from importlib.metadata import metadata
 from itertools import count
 from pathlib import Path
@@ -15,14 +17,16 @@ import numpy as np
 
 from course import sheets, store
 from course.answers import NOTEBOOK_FILE, PREFIX, SHEET, to_json_value, write_last_cell
-from course.arms import to_python
 from course.marking import mark_sheet
+from course.processes import make_pool
 from course.roster import Student
+from course.sheets import Exercise, Sheet
 from course.store import Course
 from helpers.arm import Arm, Row
 from helpers.inputs import ArmError
 
 _MAX_TRIES = 20
+_FEW = 4  # sheets that one process draws sooner than others start
 _INSTRUCTIONS = (
     "Answer by the names that each question gives: put each answer in place of the dots. **Write"
     ' numbers as text, with the decimals that are asked**: `"0.350, -1.204, 0.077"`, or rows on'
@@ -46,6 +50,7 @@ _INSTALLATION = (
     "Every question can be answered without, too: the questions stand in words, and the last cell"
     " needs nothing but Python."
 )
+_UNKNOWN = re.compile(r", \w+=(?:-?inf|None)")  # a limit in the text of a row
 _BOOK_FOLDER = "./companion"  # the source of the helpers if no address is known
 # Only `arm` needs the helpers: a student without them can read, answer and hand in.
 _SETUP = """{prefix}{sheet} = {name!r}  # whose sheet this is
@@ -58,60 +63,126 @@ try:
 except ModuleNotFoundError as missing:
     print(f"{{missing}}. The text above says how to get it; you can answer and hand in without.")
 else:
-    arm = {arm}"""
+    {arms}"""
 
 
 def make_course(
-    roster: Sequence[Student], arm: Arm, folder: Path, *,
-    title: str = "Homework", topics: tuple[str, ...] = (), secret: str = "",
+    roster: Sequence[Student], exercises: Sequence[Exercise], folder: Path, *,
+    title: str = "Homework", secret: str = "", jobs: int = 0,
+    report: Callable[[str], None] = lambda _: None,
 ) -> Course:  # fmt: skip
     """Draw a sheet for each student, prove it, and write the notebooks and course.json.
 
-    A course that is in the folder grows: students keep their sheets, a notebook that was changed
-    is left alone, and a corrected name is taken over.
+    Each sheet is written as soon as it is drawn, so that an interrupted command can be typed
+    again. A course that is in the folder grows: students keep their sheets, a notebook that was
+    changed is left alone, and a corrected name is taken over.
+
+    Args:
+        roster: The students.
+        exercises: The arms and topics; without topics those that suit the arm.
+        folder: Where the course is written.
+        title: Heading of the sheets.
+        secret: Text to derive seeds from; drawn unless given.
+        jobs: Processes that draw; 0 for one for each processor.
+        report: Receives a line of progress after each sheet.
 
     Raises ArmError if the folder holds a course of another title, arm, topics or secret.
     """
-    topics = topics or sheets.list_suitable_topics(arm)
-    course = Course(title, arm, topics, secret or secrets.token_hex(), {})
+    exercises = tuple(
+        replace(x, topics=x.topics or sheets.list_suitable_topics(x.arm)) for x in exercises
+    )
+    course = Course(title, exercises, secret or secrets.token_hex(), {})
     if (folder / store.FILE).exists():
         old = store.load(folder)
-        if replace(old, sheets={}) != replace(course, secret=secret or old.secret):
+        expected = (title, exercises, secret or old.secret)
+        if (old.title, old.exercises, old.secret) != expected:
+            about = "; ".join(f"{x.arm.name} with {', '.join(x.topics)}" for x in old.exercises)
             raise ArmError(
-                f"there is a course {old.title!r} about {old.arm.name} with the topics"
-                f" {', '.join(old.topics)}; expected the same and its secret, or another folder"
+                f"there is a course {old.title!r} about {about}; expected the same and its secret,"
+                " or another folder"
             )
         course = old
-    entries = {
-        s.id: {**(course.sheets.get(s.id) or _draw_proved_sheet(course, s.id)), "name": s.name}
-        for s in roster
+    renamed = {
+        s.id: {**course.sheets[s.id], "name": s.name} for s in roster if s.id in course.sheets
     }
+    course = _save_sheets(course, folder, renamed)
+    new = [student for student in roster if student.id not in course.sheets]
+    entries = _draw_entries(course, [student.id for student in new], jobs)
+    for number, (student, entry) in enumerate(zip(new, entries, strict=True), 1):
+        course = _save_sheets(course, folder, {student.id: {"name": student.name, **entry}})
+        report(f"{number} of {len(new)} sheets drawn")
+    return course
+
+
+def _save_sheets(course: Course, folder: Path, entries: Mapping[str, Any]) -> Course:
+    """Write the notebooks of new or renamed students, and course.json with them."""
+    if not entries:
+        return course
     grown = replace(course, sheets={**course.sheets, **entries})
-    for student in entries:
-        path = folder / student / NOTEBOOK_FILE
-        unchanged = make_notebook(course, student) if student in course.sheets else {}
-        if not path.exists() or path.read_bytes() == store.format_json(unchanged).encode():
+    for student, entry in entries.items():
+        path, old = folder / student / NOTEBOOK_FILE, course.sheets.get(student)
+        unchanged = old and old != entry and store.format_json(make_notebook(course, student))
+        if not path.exists() or (unchanged and path.read_bytes() == unchanged.encode()):
             store.write_text(path, store.format_json(make_notebook(grown, student)))
     store.save(grown, folder)
     return grown
 
 
-def _draw_proved_sheet(course: Course, student: str) -> dict[str, Any]:
-    """Draw sheets until one's own key gets full marks; return its lengths and numbers.
+def _draw_entries(course: Course, students: list[str], jobs: int) -> Iterator[dict[str, Any]]:
+    """Draw proved sheets in the order of the students, many of them by several processes."""
+    draw = partial(draw_entry, replace(course, sheets={}))
+    if len(students) <= _FEW or jobs == 1:
+        yield from map(draw, students)
+        return
+    with make_pool(jobs, __name__) as pool:
+        yield from pool.map(draw, students)
+
+
+def draw_entry(course: Course, student: str, issue: int = 0) -> dict[str, Any]:
+    """Draw a student's proved sheet; return its issue, and lengths and numbers for each arm."""
+    indices = range(len(course.exercises))
+    sections = [_draw_proved_section(course, student, index, issue) for index in indices]
+    return {"issue": issue, "sections": sections}
+
+
+def _draw_proved_section(course: Course, student: str, index: int, issue: int) -> dict[str, Any]:
+    """Draw sections until one's own key gets full marks; return its lengths and numbers.
 
     Raises ArmError after twenty tries.
     """
-    for attempt in range(_MAX_TRIES):
-        seed = store.derive_seed(course, student, attempt)
-        sheet = sheets.draw_sheet(course.arm, seed, course.topics)
+    exercise = course.exercises[index]
+    for attempt in range(issue * _MAX_TRIES, (issue + 1) * _MAX_TRIES):
+        seed = store.derive_seed(course, student, index, attempt)
+        sheet = sheets.draw_sheet(exercise.arm, seed, exercise.topics)
         marks = mark_sheet(sheet, make_right_answers(sheet))
         if all(mark.credit == 1 for mark in marks):
-            return {"values": dict(sheet.arm.values), "drawn": dict(sheet.drawn)}
+            (section,) = sheet.sections
+            return {"values": dict(section.arm.values), "drawn": dict(section.drawn)}
     wrong = next(mark for mark in marks if mark.credit != 1)
     raise ArmError(f"`{wrong.part}` cannot be marked: its own key is judged {wrong.message!r}")
 
 
-def make_right_answers(sheet: sheets.Sheet) -> dict[str, Any]:
+def reissue_sheet(folder: Path, student: str) -> Course:
+    """Draw other numbers for one student; keep the old notebook beside the new one."""
+    course = store.load(folder)
+    old = course.require_entry(student)
+    new = {**old, **draw_entry(course, student, old["issue"] + 1)}
+    path = folder / student / NOTEBOOK_FILE
+    if path.exists():
+        path.rename(path.with_name(f".{old['issue']} {NOTEBOOK_FILE}"))
+    return _save_sheets(course, folder, {student: new})
+
+
+def drop_student(folder: Path, student: str) -> Course:
+    """Remove a student from the course; keep the student's folder."""
+    course = store.load(folder)
+    course.require_entry(student)
+    course = replace(course, sheets={s: x for s, x in course.sheets.items() if s != student})
+    store.save(course, folder)
+    return course
+
+
+def make_right_answers(sheet: Sheet) -> dict[str, Any]:
     """Make the key as a student would hand it in: four decimals, rows of a table, formulas."""
     values = {name: part.formulas or part.value for name, part in sheet.parts.items()}
     return {name: to_json_value(_as_typed(value)) for name, value in values.items()}
@@ -134,24 +205,41 @@ def _write_row(row: Row, number: int) -> list[str]:
 def make_notebook(course: Course, student: str) -> dict[str, Any]:
     """Make a sheet's notebook (nbformat 4.5): questions, answer cells, how to hand in."""
     sheet, name = course.sheet(student), course.names[student]
-    arm = to_python(sheet.arm).replace("\n", "\n    ")
     introduction = f"# {course.title}\n\n{name} ({student})\n\n{_INSTRUCTIONS}"
-    sheet_name = store.name_sheet(course, student)
-    setup = _SETUP.format(prefix=PREFIX, sheet=SHEET, name=sheet_name, arm=arm)
+    arms = "\n".join(f"arm{s.suffix} = {_write_arm(s.arm)}" for s in sheet.sections)
+    setup = _SETUP.format(
+        prefix=PREFIX, sheet=SHEET, name=store.name_sheet(course, student),
+        arms=arms.replace("\n", "\n    "),
+    )  # fmt: skip
     cells = [
         _make_text_cell("title", f"{introduction}\n\n{_describe_installation()}"),
-        _make_text_cell("arm", f"## The arm\n\n{sheet.arm._repr_markdown_()}"),
         _make_code_cell("setup", setup),
     ]
-    for number, question in enumerate(sheet.questions, 1):
-        cells.append(_make_text_cell(f"question-{number}", question.markdown))
-        for part in question.parts:
-            code = f"# {part.what}\n{PREFIX}{part.name} = ..."
-            cells.append(_make_code_cell(f"answer-{part.name}", code))
+    for section in sheet.sections:
+        heading = f"## The arm{section.suffix.replace('_', ' ')}"
+        table = section.arm._repr_markdown_()
+        cells.append(_make_text_cell(f"arm{section.suffix}", f"{heading}\n\n{table}"))
+        for number, question in enumerate(section.questions, 1):
+            cell_id = f"question{section.suffix}-{number}"
+            cells.append(_make_text_cell(cell_id, question.markdown))
+            for part in question.parts:
+                code = f"# {part.what}\n{PREFIX}{part.name} = ..."
+                cells.append(_make_code_cell(f"answer-{part.name}", code))
     cells.append(_make_text_cell("hand-in", _HAND_IN))
     cells.append(_make_code_cell("write", write_last_cell()))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     return {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def _write_arm(arm: Arm) -> str:
+    """Write a Python expression that makes an arm, without its unknown limits."""
+    lists = {"rows": arm.rows, "bodies": arm.bodies}
+    fields = {"name": arm.name, "values": dict(arm.values), "home": [*arm.home]}
+    lines = [f"{name}={value!r}," for name, value in {**fields, "source": arm.source}.items()]
+    for name, items in lists.items():
+        entries = [f"    {_UNKNOWN.sub('', repr(item))}," for item in items]
+        lines += [f"{name}=[", *entries, "],"]
+    return "\n    ".join(["Arm(", *lines]) + "\n)"
 
 
 def _describe_installation() -> str:
@@ -165,7 +253,12 @@ def _describe_installation() -> str:
 
 
 def _make_text_cell(cell_id: str, source: str) -> dict[str, Any]:
-    return {"cell_type": "markdown", "id": cell_id, "metadata": {}, "source": source}
+    return {
+        "cell_type": "markdown",
+        "id": cell_id.replace("_", "-"),
+        "metadata": {},
+        "source": source,
+    }
 
 
 def _make_code_cell(cell_id: str, source: str) -> dict[str, Any]:

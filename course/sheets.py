@@ -5,7 +5,7 @@ printed numbers are judged. A sheet keeps what was drawn.
 """
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -22,8 +22,6 @@ from course.topics import (
 )
 from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
-
-__all__ = ["TOPICS", "Part", "Question", "Sheet", "draw_question", "draw_sheet"]
 
 TOPICS = tuple(BY_NAME)
 # The pieces that are marked one by one, for each kind of part.
@@ -65,18 +63,47 @@ class Question:
 
 
 @dataclass(frozen=True)
-class Sheet:
-    """All questions of one student about one arm with the student's own lengths."""
+class Exercise:
+    """An arm, before lengths are drawn, and the topics that are asked about it."""
+
+    arm: Arm
+    topics: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Section:
+    """The questions of one student about one arm with the student's own lengths.
+
+    `suffix` ends the names of its parts: "" for a sheet's first arm, "_2" for the second.
+    """
 
     arm: Arm
     drawn: Mapping[str, Numbers]
+    suffix: str = ""
 
     @cached_property
     def questions(self) -> tuple[Question, ...]:
         """The questions, in the order of the topics."""
         return tuple(
-            make_question(topic, self.arm, numbers) for topic, numbers in self.drawn.items()
+            self._name_parts(make_question(topic, self.arm, numbers))
+            for topic, numbers in self.drawn.items()
         )
+
+    def _name_parts(self, question: Question) -> Question:
+        parts = tuple(replace(part, name=part.name + self.suffix) for part in question.parts)
+        return replace(question, parts=parts)
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """All questions of one student, in a section for each arm."""
+
+    sections: tuple[Section, ...]
+
+    @property
+    def questions(self) -> tuple[Question, ...]:
+        """The questions of all sections."""
+        return tuple(question for section in self.sections for question in section.questions)
 
     @property
     def parts(self) -> dict[str, Part]:
@@ -85,7 +112,7 @@ class Sheet:
 
 
 def draw_sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
-    """Draw a sheet from a seed; the same seed draws the same sheet.
+    """Draw a sheet about one arm from a seed; the same seed draws the same sheet.
 
     Args:
         arm: Arm whose lengths are changed.
@@ -102,10 +129,8 @@ def draw_sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None)
         if lacking := find_missing_property(require_choice(topic, "topic", TOPICS), arm):
             raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
     own_arm = _draw_lengths(arm, seed)
-    return Sheet(
-        own_arm,
-        {topic: draw_numbers(topic, own_arm, _make_generator(seed, topic)) for topic in topics},
-    )
+    drawn = {topic: draw_numbers(topic, own_arm, _make_generator(seed, topic)) for topic in topics}
+    return Sheet((Section(own_arm, drawn),))
 
 
 def draw_question(topic: str, arm: Arm, seed: int | str) -> Question:
@@ -123,6 +148,21 @@ def _describe_marking(part: Part) -> str:
     if part.kind in ("column", "table"):
         return _MARKED_PIECES[part.kind]
     return f"{part.digits} decimals; {_MARKED_PIECES[part.kind]}"
+
+
+def make_suffix(index: int) -> str:
+    """Return the ending of the names of parts about a sheet's arm, which counts from 0."""
+    return f"_{index + 1}" if index else ""
+
+
+def list_part_names(exercises: Iterable[Exercise]) -> list[str]:
+    """List the names of all parts that some exercises ask for."""
+    return [
+        name + make_suffix(index)
+        for index, exercise in enumerate(exercises)
+        for topic in exercise.topics
+        for name in BY_NAME[topic].parts
+    ]
 
 
 def list_suitable_topics(arm: Arm) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Keep a course on disk: `course.json` holds the arm, the secret and every drawn sheet.
+"""Keep a course on disk: `course.json` holds the arms, the secret and every drawn sheet.
 
 The file holds the drawn numbers, not the keys. Keys follow from the numbers, so whoever reads the
 file has them, and it stays with the instructor. Each file is written beside its place and then
@@ -8,16 +8,16 @@ renamed, so that an interrupted command leaves the old file or the new one.
 import hashlib
 import hmac
 import json
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from course import arms
-from course.sheets import Sheet, change_lengths
-from helpers.arm import Arm
-from helpers.inputs import ArmError
+from course.sheets import Exercise, Section, Sheet, change_lengths, list_part_names, make_suffix
+from helpers.arm import Arm, Body, Joint, Row
+from helpers.inputs import ArmError, require_type
 
 FILE = "course.json"
 
@@ -28,16 +28,15 @@ class Course:
 
     Attributes:
         title: Heading of every sheet.
-        arm: The arm, before lengths are drawn.
-        topics: Topics that are asked.
+        exercises: The arms and what is asked about each.
         secret: Text from which all seeds are derived.
-        sheets: For each student's id the name, the lengths and the drawn numbers.
+        sheets: For each student's id the name, how often the sheet was issued anew, and for each
+            arm the lengths and the drawn numbers.
         weights: What a part is worth, by its name; 1 for a part that is not listed.
     """
 
     title: str
-    arm: Arm
-    topics: tuple[str, ...]
+    exercises: tuple[Exercise, ...]
     secret: str
     sheets: Mapping[str, Mapping[str, Any]]
     weights: Mapping[str, float] = field(default_factory=dict)
@@ -53,23 +52,32 @@ class Course:
 
     def sheet(self, student: str) -> Sheet:
         """Return a student's sheet; raise ArmError for an unknown id."""
+        stored = zip(self.exercises, self.require_entry(student)["sections"], strict=True)
+        return Sheet(
+            tuple(
+                Section(change_lengths(exercise.arm, x["values"]), x["drawn"], make_suffix(index))
+                for index, (exercise, x) in enumerate(stored)
+            )
+        )
+
+    def require_entry(self, student: str) -> Mapping[str, Any]:
+        """Return what is stored of a student; raise ArmError for an unknown id."""
         if student not in self.sheets:
             raise ArmError(f"student {student!r} is not in this course")
-        stored = self.sheets[student]
-        return Sheet(change_lengths(self.arm, stored["values"]), stored["drawn"])
+        return self.sheets[student]
 
 
 def name_sheet(course: Course, student: str) -> str:
-    """Return the name of a sheet: the course by its arm and title, the student, the issue."""
-    label = json.dumps([course.title, course.arm.name, list(course.topics)])
+    """Return the name of a sheet: the course by its title and arms, the student, the issue."""
+    label = json.dumps([course.title, [[x.arm.name, *x.topics] for x in course.exercises]])
     issue = int(course.sheets[student].get("issue", 0))
     short = hashlib.sha256(label.encode()).hexdigest()[:6]
     return f"{short}/{student}" + (f"#{issue}" if issue else "")
 
 
-def derive_seed(course: Course, student: str, attempt: int) -> str:
-    """Derive 64 hexadecimal digits that need the secret (HMAC-SHA-256, RFC 2104)."""
-    message = json.dumps([course.title, student, attempt])
+def derive_seed(course: Course, student: str, index: int, attempt: int) -> str:
+    """Derive a seed for a section; 64 hexadecimal digits (HMAC-SHA-256, RFC 2104)."""
+    message = json.dumps([course.title, student, index, attempt])
     return hmac.digest(course.secret.encode(), message.encode(), "sha256").hex()
 
 
@@ -78,16 +86,35 @@ def load(folder: Path) -> Course:
     path = folder / FILE
     try:
         data = json.loads(path.read_bytes())
-        arm, topics = arms.from_json(data["arm"]), tuple(data["topics"])
-        return Course(**{**data, "arm": arm, "topics": topics})
+        exercises = [
+            Exercise(arm_from_json(x["arm"]), tuple(x["topics"])) for x in data["exercises"]
+        ]
+        course = Course(**{**data, "exercises": tuple(exercises)})
+        names = list_part_names(exercises)
     except (KeyError, TypeError, UnicodeDecodeError, json.JSONDecodeError) as error:
         raise ArmError(f"{path} is no course that `new` made: {error!r}") from None
+    problems = [f"there is no part {name!r}" for name in course.weights if name not in names]
+    problems += [
+        f"{name} is {weight!r}" for name, weight in course.weights.items() if not _is_weight(weight)
+    ]
+    if problems:
+        raise ArmError(
+            f"the weights in {path} cannot be used: {'; '.join(problems)}; expected numbers, 0 or"
+            f" more, for some of {', '.join(names)}"
+        )
+    return course
+
+
+def _is_weight(value: Any) -> bool:
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return is_number and math.isfinite(value) and value >= 0
 
 
 def save(course: Course, folder: Path) -> None:
     """Write course.json, readable by its owner alone, and a .gitignore that names it."""
     write_text(folder / ".gitignore", f"{FILE}\n")
-    data = {**vars(course), "arm": arms.to_json(course.arm)}
+    exercises = [{"arm": arm_to_json(x.arm), "topics": x.topics} for x in course.exercises]
+    data = {**vars(course), "exercises": exercises}
     write_text(folder / FILE, format_json(data), mode=0o600)
 
 
@@ -104,3 +131,35 @@ def write_text(path: Path, text: str, mode: int = 0o666) -> None:
     beside.touch(mode)
     beside.write_bytes(text.encode(errors="backslashreplace"))
     beside.replace(path)
+
+
+def arm_to_json(arm: Arm) -> dict[str, Any]:
+    """Convert an arm to plain data; entries stay as written, unknown limits are left out."""
+    require_type(arm, Arm, "arm")
+    return {
+        "name": arm.name,
+        "rows": [_row_to_json(row) for row in arm.rows],
+        "values": dict(arm.values),
+        "bodies": [{"mass": body.mass, "com": list(body.com)} for body in arm.bodies],
+        "home": list(arm.home),
+        "source": arm.source,
+    }
+
+
+def _row_to_json(row: Row) -> dict[str, Any]:
+    unknown = (None, math.inf, -math.inf)
+    return {
+        "entries": dict(zip(("a", "alpha", "d", "theta"), row.entries, strict=True)),
+        "joint": {name: x for name, x in vars(row.joint).items() if x not in unknown},
+    }
+
+
+def arm_from_json(data: Mapping[str, Any]) -> Arm:
+    """Make the arm that `arm_to_json` converted; raise ArmError if the data make none."""
+    try:
+        rows = [Row(**row["entries"], joint=Joint(**row["joint"])) for row in data["rows"]]
+        return Arm(**{**data, "rows": rows, "bodies": [Body(**body) for body in data["bodies"]]})
+    except (KeyError, TypeError) as error:
+        raise ArmError(
+            f"the stored arm lacks or mistypes {error}; expected what arm_to_json makes"
+        ) from None

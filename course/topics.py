@@ -68,7 +68,7 @@ class Part:
         A mistake counts as told if some number differs by more than two units, so that no answer
         is within a unit of both.
         """
-        if self.name in ("quarter", "half"):
+        if self.name.startswith(("quarter", "half")):
             digits = range(_EULER_DIGITS, _EULER_DIGITS + 1)
         else:
             digits = range(_FEWEST_DIGITS, _MOST_DIGITS + 1)
@@ -398,19 +398,22 @@ def make_target_pose(target: Array) -> Array:
 
 
 class Topic(NamedTuple):
-    """How a topic draws its numbers, or None for a useless draw, and how it asks about them."""
+    """How a topic draws its numbers, or None for a useless draw, and how it asks for its parts."""
 
     draw: Callable[[Arm, Rng], Numbers | None]
     ask: Callable[[Arm, Numbers], tuple[str, tuple[Part, ...]]]
+    parts: tuple[str, ...]
 
 
 BY_NAME = {
-    "DH table": Topic(_draw_table, _ask_table),
-    "forward kinematics": Topic(lambda arm, rng: {"q": _draw_pose(arm, rng)}, _ask_pose),
-    "Jacobian": Topic(_draw_jacobian, _ask_jacobian),
-    "circle tracing": Topic(_draw_circle, _ask_circle),
-    "static torque": Topic(_draw_torque, _ask_torque),
-    "inverse kinematics": Topic(_draw_target, _ask_target),
+    "DH table": Topic(_draw_table, _ask_table, ("table",)),
+    "forward kinematics": Topic(
+        lambda arm, rng: {"q": _draw_pose(arm, rng)}, _ask_pose, ("p", "R")
+    ),
+    "Jacobian": Topic(_draw_jacobian, _ask_jacobian, ("J", "xi", "J_column")),
+    "circle tracing": Topic(_draw_circle, _ask_circle, ("centre", "quarter", "half")),
+    "static torque": Topic(_draw_torque, _ask_torque, ("g", "tau")),
+    "inverse kinematics": Topic(_draw_target, _ask_target, ("q",)),
 }
 
 

@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 
 from course import __main__ as commands
-from course import arms, grading, making, store
+from course import grading, making, processes, store
 from course.grading import grade, mark_student
 from course.making import make_right_answers
-from course.marking import Mark
+from course.marking import Mark, mark_sheet
 from course.roster import Student, read_roster
-from course.sheets import draw_sheet
+from course.sheets import Exercise, draw_sheet
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.robots import ARMS, ELBOW, PANDA
 
@@ -42,22 +42,25 @@ POSES = ("forward kinematics",)
 
 @pytest.fixture(scope="module")
 def two_sheets(tmp_path_factory):
-    """Make a course of two students and return it with its folder."""
+    """Make a course of two students and two arms; return it with its folder."""
     folder = tmp_path_factory.mktemp("two_sheets") / "hw"
     topics = ("forward kinematics", "Jacobian", "static torque")
-    return making.make_course(ROSTER, HANGING, folder, topics=topics, secret=SECRET), folder
+    exercises = [Exercise(HANGING, topics), Exercise(ELBOW, POSES)]
+    return making.make_course(ROSTER, exercises, folder, secret=SECRET), folder
 
 
 def strip_questions(course, folder, student):
     """Return a notebook without its questions, its student and the arm's lengths."""
     (path,) = (folder / student).iterdir()
     own, book = course.sheet(student), json.loads(path.read_bytes())
-    printed = {question.markdown for question in own.questions} | {own.arm._repr_markdown_()}
-    centres = (x for body in own.arm.bodies for x in body.com)
-    lengths = {*own.arm.values.values(), *map(abs, centres)}
+    tables = [section.arm._repr_markdown_() for section in own.sections]
+    printed = {question.markdown for question in own.questions} | {*tables}
+    own_arms = [section.arm for section in own.sections]
+    centres = (x for arm in own_arms for body in arm.bodies for x in body.com)
+    lengths = {*(x for arm in own_arms for x in arm.values.values()), *map(abs, centres)}
     for cell in book["cells"]:
         source = "" if cell["source"] in printed else cell["source"]
-        for text in (own.arm._repr_markdown_(), *(part.what for part in own.parts.values())):
+        for text in (*tables, *(part.what for part in own.parts.values())):
             source = source.replace(text, "")
         source = source.replace(student, "").replace(course.names[student], "")
         cell["source"] = re.sub(
@@ -69,7 +72,8 @@ def strip_questions(course, folder, student):
 def test_notebooks_differ_in_questions_only(two_sheets):
     course, folder = two_sheets
     first, second = course.sheet("ab12"), course.sheet("cd34")
-    assert all(first.drawn[topic] != second.drawn[topic] for topic in course.topics)
+    for mine, other in zip(first.sections, second.sections, strict=True):
+        assert all(mine.drawn[topic] != other.drawn[topic] for topic in mine.drawn)
     assert strip_questions(course, folder, "ab12") == strip_questions(course, folder, "cd34")
     assert course.secret not in (folder / "ab12" / "homework.ipynb").read_text("utf-8")
 
@@ -78,8 +82,8 @@ def test_sheet_cannot_be_drawn_without_secret(two_sheets):
     course, _ = two_sheets
     first = course.sheet("ab12")
     for guess in ("ab12", "Ada", course.title, ""):
-        other = draw_sheet(HANGING, guess, POSES).drawn
-        assert first.drawn[POSES[0]] != other[POSES[0]]
+        (other,) = draw_sheet(HANGING, guess, POSES).sections
+        assert first.sections[0].drawn[POSES[0]] != other.drawn[POSES[0]]
 
 
 def test_notebook_runs_to_answers_file(two_sheets, tmp_path):
@@ -91,7 +95,7 @@ def test_notebook_runs_to_answers_file(two_sheets, tmp_path):
     assert names == list(course.sheet("ab12").parts)
     script = tmp_path / "run.py"
     text = "\n".join(code).replace("answer_p = ...", "answer_p = [1, '2', np.pi]")
-    script.write_text(f"{text}\nassert arm.dof == 6", encoding="utf-8")
+    script.write_text(f"{text}\nassert arm.dof + arm_2.dof == 9", encoding="utf-8")
     subprocess.run([sys.executable, script], cwd=tmp_path, check=True)
     written = json.loads((tmp_path / "answers.json").read_text("utf-8"))
     assert written == {"sheet": store.name_sheet(course, "ab12"), "p": [1, "2", np.pi]}
@@ -124,7 +128,8 @@ def test_commands_lead_from_roster_to_grades(here, capsys):
     output = run_command(f"{NEW} --title Ä --topic Jacobian", capsys)
     assert output == "2 sheets in hw\n"
     course = store.load(Path("hw"))
-    assert (course.title, course.topics, course.arm.dof) == ("Ä", ("Jacobian",), 3)
+    (exercise,) = course.exercises
+    assert (course.title, exercise.topics, exercise.arm.dof) == ("Ä", ("Jacobian",), 3)
     assert course.secret == SECRET
     assert course.names == {"ab": "Ada Ü", "cd": "Bo"}
     key = dict(line.split(": ", 1) for line in run_command("key hw --id cd", capsys).splitlines())
@@ -169,7 +174,7 @@ def test_command_that_fails_reports_on_stderr(here, capsys, line, message):
 
 def make_course(*students, arm=ELBOW, **options):
     roster = [Student(s, s.upper()) for s in students]
-    return making.make_course(roster, arm, Path("hw"), topics=POSES, **options)
+    return making.make_course(roster, [Exercise(arm, POSES)], Path("hw"), **options)
 
 
 def test_course_grows_and_keeps_sheets(here):
@@ -185,7 +190,7 @@ def test_course_grows_and_keeps_sheets(here):
     assert Path("hw/.gitignore").read_text("utf-8") == "course.json\n"
     corrected = [Student("ab", "Ada King"), Student("cd", "CD")]
     Path("hw/cd/homework.ipynb").write_text("begun", encoding="utf-8")
-    fourth = making.make_course(corrected, ELBOW, Path("hw"), topics=POSES)
+    fourth = making.make_course(corrected, third.exercises, Path("hw"))
     assert fourth.names["ab"] == "Ada King"
     assert fourth.sheet("ab") == first.sheet("ab")
     assert "Ada King (ab)" in Path("hw/ab/homework.ipynb").read_text("utf-8")
@@ -196,7 +201,7 @@ def test_course_grows_and_keeps_sheets(here):
 def test_another_course_in_folder_is_refused(here, change):
     make_course("ab")
     before = Path("hw/course.json").read_bytes()
-    with pytest.raises(ArmError, match="there is a course 'Homework' about Elbow arm with the"):
+    with pytest.raises(ArmError, match="there is a course 'Homework' about Elbow arm with forward"):
         make_course("ab", "cd", **change)
     assert Path("hw/course.json").read_bytes() == before
     assert not Path("hw/cd").exists()
@@ -204,7 +209,7 @@ def test_another_course_in_folder_is_refused(here, change):
 
 def test_unknown_student_is_refused():
     with pytest.raises(ArmError, match="'zz' is not in this course"):
-        store.Course("T", ELBOW, POSES, SECRET, {}).sheet("zz")
+        store.Course("T", (), SECRET, {}).sheet("zz")
 
 
 @pytest.mark.parametrize("failures", [0, 1, 20])
@@ -222,13 +227,14 @@ def test_sheet_that_fails_its_proof_is_drawn_again(here, monkeypatch, failures):
         ):
             make_course("ab")
         return
-    assert make_course("ab").sheets["ab"]["drawn"] == drawn[failures].drawn
+    (section,) = make_course("ab").sheets["ab"]["sections"]
+    assert section["drawn"] == drawn[failures].sections[0].drawn
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("{}", "is no course that `new` made: KeyError('arm')"),
+        ("{}", "is no course that `new` made: KeyError('exercises')"),
         ("{", "is no course that `new` made: JSONDecodeError("),
         ("[]", "is no course that `new` made: "),
     ],
@@ -237,6 +243,98 @@ def test_broken_course_file_is_reported(tmp_path, text, message):
     (tmp_path / "course.json").write_text(text, encoding="utf-8")
     with pytest.raises(ArmError, match=re.escape(f"{tmp_path / 'course.json'} {message}")):
         store.load(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("weights", "message"),
+    [
+        ({"x": 1}, "there is no part 'x'; expected numbers, 0 or more, for some of p, R"),
+        ({"p": -1, "R": "2"}, "p is -1; R is '2'; expected"),
+        ({"p": True}, "p is True"),
+    ],
+)
+def test_bad_weights_are_reported(here, weights, message):
+    make_course("ab")
+    data = json.loads(Path("hw/course.json").read_bytes())
+    Path("hw/course.json").write_text(json.dumps({**data, "weights": weights}), "utf-8")
+    with pytest.raises(ArmError, match=re.escape(message)):
+        store.load(Path("hw"))
+
+
+def test_weights_count_and_last(here):
+    make_course("ab")
+    data = json.loads(Path("hw/course.json").read_bytes())
+    Path("hw/course.json").write_text(json.dumps({**data, "weights": {"p": 2.5}}), "utf-8")
+    course = make_course("ab", "cd")
+    write_answers("ab", make_right_answers(course.sheet("ab")))
+    assert list_totals(grade(Path("hw"), Path("out"), jobs=1)) == [3.5, 0]
+
+
+def test_dropped_student_changes_no_other_sheet(here, capsys):
+    course = make_course("ab", "cd", "ef")
+    assert run_command("drop hw --id cd", capsys) == "2 sheets are left\n"
+    left = store.load(Path("hw"))
+    assert left.sheets == {s: course.sheets[s] for s in ("ab", "ef")}
+    assert Path("hw/cd/homework.ipynb").exists()
+    assert make_course("cd", secret=course.secret).sheets["cd"] == course.sheets["cd"]
+
+
+def test_reissued_sheet_has_other_numbers(here, capsys):
+    old = make_course("ab", "cd")
+    notebook = Path("hw/ab/homework.ipynb").read_bytes()
+    write_answers(
+        "ab", {**make_right_answers(old.sheet("ab")), "sheet": store.name_sheet(old, "ab")}
+    )
+    assert run_command("reissue hw --id ab", capsys).endswith("/ab#1\n")
+    new = store.load(Path("hw"))
+    assert new.sheets["cd"] == old.sheets["cd"]
+    assert new.sheets["ab"]["sections"] != old.sheets["ab"]["sections"]
+    assert Path("hw/ab/.0 homework.ipynb").read_bytes() == notebook
+    assert "/ab#1" in Path("hw/ab/homework.ipynb").read_text("utf-8")
+    (row, _) = grade(Path("hw"), Path("out"), jobs=1).rows
+    assert row["total"] == 0
+    assert "another sheet of the same student" in row["note"]
+
+
+@pytest.mark.parametrize("command", ["drop", "reissue", "key"])
+def test_command_refuses_unknown_student(here, capsys, command):
+    make_course("ab")
+    assert "'zz' is not in this course" in run_command(f"{command} hw --id zz", capsys, 2)
+
+
+def test_interrupted_course_is_completed(here, monkeypatch):
+    """Stop after two sheets of six, and type the same again."""
+    students = [f"s{n}" for n in range(6)]
+
+    def stop(line):
+        if line.startswith("2 of 6"):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        make_course(*students, jobs=2, report=stop)
+    part = store.load(Path("hw"))
+    assert list(part.sheets) == students[:2]
+    whole = make_course(*students, jobs=2)
+    assert list(whole.sheets) == students
+    assert {s: whole.sheets[s] for s in students[:2]} == part.sheets
+    assert all(Path(f"hw/{s}/homework.ipynb").exists() for s in students)
+
+
+def test_two_arms_have_parts_of_their_own(two_sheets):
+    course, _ = two_sheets
+    own = course.sheet("ab12")
+    assert list(own.parts) == ["p", "R", "J", "xi", "J_column", "g", "tau", "p_2", "R_2"]
+    right = make_right_answers(own)
+    assert all(mark.credit == 1 for mark in mark_sheet(own, right))
+    crossed = {**right, "p": right["p_2"], "p_2": right["p"]}
+    wrong = [mark.part for mark in mark_sheet(own, crossed) if mark.credit < 1]
+    assert wrong == ["p", "p_2"]
+
+
+def test_topic_before_its_arm_is_refused(here, capsys):
+    with pytest.raises(SystemExit):
+        commands.main(["new", "--roster", "r.csv", "--out", "hw", "--topic", "Jacobian"])
+    assert "stands before --arm" in capsys.readouterr().err
 
 
 # Grading a class
@@ -336,7 +434,7 @@ def test_reader_that_breaks_is_reported(here, monkeypatch):
 
 def test_process_that_ends_costs_its_author_only(here, monkeypatch):
     make_course("ab", "cd")
-    monkeypatch.setattr(grading, "_START", "fork")
+    monkeypatch.setattr(processes, "START_METHOD", "fork")
     real = grading.read_hand_in
     monkeypatch.setattr(
         grading,
@@ -370,9 +468,9 @@ def test_killed_grader_leaves_no_worker(here):
 
 
 def test_seed_is_hmac_of_title_student_and_attempt():
-    course = store.Course("Ü", ELBOW, POSES, SECRET, {})
-    expected = hmac.new(SECRET.encode(), b'["\\u00dc", "ab", 3]', hashlib.sha256)
-    assert store.derive_seed(course, "ab", 3) == expected.hexdigest()
+    course = store.Course("Ü", (), SECRET, {})
+    expected = hmac.new(SECRET.encode(), b'["\\u00dc", "ab", 1, 3]', hashlib.sha256)
+    assert store.derive_seed(course, "ab", 1, 3) == expected.hexdigest()
 
 
 LIMITED = Arm(
@@ -389,13 +487,13 @@ LIMITED = Arm(
 
 @pytest.mark.parametrize("arm", [*ARMS, HANGING, MINE, LIMITED], ids=lambda arm: arm.name)
 def test_arm_survives_json(arm):
-    data = json.loads(json.dumps(arms.to_json(arm), allow_nan=False))
-    back = arms.from_json(data)
+    data = json.loads(json.dumps(store.arm_to_json(arm), allow_nan=False))
+    back = store.arm_from_json(data)
     assert back == arm
     assert (back.source, back.home, back.bodies) == (arm.source, arm.home, arm.bodies)
     for wrong in ({k: v for k, v in data.items() if k != "rows"}, {**data, "other": 1}):
         with pytest.raises(ArmError, match=r"the stored arm lacks or mistypes .*(rows|other)"):
-            arms.from_json(wrong)
+            store.arm_from_json(wrong)
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from course import collect, gradescope, grading, making, store
 from course.files import HandedFile
 from course.making import make_right_answers
 from course.roster import Student
+from course.sheets import Exercise
 from helpers.arm import ArmError
 from helpers.robots import ELBOW
 from tests.course.test_course import SECRET
@@ -121,7 +122,7 @@ def test_doubtful_files_are_listed_and_not_placed():
 
 def test_collect_command_reports_and_places(tmp_path, capsys):
     roster = [Student("ab", "Ada Lovelace"), Student("cd", "Bo Berg")]
-    course = making.make_course(roster, ELBOW, tmp_path / "hw", topics=("forward kinematics",))
+    course = making.make_course(roster, [Exercise(ELBOW, ("forward kinematics",))], tmp_path / "hw")
     download = tmp_path / "d"
     (download / "x").mkdir(parents=True)
     key = json.dumps(make_right_answers(course.sheet("ab")))
@@ -166,7 +167,7 @@ def course(tmp_path_factory):
     folder = tmp_path_factory.mktemp("exports") / "hw"
     students = [Student("Ada@x.example", "Ada L"), Student("b.7", "Bo Ü")]
     topics = ("forward kinematics", "Jacobian")
-    return making.make_course(students, ELBOW, folder, topics=topics, secret=SECRET)
+    return making.make_course(students, [Exercise(ELBOW, topics)], folder, secret=SECRET)
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import pytest
 from course import marking
 from course.making import make_right_answers
 from course.marking import MISTAKE_SHARE, mark_part, mark_sheet
-from course.sheets import Sheet, draw_sheet
+from course.sheets import Section, Sheet, draw_sheet
 from course.topics import make_camera_arm
 from helpers.arm import Arm, prismatic, revolute
 from helpers.kinematics import forward_kinematics, jacobian
@@ -46,16 +46,20 @@ NUMBERS = {
     "inverse kinematics": TARGET,
     "DH table": {"rows": TABLE_ROWS, "along": [0.0, 0.05, 0.1, 0.0]},
 }
-ELBOWS = Sheet(ELBOW, NUMBERS)
+ELBOWS = Sheet((Section(ELBOW, NUMBERS),))
 ONE_SOLUTION = [0.5, 0.2, 0.4]
 SLIDER = Sheet(
-    RODS,
-    {
-        "inverse kinematics": {
-            "target": forward_kinematics(RODS, ONE_SOLUTION)[:3, 3:].tolist(),
-            "solution": ONE_SOLUTION,
-        }
-    },
+    (
+        Section(
+            RODS,
+            {
+                "inverse kinematics": {
+                    "target": forward_kinematics(RODS, ONE_SOLUTION)[:3, 3:].tolist(),
+                    "solution": ONE_SOLUTION,
+                }
+            },
+        ),
+    )
 )
 laws = pytest.mark.parametrize("arm", [ELBOW, HANGING, STANFORD, RODS], ids=lambda arm: arm.name)
 
@@ -296,7 +300,8 @@ def test_whole_turns_do_not_count(turns):
 
 def test_branches_beyond_limits_are_not_asked_for():
     rows = [replace(row, joint=replace(row.joint, lower=-2, upper=2)) for row in ELBOW.rows]
-    near = Sheet(replace(ELBOW, rows=rows), {"inverse kinematics": TARGET})
+    limited = Section(replace(ELBOW, rows=rows), {"inverse kinematics": TARGET})
+    near = Sheet((limited,))
     two, four = get_value("q", near), get_value("q")
     assert (len(two), len(four)) == (2, 4)
     assert "There are 2; of more rows the first 2 count." in near.questions[0].text

@@ -11,9 +11,11 @@ import sympy as sp
 from course.marking import mark_part
 from course.sheets import (
     TOPICS,
+    Exercise,
     _make_generator,
     draw_question,
     draw_sheet,
+    list_part_names,
     list_suitable_topics,
     make_question,
 )
@@ -40,6 +42,11 @@ WRISTED = Arm(
 every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
 
 
+def draw_section(arm, seed, topics=None):
+    """Draw the only section of a sheet about one arm."""
+    return draw_sheet(arm, seed, topics).sections[0]
+
+
 def draw(topic, arm, seed):
     """Draw numbers for the arm with its own lengths."""
     return draw_numbers(topic, arm, _make_generator(seed, topic))
@@ -48,7 +55,7 @@ def draw(topic, arm, seed):
 @cache
 def draw_once(arm):
     """Draw a sheet of an arm; return it with its questions by topic."""
-    own = draw_sheet(arm, "ab12")
+    own = draw_section(arm, "ab12")
     return own, {question.topic: question for question in own.questions}
 
 
@@ -75,19 +82,19 @@ def list_values(question):
 
 @pytest.mark.parametrize("arm", [PANDA.lock(3), STANFORD], ids=lambda arm: arm.name)
 def test_sheet_follows_from_its_numbers(arm):
-    (first, found), other = draw_once(arm), draw_sheet(arm, 4)
+    (first, found), other = draw_once(arm), draw_section(arm, 4)
     stored = json.loads(json.dumps(first.drawn))
     for topic, mine in found.items():
         again = make_question(topic, first.arm, stored[topic])
         assert again.markdown == mine.markdown
         assert list(map(repr, again.parts)) == list(map(repr, mine.parts))
         assert stored[topic] != other.drawn[topic]
-    assert draw_sheet(arm, "ab12") == first
+    assert draw_section(arm, "ab12") == first
 
 
 def test_lengths_change_by_a_tenth_at_most():
     own = ELBOW.values
-    found = [draw_sheet(ELBOW, seed, ()).arm for seed in range(100)]
+    found = [draw_section(ELBOW, seed, ()).arm for seed in range(100)]
     assert {arm.name for arm in found} == {"Elbow arm, lengths of your own"}
     assert {arm.values["d"] for arm in found} == {0}
     for name in ("d_1", "a_2", "a_3"):
@@ -197,6 +204,13 @@ def test_key_of_table_has_the_printed_axes(seed):
             lengths = np.linalg.norm(levers, axis=1)
             assert lengths[0] == pytest.approx(lengths[1], abs=1e-9)
             assert direction @ levers[0] == pytest.approx(direction @ levers[1], abs=1e-9)
+
+
+def test_topics_list_their_parts():
+    for arm in ARMS:
+        section, questions = draw_once(arm)
+        names = [part.name for question in questions.values() for part in question.parts]
+        assert names == list_part_names([Exercise(arm, tuple(section.drawn))])
 
 
 def test_topics_suit_the_arm():
@@ -333,7 +347,7 @@ def test_mistake_hidden_by_first_draw_is_found(arm, topic, seed):
     A mistake that changes nothing at two other poses changes nothing anywhere.
     """
     own = draw_sheet(arm, f"fresh {seed}", (topic,))
-    arm, drawn = own.arm, own.drawn[topic]
+    arm, drawn = own.sections[0].arm, own.sections[0].drawn[topic]
     elsewhere = np.random.default_rng(5).uniform(-2, 2, (2, arm.dof))
     poses = [np.array(drawn["q"]), *elsewhere]
     right = [compute_answers(topic, arm, drawn, q) for q in poses]
