@@ -17,9 +17,9 @@ from course.handed_in import compare_sheet_names, find_sheet_name
 from course.roster import StudentIndex
 from helpers.inputs import ArmError
 
-FOLDER = "handed_in"  # in a student's folder
-_MOODLE = re.compile(r"(.+)_(\d+)_assignsubmission_[a-z]+(?:_.*)?", re.I | re.S)
-_CANVAS = re.compile(r"(.+?)(?:_late)?_(\d+)_\d+_.+", re.I | re.S)
+FOLDER, LATE_FILE = "handed_in", ".late"  # in a student's folder
+_MOODLE = re.compile(r"(?P<name>.+)_(?P<key>\d+)_assignsubmission_[a-z]+(?:_.*)?", re.I | re.S)
+_CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_\d+_.+", re.I | re.S)
 _GRADESCOPE, _KEYS = "submission_metadata.yml", (":sid", ":email", ":name")
 _IGNORED = {"__MACOSX", ".DS_Store"}  # macOS adds these to a zip
 
@@ -55,7 +55,17 @@ def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> 
                 (beside / f"{number} {safe_name}").write_bytes(file.content)
         shutil.rmtree(folder, ignore_errors=True)
         beside.rename(folder)
+        mark = course / student / LATE_FILE
+        mark.unlink(missing_ok=True)
+        if any(map(_is_marked_late, group)):
+            mark.touch()
     return placed, messages
+
+
+def _is_marked_late(file: HandedFile) -> bool:
+    """Return whether Canvas named a file as late."""
+    matches = map(_CANVAS.fullmatch, PurePosixPath(file.name).parts)
+    return any(match and match["late"] for match in matches)
 
 
 def sort_by_student(files: Iterable[HandedFile], names: Mapping[str, str]) -> Sorted:
@@ -100,7 +110,7 @@ def _find_owner_labels(
         if part in submitters:
             return part, submitters[part]
         if match := _MOODLE.fullmatch(part) or _CANVAS.fullmatch(part):
-            return match[2], (match[1],)
+            return match["key"], (match["name"],)
     stems = [*parts[:-1], PurePosixPath(file.name).stem]
     labels = [label for stem in stems for label in (stem, stem.split("_")[0])]
     return "", tuple([label for label in labels if index.find([label])][:1] or parts[:1])

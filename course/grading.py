@@ -17,16 +17,18 @@ from typing import Any, NamedTuple
 
 from course import store
 from course.answers import SHEET
+from course.collect import LATE_FILE
 from course.files import HandedFile, read_files
 from course.handed_in import HandIn, compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
 from course.processes import make_pool
 from course.roster import read_table
+from course.sheets import list_part_names
 from course.store import Course
 from helpers.inputs import ArmError, whole_number
 
 _STOPPED = "marking it stopped; please look at it by hand"
-_OVERRIDES = "overrides.csv"
+_OVERRIDES, _LATE = "overrides.csv", "late.csv"  # in the folder of the course
 MAX_HINTS = 3  # hand-ins of a student that get hints before the deadline
 # A spreadsheet runs a cell that begins with one of these (OWASP, CSV injection).
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
@@ -62,16 +64,18 @@ def grade(
     """
     jobs = whole_number(jobs, "jobs")
     course = store.load(folder)
-    overrides = read_overrides(folder / _OVERRIDES, course)
+    overrides, late = read_overrides(folder / _OVERRIDES, course), read_late(folder, course)
     old = {student: _read_record(out, student) for student in course.sheets}
     records = _mark_all(folder, out, course, jobs, again=again, report=report)
     rows = []
     for student, record in records.items():
         marks = _apply_overrides(record["marks"], overrides.get(student, {}))
-        rows.append(_make_row(course, student, marks, record))
+        rows.append(_make_row(course, student, marks, [late[student], record["note"]]))
         text = _write_hints if before_deadline else _write_feedback
         store.write_text(out / student / "feedback.txt", text(course, student, marks, record))
     store.write_text(out / "grades.csv", format_table(rows))
+    for platform, table in make_exports(course, rows).items():
+        store.write_text(out / f"grades-{platform}.csv", format_table(table))
     changes = [c for s in records for c in _list_changes(s, old[s], records[s])]
     if changes:
         store.write_text(out / "changes.csv", format_table(changes))
@@ -191,6 +195,21 @@ def read_overrides(path: Path, course: Course) -> dict[str, dict[str, tuple[floa
     return overrides
 
 
+def read_late(folder: Path, course: Course) -> dict[str, str]:
+    """Read what is known of late hand-ins, by student; "" for one that counts as in time.
+
+    What late.csv says of a student counts before the platform's mark, so that an empty cell is
+    an extension. Raises ArmError with every line that names no student.
+    """
+    late = {s: "late" if (folder / s / LATE_FILE).exists() else "" for s in course.sheets}
+    path = folder / _LATE
+    rows = [*read_table(path)] if path.exists() else []
+    unknown = [f"line {n}: no student {r.get('id')!r}" for n, r in rows if r.get("id") not in late]
+    if unknown:
+        raise ArmError(f"{path} cannot be used; {'; '.join(unknown)}")
+    return late | {row["id"]: row.get("late", "") for _, row in rows}
+
+
 def _apply_overrides(
     marks: Sequence[Mapping[str, Any]], overrides: Mapping[str, tuple[float, str]]
 ) -> list[dict[str, Any]]:
@@ -208,12 +227,33 @@ def _apply_overrides(
 
 
 def _make_row(
-    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record
+    course: Course, student: str, marks: Sequence[Mapping[str, Any]], remarks: Sequence[str]
 ) -> dict[str, Any]:
+    """Make a student's row of grades.csv; the remarks are the last two columns."""
     credits = {mark["part"]: round(mark["credit"], 4) for mark in marks}
     total = round(sum(course.weight(part) * credit for part, credit in credits.items()), 4)
     named = {"id": student, "name": course.names[student], "total": total}
-    return {**named, **credits, "note": record["note"]}
+    return {**named, **credits, **dict(zip(("late", "note"), remarks, strict=True))}
+
+
+def make_exports(
+    course: Course, rows: Sequence[Mapping[str, Any]]
+) -> dict[str, list[dict[str, Any]]]:
+    """Make the tables of totals that Canvas and Moodle import, by platform.
+
+    Canvas (lib/gradebook_importer.rb of instructure/canvas-lms) expects five columns about the
+    student, finds students by the login where the ID is empty, and takes the points possible from
+    a row of that name. Moodle (docs.moodle.org, Grade import) asks which column is what.
+    """
+    columns = dict.fromkeys(("Student", "ID", "SIS User ID", "SIS Login ID", "Section"), "")
+    most = sum(course.weight(name) for name in list_part_names(course.exercises))
+    canvas = [{**columns, "Student": "    Points Possible", course.title: most}]
+    canvas += [
+        {"Student": row["name"], "SIS Login ID": row["id"], course.title: row["total"]}
+        for row in rows
+    ]
+    moodle = [{"Username": row["id"], course.title: row["total"]} for row in rows]
+    return {"canvas": canvas, "moodle": moodle}
 
 
 def _write_feedback(

@@ -18,6 +18,7 @@ import pytest
 
 from course import __main__ as commands
 from course import grading, making, processes, store
+from course.collect import collect_hand_ins
 from course.grading import grade, mark_student
 from course.making import make_right_answers
 from course.marking import Mark, mark_sheet
@@ -140,10 +141,10 @@ def test_commands_lead_from_roster_to_grades(here, capsys):
     output = run_command("grade hw --out out --jobs 2", capsys)
     assert output == f"2 students marked: {Path('out/grades.csv')}\n"
     lines = Path("out/grades.csv").read_text("utf-8").splitlines()
-    assert lines[0] == "id,name,total,J,xi,J_column,note"
+    assert lines[0] == "id,name,total,J,xi,J_column,late,note"
     assert lines[1:] == [
-        "ab,Ada Ü,2.5,0.5,1.0,1.0,",
-        "cd,Bo,0.0,0.0,0.0,0.0,nothing was answered",
+        "ab,Ada Ü,2.5,0.5,1.0,1.0,,",
+        "cd,Bo,0.0,0.0,0.0,0.0,,nothing was answered",
     ]
     text = Path("out/ab/feedback.txt").read_text("utf-8")
     assert text.startswith("Ä, Ada Ü (ab): 2.5 of 3\n\nJ: 0.5 of 1 for the Jacobian, ")
@@ -400,6 +401,49 @@ def test_bad_overrides_are_all_reported(here):
     for line in (2, 3, 4):
         assert f"line {line}: " in str(error.value)
     assert "line 5" not in str(error.value)
+
+
+def test_exports_have_the_columns_of_the_platforms(here):
+    make_course("ab", "cd")
+    Path("hw/overrides.csv").write_text("id,part,credit,why\nab,p,0.75,\n", "utf-8")
+    grade(Path("hw"), Path("out"), jobs=1)
+    assert Path("out/grades-canvas.csv").read_text("utf-8").splitlines() == [
+        "Student,ID,SIS User ID,SIS Login ID,Section,Homework",
+        "    Points Possible,,,,,2.0",
+        "AB,,,ab,,0.75",
+        "CD,,,cd,,0.0",
+    ]
+    assert Path("out/grades-moodle.csv").read_text("utf-8").splitlines() == [
+        "Username,Homework", "ab,0.75", "cd,0.0"
+    ]  # fmt: skip
+    names = [student.id for student in read_roster(Path("out/grades-canvas.csv"))]
+    assert names == ["ab", "cd"]
+
+
+def list_late(result):
+    return [row["late"] for row in result.rows]
+
+
+def test_late_column_follows_canvas_and_late_csv(here):
+    course = make_course("ab", "cd", "ef")
+    Path("d").mkdir()
+    Path("d/ab_LATE_1_2_answers.json").write_text("{}", "utf-8")
+    Path("d/cd_LATE_3_4_answers.json").write_text("{}", "utf-8")
+    Path("d/ef_5_6_answers.json").write_text("{}", "utf-8")
+    collect_hand_ins(Path("d"), course.names, Path("hw"))
+    assert list_late(grade(Path("hw"), Path("out"), jobs=1)) == ["late", "late", ""]
+    Path("hw/late.csv").write_text("id;late\ncd;\nef;two days\n", "utf-8")
+    assert list_late(grade(Path("hw"), Path("out"), jobs=1)) == ["late", "", "two days"]
+    Path("d/ab_LATE_1_2_answers.json").rename("d/ab_1_7_answers.json")
+    collect_hand_ins(Path("d"), course.names, Path("hw"))
+    assert list_late(grade(Path("hw"), Path("out"), jobs=1))[0] == ""
+
+
+def test_late_csv_with_unknown_students_is_refused(here):
+    make_course("ab")
+    Path("hw/late.csv").write_text("id,late\nzz,1\nab,1\nyy,1\n", "utf-8")
+    with pytest.raises(ArmError, match="line 2: no student 'zz'; line 4: no student 'yy'"):
+        grade(Path("hw"), Path("out"), jobs=1)
 
 
 def test_hints_show_no_mark_and_end_after_three(here):
