@@ -76,7 +76,7 @@ NBVAL := $(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-en
 elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would round; nothing stored may change
 	OPENBLAS_CORETYPE=Prescott PYTHONPATH=$(CURDIR)/tools/elsewhere $(NBVAL) $(NOTEBOOKS)
 
-# An hour of processor time; `make test` tries one change of each chapter.
+# An hour of processor time; `make test` tries one change in two chapters.
 changed: $(BIN)/.installed-dev ## run each chapter with each length, mass and limit of each of its arms changed
 	CHANGES=all $(BIN)/python -m pytest -n 2 -q tests/test_changed_arms.py
 
