@@ -1,6 +1,6 @@
 // Find which link of an arm is under a pixel.
 
-import { minus, plus, scaled } from "../../judge/geometry/kinematics.js";
+import { minus, movingRows, plus, scaled } from "../../judge/geometry/kinematics.js";
 
 // Return the centre line of the links as segments: along d and along a of each row.
 export const getLinkSegments = (arm, frames) =>
@@ -11,6 +11,13 @@ export const getLinkSegments = (arm, frames) =>
       { row: i, from: before, to: corner },
       { row: i, from: corner, to: after },
     ];
+  });
+
+// Return the centre lines of the barrels around the joints' axes; `size` is the arm's reach.
+export const getBarrelSegments = (arm, frames, size) =>
+  movingRows(arm).map((row) => {
+    const half = scaled(0.05 * size, frames[row].z);
+    return { row, from: minus(frames[row].o, half), to: plus(frames[row].o, half) };
   });
 
 /**
@@ -30,6 +37,9 @@ export function findNearestSegment(pieces, pixel, within, pixelOf) {
   }
   return best;
 }
+
+// Measure the distance in pixels from a pixel to the segment from a to b.
+export const measureGap = (pixel, a, b) => projectOnSegment(pixel, a, b).gap;
 
 // Project a pixel on the segment from a to b: `share` along the segment, and `gap` in pixels.
 function projectOnSegment(pixel, a, b) {

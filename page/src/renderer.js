@@ -302,6 +302,13 @@ export class Figure {
     return [((p.x + 1) * this.width) / 2, ((1 - p.y) * this.height) / 2];
   }
 
+  // Return how many pixels a length in metres has at a point.
+  measurePixels(length, point) {
+    const distance = this.camera.position.distanceTo(scratchVector.fromArray(point));
+    const half = distance * Math.tan((this.camera.fov * Math.PI) / 360);
+    return (length * this.height) / (2 * half);
+  }
+
   // Return the position of a pointer in the same pixels.
   place({ clientX, clientY }) {
     const box = this.canvas.getBoundingClientRect();

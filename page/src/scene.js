@@ -15,7 +15,7 @@ import { getPlaneView } from "../../judge/geometry/task_rows.js";
 import { AxisLabels } from "./labels.js";
 import { isAtPose } from "./motion.js";
 import { getBranchColour, PALETTES } from "./look.js";
-import { findNearestSegment, getLinkSegments } from "./picking.js";
+import { findNearestSegment, getBarrelSegments, getLinkSegments } from "./picking.js";
 import { disposeChildren, Figure, INITIAL_VIEW, removeAndDispose } from "./renderer.js";
 import {
   placeRod,
@@ -28,6 +28,7 @@ import {
   makeRod,
   makeShadow,
   makeSquare,
+  LINK_RADIUS,
   Triads,
   makeTube,
   makeWall,
@@ -204,11 +205,11 @@ export class ArmPicture {
     if (this.shown.path === path && this.shown.tipPaths === tipPaths) return;
     Object.assign(this.shown, { path, tipPaths });
     disposeChildren(this.path);
-    if (path || tipPaths) this.path.add(...this.waysOfTip(state, path, tipPaths));
+    if (path || tipPaths) this.path.add(...this.makeTipPaths(state, path, tipPaths));
   }
 
   // Make the tip's path, the paths of other runs in their colours, and the plane behind them.
-  waysOfTip({ arm, wantedPath }, path, tipPaths) {
+  makeTipPaths({ arm, wantedPath }, path, tipPaths) {
     const { size, look } = this;
     const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? tipPaths[0]?.points ?? [];
     const pieces = tipPaths
@@ -324,9 +325,15 @@ export class ArmPicture {
 
   // Place labels and handles after each drawing.
   place() {
-    const { width, height } = this.figure;
+    const pixel = (point) => this.figure.pixel(point);
+    const segments = [
+      ...getLinkSegments(this.arm, this.frames),
+      ...getBarrelSegments(this.arm, this.frames, this.size),
+    ];
+    const links = segments.map(({ from, to }) => ({ from: pixel(from), to: pixel(to) }));
+    const thickness = this.figure.measurePixels(LINK_RADIUS * this.size, this.frames[0].o);
     this.labels.host.hidden = false;
-    this.labels.place((p) => this.figure.pixel(p), width, height);
+    this.labels.place(pixel, this.figure, links, thickness);
     this.placeGrip();
     this.options.onDrawn?.();
   }

@@ -142,6 +142,8 @@ export function placeRod(mesh, start, end, radius) {
   mesh.scale.set(radius, length, radius);
 }
 
+export const LINK_RADIUS = 0.021; // of the first link, as a share of the arm's reach
+
 /**
  * An arm: capsules along d and a of each row, a barrel at each revolute joint, a box at each
  * prismatic one. If `hue` is given, joints have it as their colour and can be tinted one by one;
@@ -216,7 +218,7 @@ export class ArmShape extends Group {
   // Links grow thinner towards the tip; the last one is a pen.
   radius(i) {
     const n = this.arm.rows.length;
-    return this.girth * (i === n - 1 ? 0.008 : 0.021 - (0.008 * i) / n);
+    return this.girth * (i === n - 1 ? 0.008 : LINK_RADIUS - (0.008 * i) / n);
   }
 }
 

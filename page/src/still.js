@@ -2,16 +2,9 @@
 // loaded, if the browser has no WebGL, and on paper.
 
 import { estimateReach } from "../../judge/geometry/arm.js";
-import {
-  dot,
-  movingRows,
-  linkFrames,
-  minus,
-  plus,
-  scaled,
-} from "../../judge/geometry/kinematics.js";
+import { dot, linkFrames, plus, scaled } from "../../judge/geometry/kinematics.js";
 import { svg } from "./dom.js";
-import { getLinkSegments } from "./picking.js";
+import { getBarrelSegments, getLinkSegments } from "./picking.js";
 
 const [WIDTH, HEIGHT] = [480, 320];
 const FILLED_SHARE = 0.81; // share of the picture, as in the live one
@@ -36,10 +29,7 @@ export function makeStillPicture({ arm, trace, frames: which }, { frames }, desc
     }),
   );
   const links = getLinkSegments(arm, frames).map(({ from, to }) => [from, to]);
-  const barrels = movingRows(arm).map((row) => {
-    const half = scaled(0.05 * size, frames[row].z);
-    return [minus(frames[row].o, half), plus(frames[row].o, half)];
-  });
+  const barrels = getBarrelSegments(arm, frames, size).map(({ from, to }) => [from, to]);
   const path = trace?.map((q) => linkFrames(arm, q).at(-1).o) ?? [];
   const place = makeProjection([...links.flat(), ...axes.flatMap(({ points }) => points), ...path]);
   const lines = (list, width, colour = "currentColor", ends = "round") =>

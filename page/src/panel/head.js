@@ -21,10 +21,12 @@ export function makeHeader(store, { arms, link, goTo, stage, card, announce }) {
     ...(link ? [makeCopyLinkButton(link, announce)] : []),
   ];
   card.addEventListener("keydown", (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    const type = getStepOfKey(event);
+    if (!type) return;
     if (event.target.matches("input[type=text], textarea") && !event.target.dataset.cell) return;
     event.preventDefault();
-    store.dispatch({ type: event.shiftKey ? "redo" : "undo" });
+    store.dispatch({ type });
+    steps.keepFocus();
   });
   const group = h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons);
   const parts = [name, units, frames, steps];
@@ -32,6 +34,14 @@ export function makeHeader(store, { arms, link, goTo, stage, card, announce }) {
     root: h("header", {}, name.root, units.root, group),
     update: (state) => parts.forEach((part) => part.update(state)),
   };
+}
+
+// Return the event that a key stands for: Ctrl+Z undoes, Ctrl+Shift+Z and Ctrl+Y redo.
+export function getStepOfKey({ key, ctrlKey, metaKey, shiftKey }) {
+  if (!ctrlKey && !metaKey) return null;
+  if (key.toLowerCase() === "y") return "redo";
+  if (key.toLowerCase() !== "z") return null;
+  return shiftKey ? "redo" : "undo";
 }
 
 const makeButton = (text, title, onclick) => h("button", { title, onclick }, text);
@@ -92,14 +102,22 @@ function makeFramesButton(store) {
 
 function makeUndoButtons(store) {
   const undo = makeButton("↶", "Undo (Ctrl+Z)", () => store.dispatch({ type: "undo" }));
-  const redo = makeButton("↷", "Redo (Ctrl+Shift+Z)", () => store.dispatch({ type: "redo" }));
+  const title = "Redo (Ctrl+Y or Ctrl+Shift+Z)";
+  const redo = makeButton("↷", title, () => store.dispatch({ type: "redo" }));
   undo.setAttribute("aria-label", "Undo");
   redo.setAttribute("aria-label", "Redo");
+  const root = h("span.pair", { role: "group", "aria-label": "Undo and redo" }, undo, redo);
   return {
-    root: h("span.pair", { role: "group", "aria-label": "Undo and redo" }, undo, redo),
+    root,
+    // A disabled button would lose the focus, so the buttons are only described as disabled.
     update({ past, future }) {
-      undo.disabled = !past.length;
-      redo.disabled = !future.length;
+      updateAttribute(undo, "aria-disabled", String(!past.length));
+      updateAttribute(redo, "aria-disabled", String(!future.length));
+    },
+    // Take the focus if a step has rebuilt the field that had it.
+    keepFocus() {
+      const { activeElement } = /** @type {ShadowRoot} */ (root.getRootNode());
+      if (!activeElement) undo.focus({ preventScroll: true });
     },
   };
 }

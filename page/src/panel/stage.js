@@ -105,6 +105,7 @@ function drawStillPicture(paper, { state, derived }) {
 const makeStageParts = (id, hold, onkeydown) => ({
   paper: h("div.paper"),
   labels: h("div.labels", { "aria-hidden": "true", hidden: true }),
+  legend: makeAxisLegend(),
   grip: h("button.grip", {
     "aria-label": "Tip",
     "aria-describedby": `${id}-grip`,
@@ -116,6 +117,14 @@ const makeStageParts = (id, hold, onkeydown) => ({
   why: h("p.why", { "aria-hidden": "true" }),
   lost: h("p.lost", { hidden: true }, LOST),
 });
+
+// Make the legend of the axes' colours.
+const makeAxisLegend = () =>
+  h(
+    "p.legend",
+    { "aria-hidden": "true" },
+    [..."xyz"].map((axis) => h(`span.axis-${axis}`, {}, h("i", {}, axis))),
+  );
 
 function describeStill({ arm, q, unit }) {
   const at = movingRows(arm).map(

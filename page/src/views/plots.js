@@ -4,13 +4,17 @@
 import { updateAttribute, h, makeIndexedSymbol, makeSelect, svg, setText } from "../dom.js";
 import { computeTorquesAlong } from "../homework_run.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
-import { formatFixed, isAngle, formatJointValue } from "../text.js";
+import { formatFixed, formatShort, isAngle, formatJointValue } from "../text.js";
 
 const [WIDTH, HEIGHT] = [220, 54];
 const QUANTITIES = { joint: "joint values", torque: "static torques" };
 
-// Make the plots of the state's trace and the list of quantities to plot.
-export function makePlots(store) {
+/**
+ * Make the plots of the state's trace and the list of quantities to plot.
+ * @param {import("../state.js").Store} store
+ * @param {() => string[]} getTicks returns the numbers below the start, middle and end of a plot
+ */
+export function makePlots(store, getTicks) {
   const quantity = makeSelect("What the plots show", QUANTITIES, () => update(store.state));
   const root = h("div.plots");
   let [cursors, shown] = [[], []];
@@ -26,6 +30,7 @@ export function makePlots(store) {
       );
     const plots = rows ? movingRows(arm).map(plotOf) : [];
     cursors = plots.map(({ cursor }) => cursor);
+    for (const { figure } of plots) figure.append(makeTicks(getTicks()));
     root.replaceChildren(...plots.map(({ figure }) => figure));
   }
 
@@ -86,6 +91,23 @@ function makePlot(row, values, { letter, text, limits, least }) {
     figure: h(past ? "figure.past" : "figure", {}, caption, picture),
   };
 }
+
+// Make the axis below a plot.
+const makeTicks = (texts) =>
+  h(
+    "div.ticks",
+    { "aria-hidden": "true" },
+    texts.map((text) => h("span", {}, text)),
+  );
+
+/** Return the ticks of a time axis of so many seconds. */
+export function formatTimeTicks(seconds) {
+  const time = (t) => formatShort(t, t < 1 ? 2 : 1);
+  return ["0", `t = ${time(seconds / 2)} s`, `${time(seconds)} s`];
+}
+
+/** The ticks of a path that has no times. */
+export const PATH_TICKS = ["0 %", "50 % of the path", "100 %"];
 
 // Make a band beyond a limit.
 function makeLimitBand(from, to) {

@@ -6,7 +6,7 @@ import { markInvalid, refillField, makeTextField } from "../entry.js";
 import { makeLatestJob } from "../jobs.js";
 import { formatShort } from "../text.js";
 import { joinList, capitalize } from "../../../judge/sentences.js";
-import { makePlots } from "./plots.js";
+import { makePlots, PATH_TICKS } from "./plots.js";
 import { makeTransport } from "./transport.js";
 import { listJointsPastLimits } from "../verdicts.js";
 
@@ -17,7 +17,7 @@ const MAX_RADIUS = 5; // m
 export function build(store, { announce, signal }) {
   const verdict = h("p.verdict");
   const asked = makeCircleFields(store, announce);
-  const plots = makePlots(store);
+  const plots = makePlots(store, () => PATH_TICKS);
   const drawing = makeDrawButton(store, asked, () => announce(() => verdict.textContent, true));
   const transport = makeTransport(store, { signal, makeTrace: drawing.draw });
   const row = h("div.row", {}, asked.labels, drawing.root, plots.choice);

@@ -1,0 +1,48 @@
+// The panel: labels of axes, ticks of plots, and keys.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { getStepOfKey } from "../../page/src/panel/head.js";
+import { findBranches } from "../../page/src/motion.js";
+import { findLabelSpot } from "../../page/src/labels.js";
+import { formatTimeTicks } from "../../page/src/views/plots.js";
+import { ELBOW, STANFORD } from "./arms.mjs";
+
+const LINK = { from: [100, 0], to: [100, 200] }; // upright, 20 px thick
+
+test("a label at the end of its axis stays there if it is free", () => {
+  assert.deepEqual(findLabelSpot([40, 50], 22, [], [LINK], 10), [40, 50]);
+});
+
+test("a label on a link moves off it", () => {
+  const [x, y] = findLabelSpot([100, 100], 22, [], [LINK], 10);
+  assert.ok(Math.abs(x - 100) > 19 && Math.hypot(x - 100, y - 100) <= 30);
+});
+
+test("a label beside another one does not cover it", () => {
+  const labels = [{ spot: [40, 50], width: 22 }];
+  const [x, y] = findLabelSpot([40, 50], 22, labels, [LINK], 10);
+  assert.ok(Math.abs(x - 40) > 22 || Math.abs(y - 50) > 15);
+});
+
+test("a label without a free spot is left out", () => {
+  assert.equal(findLabelSpot([40, 50], 22, [{ spot: [40, 50], width: 500 }, { spot: [40, 80], width: 500 }, { spot: [40, 20], width: 500 }, { spot: [40, 65], width: 500 }, { spot: [40, 35], width: 500 }], [], 10), null);
+});
+
+test("branches have the names of the closed form", () => {
+  const names = (arm, q) => findBranches(arm, q).list.map(({ label }) => label).sort();
+  const shoulders = ["back", "front"].flatMap((side) => ["down", "up"].map((bend) => `${side}, elbow ${bend}`));
+  assert.deepEqual(names(ELBOW, [0.2, 0.9, -1.1]), shoulders);
+  assert.ok(names(STANFORD, [0.1, 0.7, 0.5, 0.2, 0.6, 0.3]).every((name) => /^(front|back), rod (out|through), q_5 [<>] 0$/.test(name)));
+});
+
+test("the time axis has numbers with their unit", () => {
+  assert.deepEqual(formatTimeTicks(5), ["0", "t = 2.5 s", "5 s"]);
+});
+
+test("keys stand for undo and redo", () => {
+  const press = (key, keys = {}) => getStepOfKey({ key, ctrlKey: true, metaKey: false, shiftKey: false, ...keys });
+  assert.deepEqual([press("z"), press("Z", { shiftKey: true }), press("y"), press("a")], ["undo", "redo", "redo", null]);
+  assert.equal(press("y", { ctrlKey: false, metaKey: true }), "redo");
+  assert.equal(press("z", { ctrlKey: false }), null);
+});
