@@ -22,7 +22,8 @@ const parseNumbers = (text) =>
 const formatNumbers = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(",");
 
 /** @param {import("./state.js").State} state */
-export function formatFragment({ arm, base, q, wrench, unit, view, frames, mark, runs = [] }) {
+export function formatFragment(state) {
+  const { arm, base, q, wrench, unit, view, frames, mark } = state;
   const fields = { arm: base.name, q: formatNumbers(q), view, unit, frames };
   if (wrench.some(Boolean)) fields.wrench = formatNumbers(wrench);
   if (arm !== base) {
@@ -30,8 +31,18 @@ export function formatFragment({ arm, base, q, wrench, unit, view, frames, mark,
     fields.rows = arm.rows.map(row).join(";");
   }
   if (mark) fields.mark = formatNumbers(mark);
-  if (view === "homework" && runs.length) fields.runs = runs.map(formatRun).join(";");
+  if (view === "homework") Object.assign(fields, formatHomework(state));
   return `#${new URLSearchParams(fields)}`;
+}
+
+// Format the runs of the homework, the number of the one that is played, and where they begin.
+function formatHomework({ q, runs, chosenRun, runStart }) {
+  const fields = {};
+  if (runs.length) fields.runs = runs.map(formatRun).join(";");
+  if (chosenRun) fields.run = String(chosenRun + 1);
+  if (runStart && formatNumbers(runStart) !== formatNumbers(q))
+    fields.start = formatNumbers(runStart);
+  return fields;
 }
 
 /**
@@ -59,6 +70,7 @@ export function parseFragment(fragment, arms, views) {
     parseWrench(fields),
     parseMark(fields),
     parseRuns(fields),
+    parseRunStart(fields, arm),
     { patch: parseChoices(fields, views) },
   ];
   const patch = Object.assign({}, ...parts.map((part) => part.patch));
@@ -93,8 +105,18 @@ function parseMark(fields) {
 function parseRuns(fields) {
   if (!fields.has("runs")) return {};
   const runs = fields.get("runs").split(";").map(parseRun);
-  const good = runs.length <= MAX_RUNS && !runs.includes(null);
-  return good ? { patch: { runs } } : { fault: "its runs are none that the homework could make" };
+  const areGood = runs.length <= MAX_RUNS && !runs.includes(null);
+  if (!areGood) return { fault: "its runs are none that the homework could make" };
+  const chosenRun = Number(fields.get("run") ?? 1) - 1;
+  if (runs[chosenRun]) return { patch: { runs, chosenRun } };
+  return { patch: { runs, chosenRun: 0 }, fault: "it plays a run that it does not have" };
+}
+
+function parseRunStart(fields, arm) {
+  if (!fields.has("start")) return {};
+  const runStart = parseNumbers(fields.get("start"));
+  if (isJointVector(arm, runStart)) return { patch: { runStart } };
+  return { fault: `its runs begin at joint values that the ${arm.name} does not have` };
 }
 
 function parseChoices(fields, views) {
@@ -130,6 +152,7 @@ export function syncWithAddress(store, arms, views, notify, signal) {
   };
   let timer;
   read();
+  store.dispatch({ type: "setFields", past: [] }, "link"); // opening the page is no step to undo
   addEventListener("hashchange", read, { signal });
   store.listen((_, by) => {
     if (store.state.dragging) return;

@@ -71,7 +71,10 @@ import { countRank } from "./verdicts.js";
  * @property {number[][] | null} trace joint values along a path
  * @property {number[][] | null} wantedPath points of the whole path that the tip should follow
  * @property {number} progress position along the trace, 0 to 1
- * @property {import("./homework_run.js").Run[]} runs simulated runs of the homework's circle
+ * @property {import("./homework_run.js").Run[]} runs simulated runs of the homework's circle; if
+ *   empty, the one that the homework asks for
+ * @property {number} chosenRun index of the run that is played
+ * @property {number[] | null} runStart joint values at which the runs begin
  * @property {{ points: number[][], colour: string }[] | null} tipPaths paths of the tip in the runs
  * @property {boolean} playing
  * @property {BranchSet | null} branches
@@ -96,6 +99,9 @@ export const EMPTY = {
   highlightedRow: null,
   hold: null,
   mark: null,
+  runs: [],
+  chosenRun: 0,
+  runStart: null,
 };
 // When one of these fields changes, the listed fields go back to EMPTY unless the event sets them.
 const PLAYBACK_FIELDS = ["wantedPath", "progress", "playing"];
@@ -107,7 +113,8 @@ const DEPENDENT_FIELDS = {
   view: ["playing", "highlightedBranch", "highlightedRow"],
 };
 
-const UNDO_FIELDS = ["arm", "base", "reference", "q", "wrench"]; // the fields that undo restores
+// the fields that undo restores
+const UNDO_FIELDS = ["arm", "base", "reference", "q", "wrench", "runs", "chosenRun"];
 const MAX_UNDO_STEPS = 200;
 
 // The change that each kind of event makes to the state. A handler returns null for an event that
@@ -129,12 +136,22 @@ const EVENT_HANDLERS = {
       ? { trace: path, wantedPath, progress: 0, q: path[0] }
       : null,
   setBranches: (state, { arm, branches }) => (arm === state.arm ? { branches } : null),
-  setFields: (state, { type: _, ...patch }) => patch,
+  setFields: (state, { type: _, gesture: __, ...patch }) => requireKnownFields(state, patch),
   replaceState: (state, { type: _, ...patch }) =>
-    isJointVector(patch.arm ?? state.arm, patch.q ?? state.q) ? patch : null,
+    isJointVector(patch.arm ?? state.arm, patch.q ?? state.q)
+      ? requireKnownFields(state, patch)
+      : null,
   undo: (state) => stepThroughHistory(state, "past", "future"),
   redo: (state) => stepThroughHistory(state, "future", "past"),
 };
+
+// Return the patch, or throw an error if the state has no field of one of its names.
+function requireKnownFields(state, patch) {
+  const unknown = Object.keys(patch).filter((key) => !Object.hasOwn(state, key));
+  if (!unknown.length) return patch;
+  const known = Object.keys(state).join(", ");
+  throw new Error(`the state has no field ${unknown.join(", ")}; expected some of ${known}`);
+}
 
 /**
  * Return the state after an event.
@@ -157,12 +174,17 @@ function reduceState(state, event) {
     ...Object.fromEntries(dropped.map((key) => [key, EMPTY[key]])),
     ...patch,
   };
-  return recordUndoStep(state, next, event);
+  return recordUndoStep(state, setRunStart(next), event);
 }
+
+// Let the homework's runs begin where the arm stands when their view opens. They keep that start
+// while the arm is moved.
+const setRunStart = (state) =>
+  state.view === "homework" && !state.runStart ? { ...state, runStart: state.q } : state;
 
 function recordUndoStep(state, next, { type, gesture = null }) {
   if (
-    ["undo", "redo", "seek"].includes(type) ||
+    ["undo", "redo", "seek", "setTrace"].includes(type) ||
     UNDO_FIELDS.every((key) => state[key] === next[key])
   )
     return next;
@@ -230,22 +252,22 @@ function moveAlongTrace({ trace, arm }, progress) {
  * @param {Partial<State> & { arm: Arm, q: number[] }} fields
  * @returns {State}
  */
-export const makeInitialState = (fields) => ({
-  base: fields.arm,
-  reference: fields.arm,
-  wrench: [0, 0, 0, 0, 0, 0],
-  unit: "deg",
-  view: "pose",
-  frames: "ends",
-  circle: { normal: "x", radius: 0.1 },
-  keepOrientation: false,
-  dragging: false,
-  runs: [],
-  past: [],
-  future: [],
-  ...EMPTY,
-  ...fields,
-});
+export const makeInitialState = (fields) =>
+  setRunStart({
+    base: fields.arm,
+    reference: fields.arm,
+    wrench: [0, 0, 0, 0, 0, 0],
+    unit: "deg",
+    view: "pose",
+    frames: "ends",
+    circle: { normal: "x", radius: 0.1 },
+    keepOrientation: false,
+    dragging: false,
+    past: [],
+    future: [],
+    ...EMPTY,
+    ...fields,
+  });
 
 // Values that follow from an arm, joint values and a wrench. Each is computed at its first use.
 class Derived {

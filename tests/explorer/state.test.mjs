@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { homePose, MAX_ROWS, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { EMPTY, measureTipOffset, makeInitialState, Store } from "../../page/src/state.js";
+import { HOMEWORK } from "../../page/src/homework_run.js";
 import { findBranches } from "../../page/src/motion.js";
 import { describeRank, describeTable } from "../../page/src/verdicts.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
@@ -18,7 +19,7 @@ function playing() {
   store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: [[0, 0, 0]] });
   store.dispatch({ type: "setBranches", arm, branches: findBranches(PANDA, PANDA.home, 20) });
   store.dispatch({ type: "setPlaying", on: true });
-  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], progress: 0.5, hold: { kind: "tip" } });
+  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], progress: 0.5, hold: { kind: "tip" }, runs: [HOMEWORK, HOMEWORK], chosenRun: 1, runStart: PANDA.home });
   for (const [key, none] of Object.entries(EMPTY)) assert.notDeepEqual(store.state[key], none, key);
   return store;
 }
@@ -163,6 +164,34 @@ test("undo and redo treat a drag as one step", () => {
   move(8);
   store.dispatch({ type: "undo" });
   assert.equal(store.state.q[0], 9, "an event without a gesture is one step");
+});
+
+test("unknown fields are refused by name", () => {
+  const store = start();
+  for (const type of ["setFields", "replaceState"])
+    assert.throws(() => store.dispatch({ type, veiw: "pose" }), /no field veiw; expected some of .*view/);
+});
+
+test("undo restores the chosen run and edited runs", () => {
+  const store = start();
+  const runs = [HOMEWORK, { ...HOMEWORK, steps: 250 }];
+  store.dispatch({ type: "setFields", runs });
+  store.dispatch({ type: "setFields", chosenRun: 1 });
+  store.dispatch({ type: "undo" });
+  assert.deepEqual([store.state.runs, store.state.chosenRun], [runs, 0]);
+  store.dispatch({ type: "undo" });
+  assert.deepEqual(store.state.runs, []);
+  store.dispatch({ type: "redo" });
+  assert.equal(store.state.runs, runs);
+});
+
+test("opening the homework records its start and no undo step", () => {
+  const store = start();
+  store.dispatch({ type: "setFields", view: "homework" });
+  const { arm, circle } = store.state;
+  store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: null });
+  store.dispatch({ type: "seek", progress: 1 });
+  assert.deepEqual([store.state.runStart, store.state.past], [PANDA.home, []]);
 });
 
 test("listeners are called until their signal is aborted", () => {

@@ -13,7 +13,7 @@ import {
   describeResult,
   makeStartingRun,
 } from "./homework_words.js";
-import { makePlots } from "./plots.js";
+import { formatTimeTicks, makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
 export const title = "Play the homework";
@@ -30,14 +30,12 @@ class HomeworkView {
     this.store = store;
     this.announce = announce;
     this.signal = signal;
-    this.chosen = 0;
-    this.start = store.state.q; // joint values at which the runs begin
     this.results = new Map(); // by arm, start and run
-    this.shown = /** @type {any} */ ({});
+    this.shown = []; // the fields of the state that the list of runs shows
     this.list = h("div.runs", { role: "radiogroup", "aria-label": "Runs" });
     this.verdict = h("p.verdict");
     this.wall = makeWall(() => this.drawWall());
-    this.plots = makePlots(store);
+    this.plots = makePlots(store, () => this.getTicks());
     this.transport = makeTransport(store, { signal, makeTrace: () => this.show() });
     this.fields = makeFields((patch) => this.edit(patch));
     this.root = this.laidOut();
@@ -59,48 +57,59 @@ class HomeworkView {
     return h("div.homework", {}, this.played, this.others);
   }
 
-  setRuns(runs) {
-    this.store.dispatch({ type: "setFields", runs });
+  // Return the runs of the state, or the one that the homework asks of its arm.
+  get runs() {
+    const { runs, arm, base } = this.store.state;
+    return runs.length ? runs : [makeStartingRun(arm, base) ?? []].flat();
   }
 
+  // Change the run that is played. Changes of one field in a row share an undo step.
   edit(patch) {
-    const { runs } = this.store.state;
-    this.setRuns(runs.map((run, i) => (i === this.chosen ? { ...run, ...patch } : run)));
+    const { chosenRun } = this.store.state;
+    const runs = this.runs.map((run, i) => (i === chosenRun ? { ...run, ...patch } : run));
+    const gesture = `run ${chosenRun} ${Object.keys(patch)}`;
+    this.store.dispatch({ type: "setFields", runs, gesture });
   }
 
-  key(...of) {
-    return JSON.stringify([this.store.state.arm.rows, this.start, ...of]);
+  getResultKey(run) {
+    const { arm, runStart } = this.store.state;
+    return JSON.stringify([arm.rows, runStart, run]);
   }
 
-  resultOf(run) {
-    return this.results.get(this.key(run));
+  getResult(run) {
+    return this.results.get(this.getResultKey(run));
   }
 
   // Simulate the runs that have no result yet; each is shown when it is ready.
   async compute() {
-    const { store, results, start } = this;
-    const { arm, runs } = store.state;
-    for (const run of runs.filter((candidate) => !results.has(this.key(candidate)))) {
-      const id = this.key(run);
-      results.set(id, null);
-      results.set(id, await runJob("run", { arm, q: start, run }));
-      if (this.signal.aborted || store.state.arm !== arm) return;
-      if (runs === store.state.runs) this.show();
+    const { store, results, runs } = this;
+    const { state } = store;
+    const { arm, runStart } = state;
+    const isCurrent = () =>
+      ["arm", "runStart", "runs"].every((key) => store.state[key] === state[key]);
+    for (const run of runs) {
+      const key = this.getResultKey(run);
+      if (results.has(key)) continue;
+      results.set(key, null);
+      results.set(key, await runJob("run", { arm, q: runStart, run }));
+      if (this.signal.aborted) return;
+      this.show();
+      if (!isCurrent()) return;
     }
     this.show();
   }
 
   // Make the chosen run the trace to play; the others are lines beside it.
   show() {
-    const { store } = this;
-    const { runs, arm, circle } = store.state;
-    const known = runs.map((run) => this.resultOf(run));
+    const { store, runs } = this;
+    const { arm, circle, chosenRun } = store.state;
+    const results = runs.map((run) => this.getResult(run));
     const getTipPath = ({ path }) => path.map((q) => linkFrames(arm, q).at(-1).o);
-    const tipPaths = known.flatMap((result, i) =>
+    const tipPaths = results.flatMap((result, i) =>
       result ? [{ points: getTipPath(result), colour: getBranchColour(i) }] : [],
     );
     store.dispatch({ type: "setFields", tipPaths });
-    const path = known[this.chosen]?.path;
+    const path = results[chosenRun]?.path;
     if (path?.length < 2) store.dispatch({ type: "setFields", trace: null });
     else if (path && store.state.trace !== path)
       store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: null });
@@ -109,48 +118,54 @@ class HomeworkView {
   }
 
   showRuns() {
-    const { runs, arm } = this.store.state;
-    const run = runs[this.chosen];
+    const { runs } = this;
+    const { arm, chosenRun } = this.store.state;
+    const run = runs[chosenRun];
     this.played.hidden = !run;
     this.others.hidden = Boolean(run);
     this.list.hidden = runs.length < 2;
-    this.list.replaceChildren(...runs.map((run, i) => this.line(run, i)));
+    this.listRuns(runs, chosenRun);
     this.fields.update(run);
-    setText(this.verdict, run ? describeResult(this.resultOf(run), arm) : "");
+    setText(this.verdict, run ? describeResult(this.getResult(run), arm) : "");
     if (run) this.drawWall();
+  }
+
+  // Return the ticks of the time axis: it ends where the chosen run did.
+  getTicks() {
+    const run = this.runs[this.store.state.chosenRun];
+    const result = run && this.getResult(run);
+    return formatTimeTicks(result ? result.at.at(-1) * run.seconds : 0);
+  }
+
+  // Rebuild the list of runs; a run that had the focus gives it to the chosen one.
+  listRuns(runs, chosenRun) {
+    const { activeElement } = /** @type {ShadowRoot} */ (this.list.getRootNode());
+    const hadFocus = Boolean(activeElement) && this.list.contains(activeElement);
+    this.list.replaceChildren(...runs.map((run, i) => this.line(run, i)));
+    if (hadFocus) /** @type {HTMLElement} */ (this.list.children[chosenRun]).focus();
   }
 
   line(run, i) {
     const attributes = {
       role: "radio",
-      "aria-checked": String(i === this.chosen),
-      onclick: () => ((this.chosen = i), this.compute()),
+      "aria-checked": String(i === this.store.state.chosenRun),
+      onclick: () => this.store.dispatch({ type: "setFields", chosenRun: i }),
     };
     const colour = { style: `background:${getBranchColour(i)}`, "aria-hidden": "true" };
-    const message = `${describeRun(run)}: ${describeOutcome(this.resultOf(run))}`;
+    const message = `${describeRun(run)}: ${describeOutcome(this.getResult(run))}`;
     return h("button", attributes, h("span.swatch", colour), h("span", {}, message));
   }
 
   drawWall() {
-    const { runs, arm } = this.store.state;
-    const known = runs.map((run) => ({ run, result: this.resultOf(run) }));
-    this.wall.draw(arm, this.start, known);
+    const { arm, runStart } = this.store.state;
+    const runs = this.runs.map((run) => ({ run, result: this.getResult(run) }));
+    this.wall.draw(arm, runStart, runs);
   }
 
   update(state) {
-    if (this.shown.arm !== state.arm) {
-      const first = !this.shown.arm;
-      this.start = state.q;
-      this.chosen = 0;
-      this.results.clear();
-      this.shown = { arm: state.arm };
-      // the event calls update again
-      if (!state.runs.length || !first)
-        return this.setRuns([makeStartingRun(state.arm, state.base) ?? []].flat());
-    }
-    if (this.shown.runs !== state.runs) {
-      this.shown.runs = state.runs;
-      this.chosen = Math.max(0, Math.min(this.chosen, state.runs.length - 1));
+    const shown = ["arm", "runs", "runStart", "chosenRun"].map((key) => state[key]);
+    if (shown.some((value, i) => value !== this.shown[i])) {
+      this.shown = shown;
       this.showRuns();
       this.compute();
     }
