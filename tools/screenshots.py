@@ -32,8 +32,8 @@ def capture_explorer(browser: Browser) -> None:
     explorer.evaluate("(element) => element.scrollIntoView()")
     card = explorer.locator("section.explorer")
     card.locator(".labels:not([hidden])").wait_for()  # WebGL has drawn the arm
-    card.get_by_role("button", name="Find the ways to this pose").click()
-    card.get_by_text("ways to this pose.").wait_for()
+    card.get_by_role("button", name="Find the solutions for this pose").click()
+    card.get_by_text("solutions for this pose.").wait_for()
     page.evaluate(WAIT_TWO_FRAMES)
     card.screenshot(path=DOCS / "explorer.png")
     page.close()

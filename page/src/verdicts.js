@@ -16,7 +16,7 @@ import { joinList, capitalize } from "../../judge/sentences.js";
 const RANK_TOLERANCE = 1e-6; // singular values below this share of the largest count as zero
 
 // Return what the joints are solved for.
-export const describeTarget = (arm) => (hasTaskOrientation(arm) ? "pose" : "place");
+export const describeTarget = (arm) => (hasTaskOrientation(arm) ? "pose" : "position");
 
 export const countRank = (values) =>
   values.filter((value) => value > RANK_TOLERANCE * values[0]).length;
@@ -69,7 +69,7 @@ function describeLostMotions(lost, never) {
 }
 
 const NUMBER_WORDS = "No One Two Three Four Five Six Seven Eight".split(" ");
-const formatBranchCount = (n) => `${NUMBER_WORDS[n] ?? n} ${n === 1 ? "way" : "ways"}`;
+const formatBranchCount = (n) => `${NUMBER_WORDS[n] ?? n} ${n === 1 ? "solution" : "solutions"}`;
 const listJoints = (arm, moving) => joinList(moving.map((k) => `joint ${movingRows(arm)[k] + 1}`));
 
 /**
@@ -82,14 +82,14 @@ export function describeBranches(
   arm,
   { list, families = [], lockedJoint = -1, hasOrientation = true },
 ) {
-  const pose = hasOrientation ? "pose" : "place, whatever the tool’s direction";
+  const pose = hasOrientation ? "pose" : "position, whatever the tool’s direction";
   const few = list.length - families.length;
   const fixedJoint =
     lockedJoint < 0
       ? ""
       : ` with joint ${movingRows(arm)[lockedJoint] + 1} held where it is; ` +
         "free, it makes them infinitely many";
-  if (!families.length) return `${formatBranchCount(list.length)} to this ${pose}${fixedJoint}.`;
+  if (!families.length) return `${formatBranchCount(list.length)} for this ${pose}${fixedJoint}.`;
   const free = families[0].moving;
   const how =
     free.length === 1
@@ -99,7 +99,7 @@ export function describeBranches(
   const rest = few ? ` and ${formatBranchCount(few).toLowerCase()} more` : "";
   const still = lockedJoint < 0 ? "" : `, joint ${movingRows(arm)[lockedJoint] + 1} held`;
   const shown = `one of each is shown${rest}${still}`;
-  return `Infinitely many ways to this ${pose}: ${how}${kinds}; ${shown}.`;
+  return `Infinitely many solutions for this ${pose}: ${how}${kinds}; ${shown}.`;
 }
 
 // List the joints for which a condition holds, by their rows in the table.

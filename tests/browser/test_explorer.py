@@ -186,9 +186,9 @@ LINKS = [
     ("", "Panda", "DH table", HOME_OF_PANDA, ""),
     ("#arm=Panda (homework)&view=trace", "Panda (homework)", "Circle trace", HOME_OF_PANDA, "Draw a circle from here"),
     ("#arm=UR10e&view=jacobian", "UR10e", "Jacobian", ["0.0°", "−90.0°", "0.0°", "−90.0°", "0.0°", "0.0°"], "manipulability"),
-    ("#arm=UR10e+(homework)&view=branches", "UR10e (homework)", "IK branches", ["0.0°"] * 6, "Find the ways to this pose"),
+    ("#arm=UR10e+(homework)&view=branches", "UR10e (homework)", "IK branches", ["0.0°"] * 6, "Find the solutions for this pose"),
     ("#arm=Stanford arm&view=pose", "Stanford arm", "Pose", ["0.0°", "0.0°", "0.500 m", "0.0°"], "Tip at ("),
-    ("#arm=Elbow arm&view=branches", "Elbow arm", "IK branches", ["0.0°", "45.0°", "−90.0°"], "Find the ways to this place"),
+    ("#arm=Elbow arm&view=branches", "Elbow arm", "IK branches", ["0.0°", "45.0°", "−90.0°"], "Find the solutions for this position"),
     (POSED + "&view=torque&wrench=-5,0,0,0,0,0", "Panda", "Static torque", IN_DEGREES, "−5"),
     (POSED + "&unit=rad&frames=ends", "Panda", "DH table", ["0.100 rad", "0.200 rad", "0.300 rad"], "unpressed Frames"),
     (TYPED, "Your arm", "DH table", ["34.4°", "−63.0°"], "Yours has 2 joints"),
@@ -442,8 +442,8 @@ POINTED = """(canvas) => {
 def test_branches_are_chosen_in_picture_and_list(visit):
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
-    here.page.get_by_role("button", name="Find the ways to this pose").click()
-    ways, canvas = here.page.locator(".ways button"), here.page.locator(".stage canvas")
+    here.page.get_by_role("button", name="Find the solutions for this pose").click()
+    ways, canvas = here.page.locator(".solutions button"), here.page.locator(".stage canvas")
     expect(ways).to_have_count(8)
     wanted = forward_kinematics(UR10E, q)
 
@@ -584,6 +584,31 @@ def test_every_tab_fits_and_passes_axe(visit, theme, size):
     here.page.emulate_media(media="print")
     assert card.locator(".still").is_visible()
     assert not card.locator("header, .views, canvas").locator("visible=true").count()
+
+
+def test_wide_layout_shows_all_columns(visit):
+    """As JupyterLab opens it: the picture on the left, all else in a column of 530 px or more."""
+    here = visit("#arm=UR10e")
+    here.page.locator(INSTRUMENT).evaluate(
+        "e => e.style.cssText = 'width: 1100px; max-width: none'"
+    )
+    for name in ("DH table", "Jacobian"):
+        here.tab(name)
+        table = here.page.locator(".view .scroll")
+        assert table.bounding_box()["x"] > here.page.locator(".stage canvas").bounding_box()["x"]
+        assert table.evaluate("e => e.scrollWidth <= e.clientWidth + 1")
+    here.leave()
+
+
+def test_undo_button_keeps_the_focus(visit):
+    here = visit("#arm=Panda&view=pose")
+    here.page.get_by_role("slider", name="Joint 1, angle").press("ArrowRight")
+    undo = here.page.get_by_role("button", name="Undo")
+    undo.click()
+    expect(undo).to_be_focused()
+    expect(undo).to_have_attribute("aria-disabled", "true")
+    here.page.keyboard.press("Control+y")
+    assert here.q()[0] == pytest.approx(np.pi / 180)
 
 
 def test_reduced_motion_skips_the_glide(visit):

@@ -59,11 +59,11 @@ function makeChart() {
 
 function describeCrossings(arm, count) {
   const flat = Math.abs(Math.sin(arm.rows[1].alpha)) < 1e-9;
-  const ways = `${count} ${count === 1 ? "way" : "ways"} to this place`;
-  if (!flat) return `The ellipses of joints 1 and 3 cross ${count} times: ${ways}.`;
+  const solutions = `${count} ${count === 1 ? "solution" : "solutions"} for this position`;
+  if (!flat) return `The ellipses of joints 1 and 3 cross ${count} times: ${solutions}.`;
   return (
     "Axes 2 and 3 are parallel: the ellipse of joint 3 is a segment, gone through twice. " +
-    `Each crossing counts twice, elbow up and elbow down: ${ways}.`
+    `Each crossing counts twice, elbow up and elbow down: ${solutions}.`
   );
 }
 

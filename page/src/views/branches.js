@@ -12,11 +12,11 @@ import { describeTarget, describeBranches } from "../verdicts.js";
 
 export const title = "IK branches";
 
-const describeSearch = ({ arm }) => `Find the ways to this ${describeTarget(arm)}`;
+const describeSearch = ({ arm }) => `Find the solutions for this ${describeTarget(arm)}`;
 
 export function build(store, { goTo, announce }) {
   const message = h("p.verdict");
-  const list = h("ol.ways");
+  const list = h("ol.solutions");
   const find = h("button.main", { onclick: search });
   const root = h("div.branches", {}, h("div.row", {}, find), message, list);
   const ask = makeLatestJob("branches");
@@ -71,7 +71,7 @@ function makeBranchButton({ q, label }, i, { arm, unit }, { goTo, light }) {
     "button",
     { onclick: () => goTo(q), ...lights },
     h("span.swatch", { style: `background:${getBranchColour(i)}`, "aria-hidden": "true" }),
-    h("span.name", {}, label ? formatBranchLabel(label) : `way ${i + 1}`),
+    h("span.name", {}, label ? formatBranchLabel(label) : `solution ${i + 1}`),
     h("span.values", {}, values),
     past.length
       ? h("span.note.past", {}, `past the limit of joint ${past.join(", ")}`)
@@ -90,8 +90,8 @@ const formatBranchLabel = (label) =>
 function describeView({ branches, arm }, left) {
   const where = describeTarget(arm);
   if (!branches) {
-    const rendered = "is shown in a colour of its own; choose one to go there.";
-    return `Each way that the same ${where} can be reached ${rendered}`;
+    const shown = "is shown in a colour of its own; choose one to go there.";
+    return `Each solution that takes the tip to this ${where} ${shown}`;
   }
   const choose =
     branches.list.length > 1 ? " Choose one, here or in the picture, to go there." : "";
@@ -100,6 +100,7 @@ function describeView({ branches, arm }, left) {
     left.distance > 5e-4
       ? `${formatFixed(1000 * left.distance, 0)} mm from there`
       : "turned away from it";
-  const back = `Choose one to go back, or find the ways to this ${where}.`;
-  return `These lead to the ${where} where the tip was before; it is now ${gone}. ${back}`;
+  const back = `Choose one to go back, or find the solutions for this ${where}.`;
+  const there = `These solutions are for the ${where} at which the tip was before`;
+  return `${there}; it is now ${gone}. ${back}`;
 }
