@@ -121,6 +121,13 @@ def _grade(options: argparse.Namespace) -> None:
     print(f"{len(result.rows)} students marked: {options.out / 'grades.csv'}")
 
 
+def _count(options: argparse.Namespace) -> None:
+    from course.statistics import PICTURE, write_statistics  # matplotlib is slow to import
+
+    print(write_statistics(options.course, options.out))
+    print(f"\npicture: {options.out / PICTURE}")
+
+
 def _show_progress(line: str) -> None:
     """Show a line in place of the last one, if stderr is a terminal."""
     if sys.stderr.isatty():
@@ -143,6 +150,7 @@ COMMANDS = {
     "drop": (_drop, "remove one student and leave all others alone", "course --id"),
     "collect": (_collect, "sort a download of hand-ins by student", "course download"),
     "grade": (_grade, "mark every hand-in of a course", "course --out --jobs --again --hints"),
+    "stats": (_count, "count the marks by part and by mistake, and draw them", "course --out"),
     "gradescope": (_pack_autograder, "make Gradescope's autograder", "course --out"),
 }  # fmt: skip
 

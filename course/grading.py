@@ -195,6 +195,13 @@ def read_overrides(path: Path, course: Course) -> dict[str, dict[str, tuple[floa
     return overrides
 
 
+def read_marks(folder: Path, out: Path, course: Course) -> dict[str, list[dict[str, Any]]]:
+    """Read the marks that `grade` stored, with those given by hand, by student."""
+    overrides = read_overrides(folder / _OVERRIDES, course)
+    records = {student: _read_record(out, student) for student in course.sheets}
+    return {s: _apply_overrides(x["marks"], overrides.get(s, {})) for s, x in records.items() if x}
+
+
 def read_late(folder: Path, course: Course) -> dict[str, str]:
     """Read what is known of late hand-ins, by student; "" for one that counts as in time.
 

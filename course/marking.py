@@ -34,7 +34,7 @@ MISTAKE_SHARE = 0.5  # of a part, for work with one mistake
 _MAX_CHARACTERS = 8000  # the longest right column has 3473
 _ROUND_OFF = 1 + 1e-9
 _MAX_NAMED = 3  # mistakes that give the same numbers; nobody reads more
-_NOT_ANSWERED = "Not answered."
+NOT_ANSWERED = "Not answered."
 _RIGHT = "Right."
 _NOTHING_SEEN = "It was read; no usual mistake explains all of it."
 # Advice of the checkers about their options, which nobody can set on a sheet.
@@ -76,7 +76,7 @@ def mark_part(sheet: Sheet, name: str, answer: Any) -> Mark:
         if len(str(answer)) > _MAX_CHARACTERS:
             return _refuse(name, f"Not read: it has more than {_MAX_CHARACTERS} characters.")
         if not any(c.isalnum() and c != "0" for c in str(_fill_blanks(answer))):
-            return _refuse(name, _NOT_ANSWERED)
+            return _refuse(name, NOT_ANSWERED)
         mark_kind = _BY_KIND.get(part.kind, _mark_numbers)
         return mark_kind(question, part, answer)
     except ArmError as error:

@@ -439,6 +439,25 @@ def test_late_column_follows_canvas_and_late_csv(here):
     assert list_late(grade(Path("hw"), Path("out"), jobs=1))[0] == ""
 
 
+def test_stats_count_parts_and_mistakes(here, capsys):
+    course = make_course("ab", "cd", "ef")
+    keys = {student: make_right_answers(course.sheet(student)) for student in ("ab", "cd")}
+    write_answers("ab", keys["ab"])
+    write_answers("cd", {**keys["cd"], "p": [1000 * x for x in keys["cd"]["p"]], "R": "1 2 3"})
+    grade(Path("hw"), Path("out"), jobs=1)
+    lines = run_command("stats hw --out out", capsys).splitlines()
+    assert [line.split() for line in lines[:3]] == [
+        ["part", "mean", "right", "partly", "wrong", "not", "answered"],
+        ["p", "0.50", "1", "1", "0", "1"],
+        ["R", "0.33", "1", "0", "1", "1"],
+    ]
+    assert lines[5].split(maxsplit=2) == [
+        "1", "p", "The position is in millimetres: use metres"
+    ]  # fmt: skip
+    assert Path("out/statistics.svg").read_text("utf-8").startswith("<?xml")
+    assert "holds no marks" in run_command("stats hw --out none", capsys, 2)
+
+
 def test_late_csv_with_unknown_students_is_refused(here):
     make_course("ab")
     Path("hw/late.csv").write_text("id,late\nzz,1\nab,1\nyy,1\n", "utf-8")
