@@ -47,6 +47,30 @@ export function units(texts, slacks = []) {
   return found.map(unit);
 }
 
+/**
+ * Return the units that a program's numbers have if it trims zeros: those of the column's finest
+ * number, or of as many significant digits as the column's longest.
+ * @param {number[][]} rows @param {number[][]} typedUnits
+ */
+export function columnUnits(rows, typedUnits) {
+  const columns = rows[0].map((_, k) => {
+    const pairs = rows
+      .map((row, i) => [Math.abs(row[k]), typedUnits[i][k]])
+      .filter(([, unit]) => unit); // an exact one has none
+    return {
+      finest: Math.min(...pairs.map(([, unit]) => unit)),
+      digits: Math.max(...pairs.map(([x, unit]) => Math.ceil(Math.log10(1 + x / unit)))),
+    };
+  });
+  return rows.map((row, i) =>
+    row.map((x, k) => {
+      const { finest, digits } = columns[k];
+      const leading = Math.ceil(Math.log10(Math.abs(x) || finest));
+      return Math.min(typedUnits[i][k], Math.max(finest, 10 ** (leading - digits)));
+    }),
+  );
+}
+
 // Read a plain number as typed; null for a formula.
 function literal(text) {
   const trimmed = text.trim();

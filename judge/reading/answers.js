@@ -232,19 +232,27 @@ function columnOf(block, names) {
   return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, headers: [] }];
 }
 
-// The columns whose headers name the joints, of several side by side.
+// The columns whose headers name the joints, of several side by side. Other columns stand before
+// and behind them; one before them that counts the rows may have no header.
 function jointColumns(block, { by, columns }) {
   const { headers, rows } = block;
-  const extra = headers.length - rows[0].length;
-  if (by !== "joint" || extra < 0 || rows[0].length <= columns) return [];
-  const chosen = rows[0].flatMap((_, k) =>
-    labelsOf([[headers[extra + k]]])?.kind === "joint" ? [k] : [],
-  );
-  if (chosen.length !== columns) return [];
-  const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, chosen[0])]);
-  const select = (list) => chosen.map((k) => list[k]);
-  return [{ ...block, rows: rows.map(select), labels, headers: select(headers.slice(extra)) }];
+  const before = headers.findIndex((header) => isJointHeader(header));
+  const own = headers.slice(before, before + (columns ?? 0));
+  const extra = rows[0].length - own.length;
+  if (by !== "joint" || before < 0 || extra < 1 || own.length !== columns) return [];
+  if (!own.every(isJointHeader)) return [];
+  const behind = headers.length - before - columns;
+  const first = textsOf(rows.map(([cell]) => cell));
+  const most = Math.min(extra, before + (isSeries(first) ? 1 : 0));
+  const least = Math.max(0, extra - behind);
+  if (least > most) return [];
+  const from = isSeries(first) ? Math.max(least, 1) : least;
+  const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, from)]);
+  const select = (list) => list.slice(from, from + columns);
+  return [{ ...block, rows: rows.map(select), labels, headers: own }];
 }
+
+const isJointHeader = (header) => labelsOf([[header]])?.kind === "joint";
 
 // The block without a first column that counts its rows or tells the time, or names them, and
 // without a first row that counts or names its columns.

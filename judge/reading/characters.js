@@ -28,6 +28,12 @@ export const SPACING =
 export const foldCharacters = (text) => text.replace(FOLDED, foldCharacter);
 export const withoutSpacing = (text) => text.replace(SPACING, " ");
 
+// Characters that a page's source names.
+const ENTITIES = {
+  ...{ pi: "π", theta: "θ", alpha: "α", tau: "τ", omega: "ω", deg: "°" },
+  ...{ minus: "-", nbsp: " ", times: "*", plusmn: "±", asymp: "" },
+};
+
 const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
 const NOUNS = "wrist|joint|column|link|angle|torque|axis|motor|branch|sol(?:ution)?|lösung";
 // A noun and its number in one word.
@@ -39,7 +45,7 @@ export const MATRIX_CHARACTERS = [
   [/\+?[⎛-⎭─-╬]+\+?/g, " "],
   [/\b(?:Sin|Cos|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
   [new RegExp(String.raw`\b(?:${NOUNS})[ \t]+(?=\d)`, "gi"), joinedNoun],
-  [/(?<![\p{L}\p{N}])(τ|θ|tau|theta|q)[ \t]+(?=\d[ \t]*=)/gu, "$1_"],
+  [/(?<![\p{L}\p{N}])(τ|θ|tau|theta|q)[ \t]+(?=\d[ \t]*(?:=|:|->))/giu, "$1_"],
   [/(?<=[A-Za-z]\w*\[\d{1,2})\]\[(?=\d{1,2}\])/g, ","], // J[0][1]
   [/(?<=[\p{L}\p{N}_})\]][ \t]+)(?:is|equals)(?=[ \t]+[-+≈~]?[ ]?[.\d])/gu, "="],
   [/\\pm\b/g, "±"],
@@ -56,6 +62,7 @@ export const MATRIX_CHARACTERS = [
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
   [/<\/t[dh]>\s*<t[dh][^<>\n]{0,60}>/gi, " | "], // a page's table
+  [/&(pi|theta|alpha|tau|deg|minus|nbsp|times|plusmn|asymp|omega);/g, (_, name) => ENTITIES[name]],
   [/<\/?(?:table|tr|t[dh])\b[^<>\n]{0,60}>/gi, " "],
   [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
   [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten

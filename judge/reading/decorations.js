@@ -2,7 +2,8 @@
 // of a footnote, a comment. They are taken off; the number keeps its place in the pasted text.
 
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
-const QUANTITY = String.raw`${NUMBER}(?: ?(?:[kmM]?N ?[-·*]?m{0,2}|rad|deg|°|mm?|cm))?`;
+const UNITS_BEHIND = String.raw`[kmM]?N ?[-·*]?m{0,2}|rad|deg|°|\$\^\\circ\$|π|pi|mm?|cm`;
+const QUANTITY = String.raw`${NUMBER}(?: ?(?:${UNITS_BEHIND}))?`;
 const BEFORE = String.raw`(?<=^|[\s|&,;:=[({>$])`;
 const AFTER = String.raw`(?=$|[\s|&,;:.\])}<$])`;
 const wrapped = (mark) => new RegExp(`${BEFORE}${mark} ?(${QUANTITY}) ?${mark}${AFTER}`, "gm");
@@ -19,23 +20,26 @@ function shortUnit(unit) {
   return letters.replace(/\\cdot|[.\s\\~]/g, "");
 }
 
-// x ± u, where u is a few of x's last places; another ± stands for two numbers.
+// x ± u, where u is small or a few of x's last places; another ± stands for two numbers, as in
+// 0.3 ± 0.1, which may be 0.4 and 0.2.
 function withoutUncertainty(all, x, unit = "", uncertainty) {
-  if (!/\.\d\d/.test(x)) return all; // 0.3 ± 0.1 may be 0.4 and 0.2
-  const place = 10 ** -x.split(".")[1].length;
-  return Number(uncertainty) <= 20 * place ? x + unit : all;
+  const decimals = x.split(/[.,]/)[1]?.length ?? 0;
+  const most = Math.max(SMALL, decimals > 1 ? 20 * 10 ** -decimals : 0);
+  return Number(uncertainty.replace(",", ".")) <= most ? x + unit : all;
 }
+
+const SMALL = 0.001; // rad or N m: no two solutions lie as near
 
 const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|underline|num";
 
 // Matches text in braces, with braces inside it up to two deep.
 const BRACED = String.raw`\{((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){0,60}\}){0,80})\}`;
 // (corrected), (was 2.075), but (rad)
-const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ \t]*[*/^+-])`;
+const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ ]*[*/^+-])`;
 
 const UNCERTAIN =
-  String.raw`(?<![\d.])(\d{0,9}\.\d{1,20})([ ]?(?:${UNIT}|π|pi))?` +
-  String.raw`\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)`;
+  String.raw`(?<![\d.,])(\d{1,9}(?:[.,]\d{0,20})?|[.,]\d{1,20})([ ]?(?:${UNIT}|π|pi))?` +
+  String.raw`\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*[.,]\d+)`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
@@ -62,20 +66,22 @@ const DECORATIONS = [
     (_, power) => `e${[...power].map((one) => "-+0123456789"[SUPERSCRIPTS.indexOf(one)]).join("")}`,
   ],
   [/(?<=\d\.\d{3})[\u2009\u202f](?=\d{1,3}(?!\d))/g, ""], // 0.123 456
-  [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+−]?[\d.])/g, " "],
+  [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+−]?(?:[\d.π]|pi|\\pi))/g, " "],
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
-  [/(?<=\d)(?:[ ]*[†‡§✓✔]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\})/g, ""],
+  [/(?<=[\w°π)}])[ ]*[✓✔](?!\w)/g, ""],
+  [/(?<=\d)(?:[ ]*[†‡§]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\})/g, ""],
   [/(?<=[\d}])\^\{\*\}/g, ""],
   [/(?<=[\d)][ \t]+)[-–—](?=[ \t]*$)/gm, ""], // an empty cell at a row's end
-  [/(?<=[\d\])°m][ ]*)(?:<-+|←|!)(?=[ ]*(?:$|[,;]))/gm, ""], // an arrow that points at a number
+  [/(?<=[\d\])°m][ ]+)#[ ]?[a-z]{2,12}(?=[ ]*[\t|&;])/g, ""], // a remark in a cell
+  [/(?<=[\d\])°m][ ]*)(?:<-+|←|!)(?=[ ]*(?:$|[,;\t|&]))/gm, ""], // an arrow that points at a number
   ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`", "'"].map((mark) => [wrapped(mark), "$1"]),
   [
-    /(?<=\d\.\d{1,18}(?:e[-+]?\d{1,2})?)\*(?=\s*(?:$|[|&;,\]])|[ \t]{2,}(?:[-+−.\d]|%|#|\/\/))/gm,
+    /(?<=\d[.,]\d{1,18}(?:e[-+]?\d{1,2})?)\*(?=\s*(?:$|[|&;,\]])|[ \t]{2,}(?:[-+−.\d]|%|#|\/\/))/gm,
     "",
   ], // a star behind
   [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
-  [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}))?)[ ]*${REMARK}`, "g"), ""],
+  [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
   [new RegExp(String.raw`(?<![\w.])${NUMBER}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"), ""], // corrected
   [new RegExp(`<(${NUMBER.replace("[-+]", "[-+−]")})>`, "g"), "$1"],
   [new RegExp(String.raw`(?<=\d)[ \t]*\[\s*(${UNIT})\s*\]`, "g"), " $1"], // 0.5 [rad]
@@ -149,7 +155,7 @@ const COMMENTS = [
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
-  /(?<=[\d\])},;°m*][ \t]+)(?:#(?!\d)|%|\/\/|<-).*\d.*$/gm,
+  /(?<=[\d\])},;°m*][ \t]+)(?:#(?!\d)|%|\/\/|<-).*$/gm,
 ];
 
 /**

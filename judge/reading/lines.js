@@ -155,6 +155,7 @@ function endLine(state) {
   if (line.startsWith(FACTOR)) state.scale = `*${line.slice(FACTOR.length)}`;
   if (line === PART) state.part++;
   if (line) state.above = state.words;
+  if (/^\d{1,3}$/.test(state.name)) state.name = ""; // "Problem 3: Jacobian" names no row below
   state.words = [];
 }
 
@@ -235,7 +236,7 @@ const MEASURED = /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?)\s*([A-Za-z°][-A-Za-z°·*⋅.
 // A text without what is written around it, its unit as a factor.
 function cleaned(text, { decimal }) {
   let cell = text.trim().replace(/^"|"$|"?[.,;]$/g, "");
-  if (decimal) cell = cell.replace(/(?<=\d),(?=\d)/g, ".");
+  if (decimal) cell = cell.replace(/(?<=\d|^[-+]?),(?=\d)/g, ".");
   if (cell.includes("[")) cell = cell.replaceAll("[", "(").replaceAll("]", ")");
   const [, number, word = ""] = MEASURED.exec(cell) ?? [];
   const unit = unitOf(word);

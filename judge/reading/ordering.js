@@ -59,7 +59,7 @@ export function inListedOrder(block, { by, turned, columns }, text) {
 
 // The numbers of so many joints whose names stand beside each other, null where none do.
 function listedJoints(text, size) {
-  const words = plainCharacters(new SpannedText(text)).text.split(/[\s,;:[\]{}"-]+/);
+  const words = plainCharacters(new SpannedText(text)).text.split(/[\s,;:=[\]{}"-]+/);
   const labels = words.map((word) => (/\p{L}/u.test(word) ? labelIn([{ text: word }]) : null));
   const joints = [];
   for (const label of [...labels, null]) {

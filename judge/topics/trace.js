@@ -12,13 +12,14 @@ import {
   revoluteFlags,
 } from "../geometry/kinematics.js";
 import { subtractEach, decomposeSingular } from "../geometry/linear.js";
-import { DEG } from "../geometry/angles.js";
+import { DEG, RAD } from "../geometry/angles.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { jointShapes, numbers, asDegrees, rowsOf, setAside } from "../reading/numbers.js";
 import { roundHalfToEven } from "../geometry/planar.js";
 import { formatMillimetres } from "../matching.js";
 import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
+import { blurOf, unitsWithoutTrimming } from "./trace_units.js";
 import { joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import {
   followsPathByEuler,
@@ -70,8 +71,9 @@ export const judgeTrace = completeVerdicts(traceJudged);
 
 function traceJudged(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
-  const run = upright(typed, arm, path.times.length, typed.says?.angles ?? angles);
-  if (!run) return misshapen(typed, arm, path);
+  const read = upright(typed, arm, path.times.length, typed.says?.angles ?? angles);
+  if (!read) return misshapen(typed, arm, path);
+  const run = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
   if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
     return explained(arm, makeCause("trace.degrees"), [], run.taken, {});
@@ -103,15 +105,6 @@ const beyond = (errors, allowed) => errors.some((error, k) => error > allowed[k]
 // Return the distance of each point from the path's point at the same time.
 const offs = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
 
-// Bound the error (m) of the tip's position from the typed digits of a row of joints.
-function blurOf(row, units, arm) {
-  const at = makeChain(arm, row);
-  const J = flatJacobian(at, chainFrames(at));
-  const over = (i) =>
-    units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
-  return norm([0, 1, 2].map(over));
-}
-
 // Return a row for each step. Columns are transposed, a leading column of times or zeros and one
 // extra step are dropped, and the verdict reports each change.
 /** @returns {Run | null} */
@@ -121,7 +114,13 @@ function upright(typed, arm, count, unit) {
   if (shape.length !== 2) return null;
   const taken = [...typed.said];
   const lengths = [count - 1, count, count + 1];
-  let [rows, units] = [typed.values, typed.units].map((list) => rowsOf(list, shape[1]));
+  const typedUnit = ({ angle }) => (angle && unit === "deg" ? RAD : 1); // an angle is read as rad
+  let [rows, units] = [typed.values, typed.units].map((list) =>
+    rowsOf(
+      list.map((x, i) => x / typedUnit(typed.entries[i])),
+      shape[1],
+    ),
+  );
   if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
     [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
     taken.push(formatMessage("taken: list per joint"));

@@ -1,0 +1,52 @@
+// Units of the last digits of a trajectory, whose printer may have trimmed zeros.
+
+import { METHOD_ERROR } from "../causes/trace.js";
+import { columnUnits } from "../digits.js";
+import { chainFrames, flatJacobian, makeChain } from "../geometry/chains.js";
+import { dot, linkFrames, minus, norm } from "../geometry/kinematics.js";
+
+/** @typedef {import("../geometry/path.js").Path} Path */
+
+const FEWEST_TRIMMED = 2; // entries of a row: a lone round one may be rounded by hand
+
+/**
+ * Return the units of a trajectory's last digits. A program that trims zeros prints 1.1 for 1.1000.
+ * A row with such entries that is right to its column's digits shows that it does; then they are
+ * exact, but for a lone entry whose rounding explains its row.
+ * @param {{ q: number[][], units: number[][] }} run @param {any} arm @param {Path} path
+ */
+export function unitsWithoutTrimming({ q, units }, arm, path) {
+  const fine = columnUnits(q, units);
+  const isTrimmed = units.map((row, k) => row.map((unit, i) => unit > 1.5 * fine[k][i]));
+  const errors = q.map((row, k) =>
+    minus(path.position(path.times[k]), linkFrames(arm, row).at(-1).o),
+  );
+  const isRight = (k, error = norm(errors[k])) =>
+    error <= METHOD_ERROR + blurOf(q[k], fine[k], arm);
+  const count = (k) => isTrimmed[k].filter(Boolean).length;
+  if (!q.some((_, k) => count(k) >= FEWEST_TRIMMED && isRight(k))) return units;
+  const isExplained = (k) => {
+    const i = isTrimmed[k].indexOf(true);
+    const column = positionColumn(q[k], i, arm);
+    const change = dot(column, errors[k]) / dot(column, column);
+    const rest = norm(errors[k].map((x, j) => x - change * column[j]));
+    return Math.abs(change) <= 0.51 * units[k][i] && isRight(k, rest);
+  };
+  return units.map((row, k) => (!isRight(k) && count(k) === 1 && isExplained(k) ? row : fine[k]));
+}
+
+// Return how the tip moves (m) when joint i does, by 1 rad or 1 m.
+function positionColumn(row, i, arm) {
+  const at = makeChain(arm, row);
+  const J = flatJacobian(at, chainFrames(at));
+  return [0, 1, 2].map((k) => J[k * row.length + i]);
+}
+
+// Bound the error (m) of the tip's position from the typed digits of a row of joints.
+export function blurOf(row, units, arm) {
+  const at = makeChain(arm, row);
+  const J = flatJacobian(at, chainFrames(at));
+  const over = (i) =>
+    units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
+  return norm([0, 1, 2].map(over));
+}
