@@ -132,6 +132,16 @@ export function buildForm(id, arms, given) {
   return { form, fields, boxes, grids, told, folded };
 }
 
+const EXAMPLE_WRENCH = "This wrench is the example's: write yours, or empty the field. ";
+
+/**
+ * Say below the wrench whether the page filled it in for an example.
+ * @param {HTMLElement} box
+ * @param {boolean} isExample
+ */
+export const showWrenchHint = (box, isExample) =>
+  setText(box.querySelector(".about"), (isExample ? EXAMPLE_WRENCH : "") + FIELDS.wrench.hint);
+
 /**
  * Say below the reader's own table how it was read.
  * @param {HTMLElement} box

@@ -11,7 +11,14 @@ import {
   parseQuestionLink,
 } from "./question.js";
 import { addFileInput } from "./files.js";
-import { adaptForm, buildForm, listNumberNames, makeOffer, showTableReading } from "./form.js";
+import {
+  adaptForm,
+  buildForm,
+  listNumberNames,
+  makeOffer,
+  showTableReading,
+  showWrenchHint,
+} from "./form.js";
 import { addReportButton } from "./hand_in.js";
 import { makeMarkedText } from "./marked_text.js";
 import { AnswerMemory, clearAnswers } from "./memory.js";
@@ -180,6 +187,11 @@ export class AnswerCheck {
     return Boolean(this.start.answer) && this.question.answer === this.start.answer;
   }
 
+  hasExampleWrench() {
+    const { wrench, answer } = this.start;
+    return Boolean(answer && wrench) && this.question.wrench === wrench;
+  }
+
   notify(message) {
     setText(this.parts.said, message);
   }
@@ -192,6 +204,7 @@ export class AnswerCheck {
       if (field.value !== text) field.value = text;
     }
     adaptForm(form, question, this.arms);
+    showWrenchHint(form.boxes.wrench, this.hasExampleWrench());
     this.fillGrids();
   }
 
