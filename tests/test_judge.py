@@ -14,9 +14,10 @@ from helpers.arm import Arm
 from helpers.checks.compare import read_numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
-from helpers.kinematics import forward_kinematics
+from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion import circle_below, rest_to_rest
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
+from helpers.statics import gravity_torque
 from tests.cases import QUESTIONS, questions_about, typed_fields
 from tests.node import ask_node, needs_node
 from tests.pastes import PROGRAMS
@@ -150,6 +151,53 @@ def test_question_gets_expected_verdict(case):
         assert words in found["words"], found
     for words in case.get("unsaid", ()):
         assert words not in found["words"], found
+
+
+# Degrees that are read as radians
+
+UR_DEGREES = np.degrees([0.3, -1.1, 1.4, -0.8, 0.9, 0.2])
+COMPARE_AT = {
+    "jacobian": lambda q, at: checks.compare_jacobian(jacobian(UR10E, at).round(4), UR10E, q),
+    "torques": lambda q, at: checks.compare_torques(gravity_torque(UR10E, at).round(3), UR10E, q),
+    "pose": lambda q, at: checks.compare_pose(q, UR10E, forward_kinematics(UR10E, at)),
+    "branches": lambda q, at: checks.compare_branches(
+        q, inverse.ur(UR10E, forward_kinematics(UR10E, at))
+    ),
+}
+
+
+def write_degrees(decimals):
+    text = ", ".join(f"{x:.{decimals}f}" for x in UR_DEGREES)
+    return text, np.radians([float(x) for x in text.split(",")])
+
+
+@pytest.mark.filterwarnings("ignore:.*more than four turns")  # of helpers.statics
+@pytest.mark.parametrize("topic", COMPARE_AT)
+@pytest.mark.parametrize("decimals", [0, 1, 2, 4])
+def test_degrees_read_as_radians_are_named(topic, decimals):
+    text, exact = write_degrees(decimals)
+    rounded = np.radians(UR_DEGREES) if decimals else exact
+    for at in (exact, rounded):
+        report = COMPARE_AT[topic](text, at)
+        assert report.grade == "wrong"
+        assert [name.split(".")[1] for name in report.causes] == ["degrees"]
+        assert 'say angles="deg"' in str(report)
+
+
+@pytest.mark.parametrize("topic", COMPARE_AT)
+def test_angle_above_a_turn_is_asked_about_in_wrong_answer(topic):
+    text, exact = write_degrees(2)
+    report = COMPARE_AT[topic](text, exact + 0.1 * np.arange(1, 7))
+    assert (report.grade, report.causes) == ("wrong", ())
+    assert "q_1 = 17.19 rad is more than a whole turn. Is it in degrees?" in report.notes
+    assert report.advice == ('If that is what you mean, say angles="deg"',)
+
+
+@pytest.mark.parametrize("topic", COMPARE_AT)
+def test_right_answer_with_whole_turns_asks_nothing(topic):
+    q = np.radians(UR_DEGREES) + 2 * np.pi
+    report = COMPARE_AT[topic](q.round(6), q.round(6))
+    assert (report.grade, report.advice) == ("right" if topic != "branches" else "so far", ())
 
 
 # Joint values of the first joints only

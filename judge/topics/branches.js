@@ -9,6 +9,7 @@ import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { askAboutDegrees } from "./degrees.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 
@@ -39,9 +40,18 @@ function branchesCompared(mine, arm, target, options = {}) {
 }
 
 function judgeAnswers(mine, right, target, options) {
-  const { tolerance = null } = options;
+  const { arm } = right;
+  const { angles, tolerance = null } = options;
   const { answers: given, taken, typed } = upright(mine, right, target, options);
-  const { astray, ...report } = judged(right, given, tolerance, taken);
+  const { astray, ...verdict } = judged(right, given, tolerance, taken);
+  const report = askAboutDegrees(verdict, {
+    arm,
+    values: given.flatMap(({ values }) => values),
+    angles,
+    key: "ik.degrees",
+    judgeInDegrees: () => judgeAnswers(mine, right, target, { ...options, angles: "deg" }),
+    makeHeadline: (cause) => formatMessage("ik wrong", { arm: arm.name, cause }),
+  });
   const dof = movingRows(right.arm).length;
   const asRows = !taken.length && typed.shape.at(-1) === dof;
   const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));

@@ -15,6 +15,7 @@ import { norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task_rows.js";
 import { lookup, numbers, pose } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { askAboutDegrees } from "./degrees.js";
 import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
@@ -35,7 +36,15 @@ function jacobianCompared(mine, arm, q, options = {}) {
   const typed = matrix(mine, known, arm, { ...options, at });
   const asked = { ...options, arm, at, frame: options.frame ?? 0 };
   const report = compared(typed, asked, [...typed.said, ...(at.locked ?? [])]);
-  return { ...report, typed };
+  const verdict = askAboutDegrees(report, {
+    arm,
+    values: at.values,
+    angles: options.angles,
+    key: "J.degrees",
+    judgeInDegrees: () => jacobianCompared(mine, arm, q, { ...options, angles: "deg" }),
+    makeHeadline: (cause) => formatMessage("J wrong", { arm: arm.name, cause: `${cause}.` }),
+  });
+  return { ...verdict, typed };
 }
 
 function compared(typed, asked, said) {

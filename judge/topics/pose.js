@@ -22,6 +22,7 @@ import { describeMiss } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, rowsGiven } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { askAboutDegrees } from "./degrees.js";
 import {
   ArmError,
   describeShape,
@@ -69,7 +70,18 @@ function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null
   const known = lookup(arm, given[0].values);
   const target = readTarget(T, arm, known);
   const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
-  return { ...judged({ ...given[0], units }, arm, target, tolerance, taken), typed };
+  const verdict = judged({ ...given[0], units }, arm, target, tolerance, taken);
+  const [away, turned] = missOf(chainFrames(makeChain(arm, given[0].values)).at(-1), target);
+  const off = describeMiss(away, turned);
+  const answer = askAboutDegrees(verdict, {
+    arm,
+    values: given[0].values,
+    angles,
+    key: "ik.degrees",
+    judgeInDegrees: () => judgeJoints(q, arm, T, { angles: "deg", tolerance, which }),
+    makeHeadline: (cause) => formatMessage("pose cause", { arm: arm.name, off, cause }),
+  });
+  return { ...answer, typed };
 }
 
 // Judge the angles of the first joints alone, if the arm has a closed form for such targets.

@@ -25,6 +25,7 @@ import {
   unnamed,
 } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { askAboutDegrees } from "./degrees.js";
 import { judgeFirstTorques, judgeFirstTorquesInText, judgeWholeOrPart } from "./first_joints.js";
 import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
@@ -53,13 +54,21 @@ function torquesCompared(mine, arm, q, options = {}) {
     inNewtonMetres(
       numbers(unnamed(mine), `${arm.name}: your torques`, undefined, undefined, question),
     );
-  return judgeWholeOrPart(
+  const verdict = judgeWholeOrPart(
     () => judgeTorques(read(asked), context),
     () =>
       wrenches.length > 1
         ? null
         : judgeFirstTorquesInText((wants) => read({ ...asked, wants }), context),
   );
+  return askAboutDegrees(verdict, {
+    arm,
+    values: at.values,
+    angles: options.angles,
+    key: "tau.degrees",
+    judgeInDegrees: () => torquesCompared(mine, arm, q, { ...options, angles: "deg" }),
+    makeHeadline: (cause) => formatMessage("tau wrong", { arm: arm.name, cause: `${cause}.` }),
+  });
 }
 
 /** @param {import("./first_joints.js").TorqueContext} context */

@@ -1,6 +1,7 @@
 // Judges a trajectory of joints: whether its tip follows the path, and how the joints move.
 
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { askAboutDegrees } from "./degrees.js";
 import {
   dot,
   movingRows,
@@ -77,7 +78,13 @@ function traceJudged(typed, arm, path, options = {}) {
   const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
   if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
     return explained(arm, makeCause("trace.degrees"), [], run.taken, {});
-  return judged(run, arm, path, allowed, tolerance !== null);
+  const verdict = judged(run, arm, path, allowed, tolerance !== null);
+  return askAboutDegrees(verdict, {
+    arm,
+    values: run.q.flat(),
+    angles: run.unit,
+    key: "trace.degrees",
+  });
 }
 
 // Return whether the joint values follow the path in degrees and not in radians.
