@@ -77,7 +77,7 @@ class TraceReport:
             ("largest distance off the wall", _format_length(self.off_wall)),
             ("largest tilt of the pen", _format_angle(self.pen_tilt)),
             ("gap between the tip's start and end", _format_length(self.closing_gap)),
-            ("largest change of a joint over the whole path", _format_angle(self.joint_gap)),
+            ("largest difference of a joint between start and end", _format_angle(self.joint_gap)),
             ("smallest singular value of J", format_size(self.smallest_singular_value)),
             ("largest condition number of J", _format_condition(self.largest_condition)),
             (
@@ -85,10 +85,7 @@ class TraceReport:
                 f"{self.largest_speed:.3g} rad/s, {share if self.speeds else 'no limit is known'}",
             ),
             ("largest joint acceleration", f"{acceleration} rad/s²"),
-            (
-                "joint speed to take on or lose at once",
-                f"{start_speed} rad/s",
-            ),
+            ("largest jump of a joint's speed at the start or the end", f"{start_speed} rad/s"),
             ("joints beyond their range", beyond_limits if self.ranges else "no range is known"),
             ("joints beyond their speed", beyond_speed if self.speeds else "no limit is known"),
         ]
