@@ -28,7 +28,7 @@ IN_FAIRNESS = {
     7: "Except link 2 & link 3",
     10: "resulting graph was obtained",
     11: "polar coordinates of the circle that needs to be traced",
-    12: "belongs to the other elbow",
+    12: "of the other elbow",
     13: r"\theta'_1 = \pi + ",
     16: "two slips that cancel",
     17: "mended by the report itself",
