@@ -4,12 +4,15 @@ The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off
 `UR10E` have the makers' lengths, `PANDA_HOMEWORK` and `UR10E_HOMEWORK` those of the assignment.
 """
 
+import warnings
+from collections.abc import Iterable
 from dataclasses import replace
 from math import pi
 from typing import Any
 
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.deprecated import deprecated_names
+from helpers.inputs import require_choice, require_type, tuple_of_items
 
 __all__ = [
     "ARMS",
@@ -23,6 +26,7 @@ __all__ = [
     "UR10E",
     "UR10E_HOMEWORK",
     "find_arm",
+    "restore_lengths",
 ]
 
 #: The Panda with the maker's lengths, limits and the masses of Gaz et al., and the homework's pen.
@@ -184,6 +188,38 @@ def find_arm(name: str) -> Arm:
         if arm.name.casefold() == str(name).casefold():
             return arm
     raise ArmError(f"no arm is called {name!r}; expected one of {', '.join(a.name for a in arms)}")
+
+
+def restore_lengths(arm: Arm, names: Iterable[str]) -> Arm:
+    """Replace lengths of 0 by those of the catalogue, with a warning.
+
+    Chapters call it where their argument needs a length, so that they go on with a changed arm.
+
+    Args:
+        arm: An arm of the catalogue, with any values.
+        names: The lengths that must not be 0.
+
+    Raises:
+        ArmError: The arm is none of the catalogue, or has no such length.
+
+    Example:
+        >>> restore_lengths(ELBOW, ["a_2"]) == ELBOW
+        True
+    """
+    require_type(arm, Arm, "arm")
+    names = tuple_of_items(names, "names", "symbols of the arm, such as a_2")
+    book_values = find_arm(arm.name).values
+    for name in names:
+        require_choice(name, "names", book_values)
+    missing = {name: book_values[name] for name in names if not arm.values[name]}
+    if missing:
+        lengths = ", ".join(f"{name} = {value:g}" for name, value in missing.items())
+        warnings.warn(
+            f"{arm.name}: what follows needs {' and '.join(missing)} other than 0; it goes on with"
+            f" {lengths} m",
+            stacklevel=2,
+        )
+    return arm.with_values(**missing)
 
 
 __getattr__ = deprecated_names(__name__, named="find_arm")

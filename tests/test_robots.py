@@ -21,6 +21,7 @@ from helpers.robots import (
     UR10E,
     UR10E_HOMEWORK,
     find_arm,
+    restore_lengths,
 )
 from tests.corpus.arms import CATALOGUE
 
@@ -156,3 +157,9 @@ def test_every_arm_has_an_independent_table():
     names = {name for name, arm in vars(robots).items() if isinstance(arm, Arm)}
     missing = sorted(names - {*CATALOGUE})
     assert not missing, f"type the rows of {', '.join(missing)} in CATALOGUE of the corpus"
+
+
+def test_length_of_zero_is_restored_with_a_warning():
+    with pytest.warns(UserWarning, match="a_2 other than 0; it goes on with a_2 = 0.4 m"):
+        arm = restore_lengths(ELBOW.with_values(a_2=0, a_3=0.2), ["a_2", "a_3"])
+    assert arm == ELBOW.with_values(a_3=0.2)

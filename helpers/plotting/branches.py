@@ -27,12 +27,13 @@ def shoulder_triangles(
     Args:
         ax: Axes to draw on.
         point: x and y of the point, shape (2,), m.
-        offset: Distance of the plane from the axis, m.
+        offset: Distance of the plane from the axis, m. Without one both triangles lie on their
+            hypotenuse, which alone is drawn.
         names: Names of the solutions with the shoulder on the left and on the right.
         symbols: Symbols of the leg along the offset and of the leg along the reach.
     """
     point = finite_array(point, "point", "two finite coordinates in m", (2,))
-    offset = finite_number(offset, "offset", "a length in m that is above 0", above=0)
+    offset = finite_number(offset, "offset", "a length in m, 0 or more", least=0)
     distance = float(np.hypot(*point))
     if distance <= offset:
         raise ArmError(
@@ -41,6 +42,8 @@ def shoulder_triangles(
     heading, half = np.arctan2(point[1], point[0]), np.arccos(offset / distance)
     ax.add_patch(Circle((0, 0), offset, fill=False, ls=":", color=GREY))
     ax.plot(*np.stack([(0, 0), point], axis=1), color=RED, lw=1.2, ls="--")
+    if not offset:
+        return
     for side, name, colour in zip((1, -1), names, (BLUE, ORANGE), strict=True):
         direction = heading + side * half
         foot = offset * np.array([np.cos(direction), np.sin(direction)])
