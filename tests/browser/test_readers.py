@@ -7,7 +7,7 @@ import time
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
-from tests.browser.reader import SIZES, TWO_FRAMES, UNTOUCHED, WINDOWS, Reader
+from tests.browser.reader import EVERYTHING, SIZES, TWO_FRAMES, UNTOUCHED, WINDOWS, Reader
 from tests.searches import SEARCHES, STUDENT_SEARCHES
 from tests.test_book import HTML, NAMES
 
@@ -39,13 +39,13 @@ class LateFaces(SimpleHTTPRequestHandler):
 
 
 def test_late_text_faces_move_nothing(browser):
-    """The glossary's tables of symbols are left out: their columns follow the math face."""
+
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(LateFaces, directory=HTML))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     for size in SIZES.values():
         page = browser.new_context(viewport=size).new_page()
         page.add_init_script(UNTOUCHED)
-        for name in ("errata", "05_inverse_kinematics"):
+        for name in ("errata", "glossary"):
             page.goto(f"http://127.0.0.1:{server.server_port}/{name}.html")
             page.wait_for_function("document.fonts.status === 'loaded'")
             page.evaluate(TWO_FRAMES)
@@ -132,6 +132,22 @@ def test_links_and_reloads_reach_far_sections(browser):
     assert 0 < page.locator(place).bounding_box()["y"] < 100
     page.reload()
     assert 0 < page.locator(place).bounding_box()["y"] < 100
+    reader.context.close()
+
+
+def test_scrollbar_is_true_after_the_first_move(browser):
+    """The far sections of a chapter are laid out one by one, and nothing moves in the window."""
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.page
+    page.add_init_script(UNTOUCHED)
+    page.goto((HTML / "02_jacobian.html").as_uri())
+    page.evaluate("scrollTo(0, 3000)")
+    page.wait_for_function("document.documentElement.dataset.fresh === undefined")
+    height = page.evaluate("document.body.scrollHeight")
+    page.evaluate(f"({EVERYTHING}); scrollTo(0, 1e6)")
+    page.evaluate(TWO_FRAMES)
+    assert abs(page.evaluate("document.body.scrollHeight") - height) < 0.02 * height
+    assert page.evaluate("window.moved") < 0.001
     reader.context.close()
 
 
