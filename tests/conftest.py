@@ -29,3 +29,8 @@ ArmError.__init__ = _require_message  # type: ignore[method-assign]
 start_quickjs = engine._start_quickjs
 if NODE and os.environ.get("JUDGE") != "quickjs":
     engine._start_quickjs = lambda script: ask_judge_bundle
+
+
+def pytest_collection_modifyitems(items):
+    """Begin with the file that takes longest, which would come last and run alone."""
+    items.sort(key=lambda item: item.path.name != "test_works.py")

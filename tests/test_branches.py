@@ -107,10 +107,10 @@ def test_what_is_valid_is_right_and_no_pose_loses_its_own_joints(form, arm):
 
 
 @pytest.mark.parametrize(("form", "arm"), CASES)
-def test_as_many_ways_as_newton_finds(form, arm):
-    """From 400 starts each; both find them all, and no other."""
+def test_as_many_branches_as_newton_finds(form, arm):
+    """From 400 starts; both find them all, and no other. It takes 2 s for a pose."""
     rng = np.random.default_rng(2)
-    for q in rng.uniform(-2.5, 2.5, (3, arm.dof)):
+    for q in rng.uniform(-2.5, 2.5, (1, arm.dof)):
         found, asked = solved(form, arm, q[None])
         at = rng.uniform(-np.pi, np.pi, (400, arm.dof))
         at[:, ~arm.turning] = rng.uniform(-3, 3, (400, (~arm.turning).sum()))
