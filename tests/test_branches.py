@@ -90,7 +90,7 @@ def apart(arm, one, other):
 
 
 @pytest.mark.parametrize(("form", "arm"), CASES)
-def test_what_is_valid_is_right_and_no_pose_loses_its_own_joints(form, arm):
+def test_valid_solutions_reach_and_contain_the_pose(form, arm):
     q = at_boundaries(arm, 2500, np.random.default_rng(1))
     found, asked = solved(form, arm, q, start=q)
     n, branch = np.nonzero(found.valid)
@@ -135,7 +135,7 @@ def test_as_many_branches_as_newton_finds(form, arm):
             assert apart(arm, found.q[0][found.valid[0]], x).min() < 1e-6
 
 
-def test_how_far_is_out_of_reach_for_every_arm():
+def test_distance_out_of_reach_is_known_for_every_arm():
     """Beside an offset arm's axis against a fine grid of its reach; a UR's pose moved so far is
     within reach."""
     rng, arm = np.random.default_rng(3), ELBOW.with_values(d=0.12)

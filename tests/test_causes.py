@@ -11,7 +11,8 @@ import pytest
 
 from helpers import checks, inverse, motion
 from helpers.arm import Arm, prismatic, revolute
-from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
+from helpers.kinematics import forward_kinematics
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.corpus.arms import KNOWN
 from tests.corpus.torques import PANDA as LINKS
 from tests.corpus.torques import weight
@@ -158,3 +159,45 @@ def test_report_names_topic_arm_and_grade(about, digits, grade):
     report = ASKED[about](digits)
     assert (report.topic, report.arm, report.grade) == (*about, grade)
     assert about[1] in report.headline
+
+
+# Joint values near zero, whose units cannot be told
+
+
+ZERO_POSE = forward_kinematics(UR10E_HOMEWORK, np.zeros(6))
+
+
+def test_wrong_joint_at_zero_is_not_called_degrees():
+    found = inverse.ur(UR10E_HOMEWORK, ZERO_POSE)
+    report = checks.compare_branches([[0, 0, 0, 0, 0, 0.25]], found)
+    assert report.causes == ()
+    assert "misses the target by 0 mm and 14.3°: q_6 agrees with no branch" in str(report)
+    assert "the 8 branches are only 1 here" in str(report)
+    assert checks.compare_branches([[0.0] * 6], found).grade == "right"
+    pose = checks.compare_pose([0, 0, 0, 0, 0, 0.1], UR10E_HOMEWORK, ZERO_POSE)
+    assert "ik.degrees" not in pose.causes
+
+
+def test_near_miss_at_zero_reports_the_distance():
+    """Joint 6 turned by 0.1 and the others as well as can be: 0.615 mm and 0.11 mrad remain."""
+    best = inverse.solve(UR10E_HOMEWORK.lock(6, 0.1), ZERO_POSE, np.zeros(5), limits=False)
+    found = inverse.ur(UR10E_HOMEWORK, ZERO_POSE)
+    for digits in (16, 5, 4):
+        q = np.round([*best.q, 0.1], digits)
+        words = str(checks.compare_branches([q], found))
+        assert "misses the target by 0.6" in words
+        assert "not in the list" not in words
+
+
+def test_angle_near_zero_is_not_called_wrong_sign():
+    found = inverse.ur(UR10E_HOMEWORK, ZERO_POSE)
+    assert not checks.compare_branches([[0, 0, 0, 0, 0, -0.04]], found).causes
+
+
+def test_exact_whole_degrees_are_right():
+    T = KNOWN["UR10E_HOMEWORK"].tip(np.radians([30, -40, 90, 20, 45, 60]))
+    found = inverse.ur(UR10E_HOMEWORK, T)
+    exact = [q for q in np.degrees(found.q[found.valid]) if abs(q - np.round(q)).max() < 1e-6]
+    report = checks.compare_branches(np.round(exact), found, angles="deg")
+    assert exact
+    assert "two more" not in report.headline

@@ -61,7 +61,7 @@ CUT_LIKE_A_MISTAKE = {("torques", 18)}
 
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS)
-def test_the_truth_rounded_or_cut_in_each_entry_is_right(about, seed):
+def test_rounded_or_cut_entries_are_right(about, seed):
     asked = Asked(about, seed)
     digits = asked.digits()
     assert asked.judge(typed(asked.right, digits)).grade == "right"
@@ -75,7 +75,7 @@ def test_the_truth_rounded_or_cut_in_each_entry_is_right(about, seed):
 
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS)
-def test_one_unit_off_in_a_last_place_is_told_and_is_no_mistake(about, seed):
+def test_one_unit_off_in_the_last_place_is_no_mistake(about, seed):
     """In the largest entry, away from zero, so that it is not cut; q has no unwritten digits."""
     asked = Asked(about, seed, 15)
     digits = asked.digits()
@@ -89,7 +89,7 @@ def test_one_unit_off_in_a_last_place_is_told_and_is_no_mistake(about, seed):
 
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS[:8])
-def test_the_unwritten_digits_of_each_joint_are_allowed_for(about, seed):
+def test_rounding_of_each_joint_is_allowed_for(about, seed):
     """Joint 1 is given to nine decimals and the others to three: theirs are what counts."""
     asked = Asked(about, seed, 15)
     asked.q = " ".join(f"{x:.{9 if k == 0 else 3}f}" for k, x in enumerate(asked.q))
@@ -98,7 +98,7 @@ def test_the_unwritten_digits_of_each_joint_are_allowed_for(about, seed):
 
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS)
-def test_an_entry_off_by_chance_gets_no_cause_and_is_located(about, seed):
+def test_random_error_gets_no_cause_but_its_place(about, seed):
     asked = Asked(about, seed)
     digits = asked.rng.integers(asked.fewest - 1, asked.fewest + 2)
     mine = np.array(asked.right)
@@ -112,7 +112,7 @@ def test_an_entry_off_by_chance_gets_no_cause_and_is_located(about, seed):
 
 
 @pytest.mark.parametrize("seed", [10, 17, 24, 27])
-def test_whole_newton_metres_off_by_chance_get_no_cause(seed):
+def test_random_error_of_whole_newton_metres_gets_no_cause(seed):
     """Of so many pairs of slips some would fit them: four of forty, did evidence not count."""
     asked = Asked("torques", seed)
     mine = np.array(asked.right)
@@ -122,13 +122,13 @@ def test_whole_newton_metres_off_by_chance_get_no_cause(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_two_columns_off_by_chance_get_no_cause(seed):
+def test_random_errors_of_two_columns_get_no_cause(seed):
     asked = Asked("jacobian", seed)
     mine = asked.right + np.where(asked.rng.random(asked.right.shape) < 0.1, 0.377, 0)
     assert not asked.judge(typed(mine, 3)).causes
 
 
-def test_whole_numbers_of_the_homeworks_start_are_not_right():
+def test_whole_numbers_of_the_start_are_not_right():
     J = (
         KNOWN["PANDA"]
         .with_rows(
@@ -156,7 +156,7 @@ def of_panda(tau, digits=4, arm=PANDA):
     return checks.compare_torques(typed(tau, digits), arm, Q, [-5, 0, 0, 0, 0, 0])
 
 
-def test_digits_that_a_known_slip_would_share_are_too_few():
+def test_digits_that_a_known_mistake_shares_are_too_few():
     assert of_panda(tau_of(), 2).agrees
     few = of_panda(tau_of(), 0)  # g = 9.8 changes 29 N m by 0.03
     assert few.grade == "so far"
@@ -192,18 +192,18 @@ SWAPPED = [
         (1000 * tau_of() - 999 * FORCE, "tau.grams"),
     ],
 )  # fmt: skip
-def test_the_reports_own_models_are_named(tau, cause):
+def test_models_of_the_report_are_named(tau, cause):
     report = of_panda(tau)
     assert cause in report.causes, report
     assert ("slip 8" in str(report)) == ("tau.report" in cause)
 
 
-def test_the_torques_say_which_masses_they_are_compared_with():
+def test_torque_verdict_names_its_masses():
     assert any("4.97, 0.647, 3.23" in line for line in of_panda(tau_of()).taken)
 
 
 @pytest.mark.parametrize("name", ["PANDA.lock(3)", "UR10E_HOMEWORK", "STANFORD", "ELBOW"])
-def test_every_angular_column_z_0_is_named(name):
+def test_angular_columns_of_z_0_are_named(name):
     m = KNOWN[name]
     q = pose(m, np.random.default_rng(1))
     slips = dict(jacobians.before(m, q, np.random.default_rng(2)))
@@ -211,7 +211,7 @@ def test_every_angular_column_z_0_is_named(name):
     assert report.causes == ("J.z_0 angular",), report
 
 
-def test_a_locked_joints_row_deleted_from_the_table_is_named():
+def test_deleted_row_of_a_locked_joint_is_named():
     m = KNOWN["PANDA.lock(3)"]
     q = pose(m, np.random.default_rng(1))
     mine = m.with_rows([row for row in m.rows if row[0] != "F"]).jacobian(q)
@@ -232,7 +232,7 @@ def of_elbow(*answers, digits=4):
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("found", [FOUR, EIGHT], ids=["ELBOW", "UR10E_HOMEWORK"])
-def test_branches_rounded_in_each_entry_are_right_and_chance_gets_no_cause(found, seed):
+def test_rounded_branches_are_right_and_random_errors_have_no_cause(found, seed):
     rng = np.random.default_rng(seed)
     q = np.array(found.q[found.valid])
     digits = rng.integers(3, 6, q.shape)
@@ -243,7 +243,7 @@ def test_branches_rounded_in_each_entry_are_right_and_chance_gets_no_cause(found
     assert (report.grade, report.causes) == ("wrong", ()), report
 
 
-def test_mixing_and_the_shoulder_turned_alone_are_called_so():
+def test_mixed_branches_and_turned_shoulder_are_named():
     """Chapter 5's own demonstration, and report E's list with the sign of slip 12 mended."""
     first, second = FOUR.q[0], FOUR.q[1]
     mixed = of_elbow(first, (second[0], first[1], second[2]))
@@ -254,7 +254,7 @@ def test_mixing_and_the_shoulder_turned_alone_are_called_so():
     assert "solve them again" in str(turned)
 
 
-def test_a_length_forgotten_is_named_by_all_answers_together():
+def test_forgotten_length_is_named_by_all_answers():
     """As if the shoulder stood on the floor: the formulas get z_c for z_c - d_1."""
     floor = inverse.elbow(ELBOW.with_values(d_1=1e-9), (0.3, 0.2, 0.4))
     report = checks.compare_branches(typed(floor.q, 4), inverse.elbow(ELBOW, (0.3, 0.2, 0.4)))
@@ -262,7 +262,7 @@ def test_a_length_forgotten_is_named_by_all_answers_together():
     assert "d in row 1 is missing" in report.headline
 
 
-def test_all_that_is_missing_beyond_a_range_is_not_asked_for():
+def test_branches_beyond_the_range_are_not_asked_for():
     found = inverse.stanford(
         STANFORD, forward_kinematics(STANFORD, [0.3, -0.4, 0.6, 0.5, 1.1, -0.2])
     )
@@ -272,7 +272,7 @@ def test_all_that_is_missing_beyond_a_range_is_not_asked_for():
     assert "beyond the range of q_3" in str(report)
 
 
-def test_a_value_for_a_locked_joint_is_set_aside():
+def test_value_of_a_locked_joint_is_set_aside():
     arm = PANDA.lock(3)
     q = np.array([0.3, -0.23, 1.07, 0.457, 2.75, 0.917])
     T = forward_kinematics(arm, q)
@@ -281,7 +281,7 @@ def test_a_value_for_a_locked_joint_is_set_aside():
     assert "all joints; 3 is locked, so its 0 is set aside" in report.taken
 
 
-def test_the_locked_joint_is_set_aside_in_a_pose_too():
+def test_locked_joint_is_set_aside_in_a_pose():
     q = [0.4, -0.6, -1.9, 0.3, 1.8, 0.7]
     typed = "0.4, -0.6, 0, -1.9, 0.3, 1.8, 0.7"
     J = KNOWN["PANDA.lock(3)"].jacobian(q)
@@ -290,7 +290,7 @@ def test_the_locked_joint_is_set_aside_in_a_pose_too():
     assert "all joints; 3 is locked, so its 0 is set aside" in report.taken
 
 
-def test_nothing_is_set_aside_where_no_joint_is_locked():
+def test_nothing_is_set_aside_without_locked_joint():
     q = [0.4, -0.6, 0.3, 0.3, 1.8, 0.7]
     report = checks.compare_jacobian(KNOWN["STANFORD"].jacobian(q), STANFORD, q)
     assert report.agrees

@@ -116,6 +116,30 @@ def test_invalid_numbers_are_rejected(mine, words):
     assert words in str(refused.value)
 
 
+@pytest.mark.parametrize(
+    ("texts", "expected"),
+    [
+        (["1.25", "3"], [0.01, 1]),
+        (["120", "7"], [1, 1]),
+        (["12e1", "3e1"], [10, 10]),
+        (["0", "0.0"], [0, 0]),  # zeros alone show no digits
+        (["0", "1"], [1, 1]),
+        (["0", "-1.", "2.50"], [0.01, 0.01, 0.01]),  # programs print an exact 0 and 1 so
+        (["0.00", "2.5"], [0.01, 0.1]),
+        (["0", "6.1e-17", "2.5"], [0.1, 1e-18, 0.1]),  # round-off of a zero shows no decimals
+        (["123.4", "0.01234", "0"], [0.1, 1e-5, 1e-5]),
+        (["36.3", "1.96", "-18.7"], [0.1, 0.01, 0.1]),
+        (["pi", "0.5"], [0, 0.1]),
+        (["pi", "0"], [0, 0]),
+        (["1.234567890123", "0.5"], [0, 0]),  # thirteen digits: never rounded
+        (["1.23456789012", "0.5"], [1e-11, 0.1]),
+        ([], []),
+    ],
+)
+def test_unit_of_a_number_is_that_of_its_last_place(texts, expected):
+    assert read_numbers(texts, "yours").units == pytest.approx(np.array(expected), rel=1e-12, abs=0)
+
+
 q1, q2 = (sp.Function(name)(t) for name in ("q1", "q2"))
 SYMBOLIC = Arm("elbow", ELBOW.rows, {**ELBOW.values, "x": 0.5, "y": 2.0})
 DEEP = sum((sp.Symbol("a_2") * sp.sin(k * q2) for k in range(1, 900)), sp.Integer(0))
@@ -226,6 +250,14 @@ def test_function_gets_the_values_of_q():
     assert given(max) == 0.7, "a function that has no signature"
     assert given(lambda v: v.tolist(), [0.5]) == [0.5]
     assert given(lambda v: math.sin(v) if v.__class__ is float else v["no"], [0.5]) == math.sin(0.5)
+
+
+def test_function_of_one_joint_takes_any_argument():
+    x = sp.Symbol("x")
+    one = Arm.from_table("q1 0 0.4 0")
+    turn = sp.Matrix([-0.4 * sp.sin(x), 0.4 * sp.cos(x), 0, 0, 0, 1])
+    for asked in (x, [x], [[x]]):
+        assert compare_jacobian(sp.lambdify(asked, turn), one).agrees
 
 
 @pytest.mark.parametrize("function", [lambda dh, q: 0, lambda a, b: 0, lambda q, *, k: 0])

@@ -453,14 +453,14 @@ def test_table_with_other_joint_zeros_is_right_by_map(typed, reference, options,
          "but no choice of zeros and directions of its joints takes the tip along"),
     ],
 )  # fmt: skip
-def test_what_the_question_fixes_is_no_choice(typed, reference, options, grade, message):
+def test_base_and_tip_of_the_question_are_no_choice(typed, reference, options, grade, message):
     report = said(typed, reference, **options)
     assert same(report), str(report)
     assert report.grade == grade, str(report)
     assert message in report.headline
 
 
-def test_pose_that_the_question_fixes_excuses_no_map():
+def test_fixed_pose_excludes_joint_maps():
     typed = "q1 0.5 0 90; q2+90 0 0.4 0; q3 0 0.3 0".replace(";", "\n")
     assert compare_tables(typed, ELBOW).grade == "right by map"
     report = compare_tables(typed, ELBOW, start_pose=[0, 0, 0])

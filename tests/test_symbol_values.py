@@ -1,4 +1,4 @@
-"""What a symbol in a student's formula stands for."""
+"""Test which number a symbol of a student's formula stands for."""
 
 import math
 
@@ -17,16 +17,16 @@ Q3, Q6 = np.array([0.3, 0.5, -0.2]), np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
 LOCKED = PANDA.lock(3)  # its joints are 1, 2, 4, 5, 6, 7
 
 
-def meanings(names, arm, q, values=None):
-    """The number of each name."""
+def look_up(names, arm, q, values=None):
+    """Return the number of each name."""
     pairs = [list(pair) for pair in (values or {}).items()]
     given = dict(names=list(names), arm=judge_data(arm), q=list(q), values=pairs)
     return reading.asked("names", **given)
 
 
 @pytest.mark.parametrize("typed", ["theta_{1}(t)", "θ₁", "Q_1'", r"\theta_1", "t1", "joint1"])
-def test_one_name_in_its_spellings(typed):
-    assert meanings([typed], ELBOW, Q3) == {typed: 0.3}
+def test_symbol_is_known_in_each_spelling(typed):
+    assert look_up([typed], ELBOW, Q3) == {typed: 0.3}
 
 
 @pytest.mark.parametrize(
@@ -46,9 +46,9 @@ def test_one_name_in_its_spellings(typed):
         (iter(["q_1", "q_1"]), ELBOW, Q3, None, [0.3]),
     ],
 )  # fmt: skip
-def test_each_symbol_has_its_number(names, arm, q, values, found):
+def test_symbol_has_the_value_of_its_joint_or_length(names, arm, q, values, found):
     names = list(dict.fromkeys(names))
-    numbers = meanings(iter(names), arm, q, values)
+    numbers = look_up(iter(names), arm, q, values)
     assert [numbers[name] for name in names] == pytest.approx(found, rel=1e-15)
 
 
@@ -64,15 +64,15 @@ def test_each_symbol_has_its_number(names, arm, q, values, found):
         (["s_14"], ELBOW, "s_14"),
     ],
 )
-def test_a_symbol_that_means_nothing_is_refused_with_those_that_do(names, arm, unknown):
+def test_unknown_symbol_is_rejected_with_known_ones(names, arm, unknown):
     known = ", ".join([f"q_{i}" for i in arm.joints] + list(arm.values))
     said = f"{arm.name}: no value for {unknown}; known are {known}"
     with pytest.raises(ArmError) as error:
-        meanings(names, arm, np.zeros(arm.dof))
+        look_up(names, arm, np.zeros(arm.dof))
     assert str(error.value) == said
 
 
 @pytest.mark.parametrize(("zero", "one"), [("q0", "q1"), ("theta_0", "theta_1")])
-def test_joints_counted_from_0_are_told_to_count_from_1(zero, one):
+def test_joints_counted_from_0_are_rejected(zero, one):
     with pytest.raises(ArmError, match=f"{zero} is no joint.* from 1 here; write {one} for it"):
-        meanings([zero, "q1"], LOCKED, np.zeros(LOCKED.dof))
+        look_up([zero, "q1"], LOCKED, np.zeros(LOCKED.dof))

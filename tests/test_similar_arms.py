@@ -1,4 +1,4 @@
-"""Which other lengths a student may have given an arm."""
+"""Test which other lengths the judge expects a student to give an arm."""
 
 import pytest
 
@@ -8,7 +8,7 @@ from helpers.checks.arms import judge_data
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 
 
-def test_lengths_of_one_letter_within_a_tenth_are_taken_for_one_another():
+def test_similar_lengths_of_one_letter_are_paired():
     lengths = {"a_1": 1.0, "a_2": 0.91, "a_3": 0.8, "a_4": -0.95, "a_5": 0.8, "d_1": 0.99}
     arm = Arm("five", [revolute(name) for name in lengths], values=lengths)
     found = [(one["name"], one["other"]) for one in judge_data(arm)["alike"]]
@@ -28,7 +28,7 @@ def test_lengths_of_one_letter_within_a_tenth_are_taken_for_one_another():
     ],
     ids=str,
 )
-def test_robots_of_nearly_one_name(arm, robots):
+def test_robots_of_similar_name_are_listed(arm, robots):
     found = judge_data(arm).get("robots", [])
     lengths = [(one["name"], abs(one["rows"][1]["a"]), one["rows"][0]["d"]) for one in found]
     assert lengths == robots
@@ -36,7 +36,7 @@ def test_robots_of_nearly_one_name(arm, robots):
     assert pens == pytest.approx([0.1] * len(robots))
 
 
-def test_the_pen_forgotten_and_a_length_taken_for_another():
+def test_forgotten_pen_and_exchanged_lengths_are_listed():
     found = judge_data(UR10E)
     assert found["rows"][5]["d"] - found["penless"]["rows"][5]["d"] == pytest.approx(0.1)
     lengths = [(one["name"], one["other"], one["rows"][1]["a"]) for one in found["alike"]]
@@ -46,6 +46,6 @@ def test_the_pen_forgotten_and_a_length_taken_for_another():
 
 
 @pytest.mark.parametrize("a", ["-a_2", "a_2"])
-def test_one_length_for_another_is_named_also_where_x_points_back(a):
-    """Not as a wrong number, though one entry alone differs."""
+def test_exchanged_length_is_named_with_either_sign(a):
+    """A wrong number would fit, too, since one entry alone differs."""
     assert compare_tables(UR10E.with_row(3, a=a), UR10E).causes == ("table.length:a_3:a_2",)
