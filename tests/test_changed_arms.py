@@ -59,7 +59,8 @@ def chosen_changes():
     sample = sorted(CHAPTERS, key=checksum)[:SAMPLE_SIZE]
     for path in CHAPTERS if TRY_ALL else sample:
         names = imported_names(path)
-        arms, uses_masses = names["helpers.robots"], "statics" in names["helpers"]
+        arms = [name for name in names["helpers.robots"] if name.isupper()]
+        uses_masses = "statics" in names["helpers"]
         lines = [
             f"{name} = {change}" for name in arms for change in list_changes(name, uses_masses)
         ]
