@@ -12,7 +12,7 @@ from typing import Any
 import helpers
 from course import store
 from course.files import read_files
-from course.grading import MAX_HINTS, make_record, write_hints
+from course.grading import MAX_HINTS, compute_total, make_record, write_hints
 from course.handed_in import read_hand_in
 from course.roster import StudentIndex
 from course.store import Course
@@ -100,8 +100,7 @@ def _mark_submission(root: Path) -> dict[str, Any]:
     first = f"Read as the sheet of {student}: {record['note'] or 'every part was read'}."
     max_hints = int(json.loads((root / "source" / _SETTINGS).read_bytes())["hints"])
     number = 1 + len(metadata.get("previous_submissions") or ())
-    hints = write_hints([(mark["part"], mark["hint"]) for mark in marks], number, max_hints)
-    score = round(sum(course.weight(mark["part"]) * mark["credit"] for mark in marks), 4)
+    hints, score = write_hints(marks, number, max_hints), compute_total(course, marks)
     return {"score": score, "output": "\n".join([first, *hints]), "tests": tests}
 
 

@@ -34,6 +34,8 @@ MAX_HINTS = 3  # hand-ins of a student that get hints before the deadline
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 
 Record = dict[str, Any]  # what mark.json holds
+Marks = Sequence[Mapping[str, Any]]
+Overrides = dict[str, tuple[float, str]]  # credits and reasons by part
 
 
 class Result(NamedTuple):
@@ -44,14 +46,9 @@ class Result(NamedTuple):
 
 
 def grade(
-    folder: Path,
-    out: Path,
-    jobs: int = 0,
-    *,
-    again: bool = False,
-    before_deadline: bool = False,
+    folder: Path, out: Path, jobs: int = 0, *, again: bool = False, before_deadline: bool = False,
     report: Callable[[str], None] = lambda _: None,
-) -> Result:
+) -> Result:  # fmt: skip
     """Mark what every student of a course handed in, and write grades.csv and the feedback.
 
     Args:
@@ -70,7 +67,7 @@ def grade(
     rows = []
     for student, record in records.items():
         marks = _apply_overrides(record["marks"], overrides.get(student, {}))
-        rows.append(_make_row(course, student, marks, [late[student], record["note"]]))
+        rows.append(_make_row(course, student, marks, late[student], record["note"]))
         text = _write_hints if before_deadline else _write_feedback
         store.write_text(out / student / "feedback.txt", text(course, student, marks, record))
     store.write_text(out / "grades.csv", format_table(rows))
@@ -169,14 +166,14 @@ def _make_digest(files: Iterable[HandedFile], sheet: Mapping[str, Any]) -> str:
 # Marks by hand
 
 
-def read_overrides(path: Path, course: Course) -> dict[str, dict[str, tuple[float, str]]]:
+def read_overrides(path: Path, course: Course) -> dict[str, Overrides]:
     """Read the credits given by hand, by student and part; none if there is no such file.
 
     Raises ArmError with every line that names no student, no part or no credit from 0 to 1.
     """
     if not path.exists():
         return {}
-    overrides, problems = dict[str, dict[str, tuple[float, str]]](), list[str]()
+    overrides, problems = dict[str, Overrides](), list[str]()
     for line, row in read_table(path):
         student, part, credit, why = (row.get(key, "") for key in ("id", "part", "credit", "why"))
         if student not in course.sheets or part not in course.sheet(student).parts:
@@ -217,35 +214,31 @@ def read_late(folder: Path, course: Course) -> dict[str, str]:
     return late | {row["id"]: row.get("late", "") for _, row in rows}
 
 
-def _apply_overrides(
-    marks: Sequence[Mapping[str, Any]], overrides: Mapping[str, tuple[float, str]]
-) -> list[dict[str, Any]]:
-    result = []
-    for mark in marks:
-        mark = dict(mark)
+def _apply_overrides(marks: Marks, overrides: Overrides) -> list[dict[str, Any]]:
+    result = [dict(mark) for mark in marks]
+    for mark in result:
         if mark["part"] in overrides:
             mark["credit"], why = overrides[mark["part"]]
             mark["message"] = f"Set by hand: {why or 'no reason is given'}\n{mark['message']}"
-        result.append(mark)
     return result
 
 
 # Files that are written
 
 
-def _make_row(
-    course: Course, student: str, marks: Sequence[Mapping[str, Any]], remarks: Sequence[str]
-) -> dict[str, Any]:
-    """Make a student's row of grades.csv; the remarks are the last two columns."""
+def _make_row(course: Course, student: str, marks: Marks, late: str, note: str) -> dict[str, Any]:
+    """Make a student's row of grades.csv."""
     credits = {mark["part"]: round(mark["credit"], 4) for mark in marks}
-    total = round(sum(course.weight(part) * credit for part, credit in credits.items()), 4)
-    named = {"id": student, "name": course.names[student], "total": total}
-    return {**named, **credits, **dict(zip(("late", "note"), remarks, strict=True))}
+    named = {"id": student, "name": course.names[student], "total": compute_total(course, marks)}
+    return {**named, **credits, "late": late, "note": note}
 
 
-def make_exports(
-    course: Course, rows: Sequence[Mapping[str, Any]]
-) -> dict[str, list[dict[str, Any]]]:
+def compute_total(course: Course, marks: Marks) -> float:
+    """Compute the weighted sum of credits, to four decimals."""
+    return round(sum(course.weight(mark["part"]) * mark["credit"] for mark in marks), 4)
+
+
+def make_exports(course: Course, rows: Marks) -> dict[str, list[dict[str, Any]]]:
     """Make the tables of totals that Canvas and Moodle import, by platform.
 
     Canvas (lib/gradebook_importer.rb of instructure/canvas-lms) expects five columns about the
@@ -253,23 +246,19 @@ def make_exports(
     a row of that name. Moodle (docs.moodle.org, Grade import) asks which column is what.
     """
     columns = dict.fromkeys(("Student", "ID", "SIS User ID", "SIS Login ID", "Section"), "")
-    most = sum(course.weight(name) for name in list_part_names(course.exercises))
+    most = sum(map(course.weight, list_part_names(course.exercises)))
     canvas = [{**columns, "Student": "    Points Possible", course.title: most}]
-    canvas += [
-        {"Student": row["name"], "SIS Login ID": row["id"], course.title: row["total"]}
-        for row in rows
-    ]
-    moodle = [{"Username": row["id"], course.title: row["total"]} for row in rows]
+    totals = [{course.title: row["total"]} for row in rows]
+    pairs = [*zip(rows, totals, strict=True)]
+    canvas += [{"Student": row["name"], "SIS Login ID": row["id"], **x} for row, x in pairs]
+    moodle = [{"Username": row["id"], **x} for row, x in pairs]
     return {"canvas": canvas, "moodle": moodle}
 
 
-def _write_feedback(
-    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record
-) -> str:
+def _write_feedback(course: Course, student: str, marks: Marks, record: Record) -> str:
     """Return the reasons for each mark, without the solution."""
     parts = course.sheet(student).parts
-    total = sum(course.weight(mark["part"]) * mark["credit"] for mark in marks)
-    most = sum(course.weight(part) for part in parts)
+    total, most = compute_total(course, marks), sum(map(course.weight, parts))
     lines = [f"{course.title}, {course.names[student]} ({student}): {total:.4g} of {most:g}"]
     lines += [f"Note: {record['note']}."] if record["note"] else []
     for mark in marks:
@@ -280,23 +269,19 @@ def _write_feedback(
     return "\n".join(lines) + "\n"
 
 
-def _write_hints(
-    course: Course, student: str, marks: Sequence[Mapping[str, Any]], record: Record
-) -> str:
+def _write_hints(course: Course, student: str, marks: Marks, record: Record) -> str:
     """Return the hints for before the deadline, for the first hand-ins of a student."""
     lines = [f"{course.title}, {course.names[student]} ({student}): before the deadline"]
     lines += [f"Note: {record['note']}."] if record["note"] else []
-    lines += write_hints([(m["part"], m["hint"]) for m in marks], record["hand_ins"])
+    lines += write_hints(marks, record["hand_ins"])
     return "\n".join(lines) + "\n"
 
 
-def write_hints(
-    hints: Sequence[tuple[str, str]], hand_ins: int, most: int = MAX_HINTS
-) -> list[str]:
+def write_hints(marks: Marks, hand_ins: int, most: int = MAX_HINTS) -> list[str]:
     """Return lines with the hint for each part; none after the first `most` hand-ins."""
     if hand_ins > most:
         return [f"Hints are given for {most} hand-ins; this one is read after the deadline."]
-    return [f"{part}: {hint}" for part, hint in hints]
+    return [f"{mark['part']}: {mark['hint']}" for mark in marks]
 
 
 def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[str, Any]]:
@@ -304,20 +289,15 @@ def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[st
     if not old or old["of"] != new["of"]:
         return []
     before = {mark["part"]: mark["credit"] for mark in old["marks"]}
+    changed = [mark for mark in new["marks"] if before.get(mark["part"]) != mark["credit"]]
     return [
-        {
-            "id": student,
-            "part": mark["part"],
-            "before": before.get(mark["part"]),
-            "now": mark["credit"],
-            "why": mark["message"].replace("\n", " "),
-        }
-        for mark in new["marks"]
-        if before.get(mark["part"]) != mark["credit"]
-    ]
+        {"id": student, "part": mark["part"], "before": before.get(mark["part"]),
+         "now": mark["credit"], "why": mark["message"].replace("\n", " ")}
+        for mark in changed
+    ]  # fmt: skip
 
 
-def format_table(rows: Sequence[Mapping[str, Any]]) -> str:
+def format_table(rows: Marks) -> str:
     """Format rows as CSV with line ends as RFC 4180 has them; no text is a formula."""
     file = io.StringIO()
     names = list(dict.fromkeys(name for row in rows for name in row))

@@ -145,10 +145,8 @@ def _shape_like(typed: TypedNumbers, part: Part) -> list[TypedNumbers]:
         zeros, all_units = np.zeros_like(values), np.r_[units, units]
         halves = (np.r_[values, zeros], np.r_[zeros, values])
         return [TypedNumbers(half, all_units) for half in halves]
-    raise ArmError(
-        f"{values.size} numbers given, expected {np.size(part.value)}; write 0 for what you do not"
-        " have"
-    )
+    counts = f"{values.size} numbers given, expected {np.size(part.value)}"
+    raise ArmError(f"{counts}; write 0 for what you do not have")
 
 
 def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
@@ -162,10 +160,8 @@ def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
     share = float((is_right & counts).sum() / max(1, counts.sum()))
     named = [m for m in part.mistakes if _explains(part, typed.values, m)]
     credit = MISTAKE_SHARE if named else MISTAKE_SHARE * share
-    hint, lines = _NOTHING_SEEN, [_describe_wrong_blocks(part, ~is_right)]
-    if named:
-        hint = _name_mistakes(named)
-        lines = [hint, *lines]
+    hint = _name_mistakes(named) if named else _NOTHING_SEEN
+    lines = [*([hint] if named else []), _describe_wrong_blocks(part, ~is_right)]
     coarse = np.maximum(typed.units, tolerance)
     if np.all(errors <= coarse * _ROUND_OFF) and part.kind != "column":
         lines.append(f"Too few decimals: {part.digits} were asked.")
@@ -202,10 +198,8 @@ def _name_mistakes(mistakes: list[Mistake]) -> str:
 def _describe_wrong_blocks(part: Part, is_wrong: NDArray[np.bool_]) -> str:
     """Say which blocks are wrong, such as "the linear half of columns 1, 3"."""
     if part.kind == "column":
-        halves = [
-            half for half, wrong in zip(("linear", "angular"), is_wrong, strict=True) if wrong
-        ]
-        return f"Not right: the {' and the '.join(halves)} half."
+        names = np.array(["linear", "angular"])[is_wrong]
+        return f"Not right: the {' and the '.join(names)} half."
     if part.kind != "jacobian":
         noun = "column" if part.kind == "rotation" else "number"
         return f"Not right: {_count_places(noun, is_wrong)}."

@@ -24,17 +24,13 @@ from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
 
 TOPICS = tuple(BY_NAME)
-# The pieces that are marked one by one, for each kind of part.
+# The pieces that are marked one by one, for the kinds of parts that are no plain numbers.
 _MARKED_PIECES = {
-    "numbers": "each number counts",
     "rotation": "each column counts",
     "jacobian": "each column counts by halves, linear and angular",
     "column": "the linear and the angular half count",
-    "torques": "each number counts",
-    "table": "they count as a whole",
     "branches": "each row counts",
-    "pose": "they count as a whole",
-}
+} | dict.fromkeys(("table", "pose"), "they count as a whole")
 
 
 @dataclass(frozen=True, repr=False)
@@ -84,14 +80,11 @@ class Section:
     @cached_property
     def questions(self) -> tuple[Question, ...]:
         """The questions, in the order of the topics."""
+        questions = [make_question(topic, self.arm, x) for topic, x in self.drawn.items()]
         return tuple(
-            self._name_parts(make_question(topic, self.arm, numbers))
-            for topic, numbers in self.drawn.items()
+            replace(q, parts=tuple(replace(p, name=p.name + self.suffix) for p in q.parts))
+            for q in questions
         )
-
-    def _name_parts(self, question: Question) -> Question:
-        parts = tuple(replace(part, name=part.name + self.suffix) for part in question.parts)
-        return replace(question, parts=parts)
 
 
 @dataclass(frozen=True)
@@ -145,9 +138,8 @@ def make_question(topic: str, arm: Arm, numbers: Numbers) -> Question:
 
 def _describe_marking(part: Part) -> str:
     """Say how many decimals are asked, and which pieces of an answer count."""
-    if part.kind in ("column", "table"):
-        return _MARKED_PIECES[part.kind]
-    return f"{part.digits} decimals; {_MARKED_PIECES[part.kind]}"
+    pieces = _MARKED_PIECES.get(part.kind, "each number counts")
+    return pieces if part.kind in ("column", "table") else f"{part.digits} decimals; {pieces}"
 
 
 def make_suffix(index: int) -> str:

@@ -210,15 +210,14 @@ def make_camera_arm(arm: Arm, numbers: Numbers) -> Arm:
 def _ask_jacobian(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     q, q_dot, column = np.array(numbers["q"]), np.array(numbers["q_dot"]), int(numbers["column"])
     right, camera = _compute_at_pose(numbers, arm, q), make_camera_arm(arm, numbers)
-    names = ", ".join(f"`{name}`" for name in camera.variables)
+    names, moving = ", ".join(f"`{x}`" for x in camera.variables), camera.variables[column - 1]
     x, z = numbers["camera"]
     text = (
         f"At $q = {format_matrix(q)}$ the joints move at the rates $\\dot q ="
         f" {format_matrix(q_dot)}$. How does the tip move?\n\n"
         f"A camera is fixed to link {numbers['link']}, at ${format_matrix([x, 0, z])}$ m in that"
-        f" link's frame, its axes parallel to the frame's. How does"
-        f" `{camera.variables[column - 1]}` alone"
-        f" move it, for any $q$? Write {names}, and the lengths by their names."
+        f" link's frame, its axes parallel to the frame's. How does `{moving}` alone move it,"
+        f" for any $q$? Write {names}, and the lengths by their names."
     )
     mistakes = list_mistakes("jacobian", arm, q=q)
     velocities = [m._replace(values=m.values.reshape(6, -1) @ q_dot) for m in mistakes]
@@ -276,18 +275,14 @@ def trace_circle(arm: Arm, numbers: Numbers) -> Trace:
 
 
 def _ask_circle(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
-    right, (first, second), start = (
-        _compute_circle(arm, numbers),
-        numbers["plane"],
-        np.array(numbers["q"]),
-    )
+    right, (first, second) = _compute_circle(arm, numbers), numbers["plane"]
+    start = np.array(numbers["q"])
     text = (
         f"The tip starts at $q = {format_matrix(numbers['q'])}$ and draws a circle of radius"
         f" {numbers['radius']:g} m in the {first}{second} plane in {numbers['duration']:g} s,"
         f" at even speed and held orientation. The start is the circle's farthest point along"
-        f" $+{first}$;"
-        f" from there the tip moves towards $+{second}$. Use {_EULER_STEPS} Euler steps or more,"
-        " or a better method."
+        f" $+{first}$; from there the tip moves towards $+{second}$. Use {_EULER_STEPS} Euler"
+        " steps or more, or a better method."
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
     other_side = 2 * forward_kinematics(arm, start)[:3, 3] - right["centre"]
@@ -307,11 +302,8 @@ def _draw_torque(arm: Arm, rng: Rng) -> Numbers | None:
 
 
 def _ask_torque(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
-    q, force, right = (
-        format_matrix(numbers["q"]),
-        format_matrix(numbers["force"]),
-        _compute_at_pose(numbers, arm, numbers["q"]),
-    )
+    q, force = format_matrix(numbers["q"]), format_matrix(numbers["force"])
+    right = _compute_at_pose(numbers, arm, numbers["q"])
     text = (
         f"At $q = {q}$ the world acts on the tip with the force ${force}$ N (base"
         " axes, no moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
