@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford, ur
-from helpers.inverse.numeric import turn_between
+from helpers.inverse.numeric import rotation_vectors
 from helpers.kinematics import forward_kinematics, jacobian, manipulability, tip
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 
@@ -567,7 +567,7 @@ def test_turn_between_is_undone_by_rodrigues():
     for angle in (0.0, 1e-9, 0.3, 3.0, np.pi - 1e-7, np.pi):
         start = np.linalg.qr(rng.normal(size=(len(axes), 3, 3)))[0]
         R = np.array([rotation(axis, angle) for axis in axes])
-        vector = turn_between(start.transpose(2, 1, 0), (R @ start).transpose(2, 1, 0)).T
+        vector = rotation_vectors(start.transpose(2, 1, 0), (R @ start).transpose(2, 1, 0)).T
         assert np.allclose(np.linalg.norm(vector, axis=1), angle, atol=1e-8)
         again = [rotation(v / (np.linalg.norm(v) or 1), np.linalg.norm(v)) for v in vector]
         np.testing.assert_allclose(again, R, atol=1e-7)

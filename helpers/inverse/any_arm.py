@@ -10,7 +10,14 @@ from helpers.inputs import require_type
 from helpers.inverse.by_structure import candidates
 from helpers.inverse.reach import distance_of_targets
 from helpers.inverse.shoulder import elbow, has_rod, is_elbow_arm, rod
-from helpers.inverse.solutions import Found, Solutions, each_branch, must_be_rigid, poses, positions
+from helpers.inverse.solutions import (
+    BranchArrays,
+    Solutions,
+    check_poses,
+    check_positions,
+    each_branch,
+    require_rigid,
+)
 from helpers.inverse.structure import (
     EXACT,
     PARALLEL,
@@ -70,13 +77,13 @@ def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> S
             return replace(closed_form(arm, targets, start), structure=description)
     structure = find_structure(arm)
     is_position = structure.kind in (POSITION, PLANAR_2R)
-    columns = positions(arm, targets) if is_position else poses(arm, targets)
+    columns = check_positions(arm, targets) if is_position else check_poses(arm, targets)
     choices = tuple((f"{name} +", f"{name} -") for name in _choice_names(structure))
 
-    def kernel(arm: Arm, columns: Array, start: Array) -> Found:
+    def kernel(arm: Arm, columns: Array, start: Array) -> BranchArrays:
         if is_position:
             return _solve(arm, structure, columns, start)
-        must_be_rigid(arm, columns)
+        require_rigid(arm, columns)
         return _solve(arm, structure, columns.reshape(4, 4, -1), start)
 
     found = each_branch(arm, columns, start, choices, kernel)
@@ -99,7 +106,7 @@ def _choice_names(structure: Structure) -> list[str]:
     return candidates(structure, target[..., None], np.zeros((len(structure.axes), 1))).choices
 
 
-def _solve(arm: Arm, structure: Structure, targets: Array, start: Array) -> Found:
+def _solve(arm: Arm, structure: Structure, targets: Array, start: Array) -> BranchArrays:
     """Return all branches for poses (4, 4, batch) or positions (3, batch)."""
     found = _solve_once(arm, structure, targets, start)
     if structure.kind != PARALLEL:
@@ -117,13 +124,15 @@ def _solve(arm: Arm, structure: Structure, targets: Array, start: Array) -> Foun
     return found
 
 
-def _has_free(found: Found) -> NDArray[np.bool_]:
+def _has_free(found: BranchArrays) -> NDArray[np.bool_]:
     """Return the targets at which some joint is free, (batch,)."""
     masks = [where.any(axis=tuple(range(where.ndim - 1))) for where in found.free.values()]
     return np.any(masks, axis=0) if masks else np.zeros(found.distance.shape, bool)
 
 
-def _replace_columns(found: Found, again: Found, at: NDArray[np.intp]) -> Found:
+def _replace_columns(
+    found: BranchArrays, again: BranchArrays, at: NDArray[np.intp]
+) -> BranchArrays:
     """Replace the targets of some columns by those solved again."""
     for old, new in zip(found.q, again.q, strict=True):
         old[..., at] = new
@@ -135,7 +144,7 @@ def _replace_columns(found: Found, again: Found, at: NDArray[np.intp]) -> Found:
     return found
 
 
-def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) -> Found:
+def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) -> BranchArrays:
     """Return all branches, with free joints at `start`, (dof, batch)."""
     reference = structure.reference[:, None]
     tried = candidates(structure, targets, start - reference)
@@ -159,7 +168,7 @@ def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) ->
         for joint, one in tried.free.items()
     }
     exists = valid.T.reshape(*shape, batch)
-    return Found(
+    return BranchArrays(
         tuple(column.T.reshape(*shape, batch).copy() for column in np.moveaxis(q, -1, 0)),
         free,
         exists.copy(),

@@ -1,5 +1,4 @@
-"""Geometry that the closed forms share: a plane turned to its target, two links in it, a tool's own
-axes."""
+"""Solve the geometry that closed forms share: the arm's plane, two links in it, the last twist."""
 
 from typing import NamedTuple
 
@@ -11,11 +10,9 @@ from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
 
-# Branches meet where a target lies on the boundary of what they reach: the two shoulders, the two
-# elbows. There the root of a distance tells them apart, so that rounding a pose in its last digit
-# moves them by 1e-8 rad. A target this close to the boundary, in m, on either side, therefore
-# counts as on it, and the two as one: a thousand times what rounding does, and less than anybody
-# can measure.
+# m: targets this close to the workspace boundary are treated as on it (1000 x round-off). Two
+# branches meet on the boundary and differ beside it by the square root of the distance, so that
+# rounding a pose in its last digit would otherwise move them by 1e-8 rad.
 REACH = 1e-12
 # A sine this small counts as 0, which moves the tool by no more than as many radians.
 SINGULAR = 1e-11
@@ -24,72 +21,100 @@ NOISE = 4e-15
 
 
 class Plane(NamedTuple):
-    """Joint 1's two angles and the target in the plane's axes x_1, y_1, (2, batch), and what is
-    known of it, (batch,): whether it exists, whether both are one, and whether joint 1 is free."""
+    """The arm's plane in its two positions, front and back.
+
+    Attributes:
+        phi: Joint 1's angle with its offset, shape (2, batch), rad.
+        x: Target along x_1, shape (2, batch), m.
+        y: Target along y_1, shape (2, batch), m.
+        exists: Where the plane can reach the target, shape (batch,).
+        is_double: Where both positions are the same, shape (batch,).
+        free: Where joint 1 may have any value, shape (batch,).
+    """
 
     phi: Array
     x: Array
     y: Array
     exists: NDArray[np.bool_]
-    one: NDArray[np.bool_]
+    is_double: NDArray[np.bool_]
     free: NDArray[np.bool_]
 
 
-def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
-    """Turn the plane, which lies `offset` along z_1 beside the axis, to the target: p . z_1 =
-    offset, twice."""
+def turn_plane_to_target(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
+    """Turn the arm's plane to a target in both ways: p . z_1 = offset.
+
+    Args:
+        first: Row 1 of the table.
+        offset: Distance of the plane from joint 1's axis, along z_1, m.
+        p: Targets, shape (3, batch), m.
+        chosen: Joint 1's angle where it is free, shape (batch,), rad.
+    """
     x, y, z = p[0], p[1], p[2]
     delta = first.sin_alpha * offset
     square, edge = x * x + y * y - delta * delta, max(2 * abs(delta) * REACH, REACH**2)
-    one = np.abs(square) <= edge
+    is_double = np.abs(square) <= edge
     reach = np.sqrt(np.where(square > edge, square, 0.0))
     both = np.stack([reach, -reach])
     phi = np.arctan2(y * both + x * delta, x * both - y * delta)
-    free = one & (delta == 0.0)
+    free = is_double & (delta == 0.0)
     if free.any():
         phi = np.where(free, np.stack([chosen, chosen + np.pi]), phi)
     height = np.broadcast_to(first.sin_alpha * (z - first.d), both.shape)
-    return Plane(phi, both, height, square >= -edge, one, free)
+    return Plane(phi, both, height, square >= -edge, is_double, free)
 
 
 class Links(NamedTuple):
-    """Two links in a plane, by their lengths; a sign turns the axis that they count from."""
+    """Signed lengths of two links in a plane, m."""
 
     upper: float
     fore: float
 
     @property
     def outer(self) -> float:
-        """How far they reach, stretched."""
+        """Reach of the stretched links, m."""
         return abs(self.upper) + abs(self.fore)
 
     @property
     def inner(self) -> float:
-        """How near they reach, folded."""
+        """Reach of the folded links, m."""
         return abs(abs(self.upper) - abs(self.fore))
 
 
 class Bend(NamedTuple):
-    """The two angles of a planar pair of links, each (branches, batch), whether they exist, whether
-    both bends are one, and whether the first angle is free."""
+    """Angles of two links in a plane, in arrays (branches, batch).
+
+    Attributes:
+        phi_2: Angle of the first link, rad.
+        phi_3: Angle of the second link against the first, rad.
+        exists: Where the links reach the point.
+        is_double: Where both bends are the same.
+        free: Where the first angle may have any value.
+    """
 
     phi_2: Array
     phi_3: Array
     exists: NDArray[np.bool_]
-    one: NDArray[np.bool_]
+    is_double: NDArray[np.bool_]
     free: NDArray[np.bool_]
 
 
-def two_links(
+def solve_two_links(
     links: Links,
     end: tuple[Array, Array],
     sign: Array,
     chosen: Array,
     blur: Array | float = 0.0,
 ) -> Bend:
-    """Angles of two links from the origin to a point, by the law of cosines; `sign` is that of
-    sin(phi_3). Both bends are one, too, where rounding moves the point by `blur`, in m, across the
-    boundary; their values stay what they are."""
+    """Compute the angles of two links from the origin to a point by the law of cosines.
+
+    Args:
+        links: Lengths of the links.
+        end: Coordinates (x, y) of the point, m.
+        sign: Sign of sin(phi_3) for each branch.
+        chosen: First angle where it is free, rad.
+        blur: How far rounding may move the point, m. Bends this close to the boundary count as
+            double too.
+    """
     upper, fore, (px, py) = *links, end
     square = px * px + py * py
     far = np.sqrt(square)
@@ -110,18 +135,19 @@ def two_links(
 
 
 class Tool(NamedTuple):
-    """The frame before the last row's twist, whose z axis joint 6 turns about, and the tip, in
-    columns.
+    """The frame before the last row's twist, whose z axis is joint 6's.
 
-    `axes` has shape (3, 3, batch): component by component, x, y and z.
+    Attributes:
+        axes: Components of x, y and z, shape (3, 3, batch), component first.
+        tip: Position of the tip, shape (3, batch), m.
     """
 
     axes: Array
     tip: Array
 
 
-def unwound(arm: Arm, columns: Array) -> Tool:
-    """The last row's twist taken back from poses in columns (16, batch)."""
+def remove_last_twist(arm: Arm, columns: Array) -> Tool:
+    """Remove the last row's twist from poses in columns (16, batch)."""
     frame = columns[:12].reshape(3, 4, -1)
     axes, tip = frame[:, :3], frame[:, 3]
     c, s = arm.numeric[-1].cos_alpha, arm.numeric[-1].sin_alpha
@@ -132,6 +158,6 @@ def unwound(arm: Arm, columns: Array) -> Tool:
 
 
 def wrist_centre(arm: Arm, tool: Tool) -> Array:
-    """The origin before the last row's lengths, (3, batch)."""
+    """Return the origin before the last row's lengths, shape (3, batch), m."""
     centre = tool.tip - arm.numeric[-1].d * tool.axes[:, 2]
     return centre - arm.numeric[-1].a * tool.axes[:, 0] if arm.numeric[-1].a else centre

@@ -18,7 +18,7 @@ from helpers.inputs import (
     whole_number,
 )
 from helpers.inverse.axes import cross, dot
-from helpers.inverse.solutions import must_be_rigid, poses, positions
+from helpers.inverse.solutions import check_poses, check_positions, require_rigid
 from helpers.kinematics import jacobian_entries, tip_entries
 from helpers.program import RowMotion, Value, get_program, run_batch
 
@@ -94,7 +94,7 @@ def solve(
             f"limits is {shorten(limits)}; expected True or False. Other limits belong to the arm,"
             " as in arm.with_row(1, limits=(-1, 1))"
         )
-    goal, shape = _goal(arm, targets)
+    goal, shape = _read_targets(arm, targets)
     start = arm.joint_vector(arm.home if start is None else start, "start")
     shape = broadcast_shape("targets and start", shape, start.shape[:-1])
     goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
@@ -111,7 +111,7 @@ def solve(
         missed = np.flatnonzero(best.worst > tolerance)
         if not missed.size:
             break
-        again = random.uniform(*_range(arm), (missed.size, arm.dof))
+        again = random.uniform(*_start_range(arm), (missed.size, arm.dof))
         found = _descend(arm, goal[missed], again, rule)
         starts[missed] += 1
         better = found.worst < best.worst[missed]
@@ -122,7 +122,7 @@ def solve(
 
 
 class _Descent(NamedTuple):
-    """Where a batch of descents ended."""
+    """Joint values, remaining errors and step counts of a batch of descents."""
 
     q: Array
     error: Array
@@ -138,35 +138,34 @@ class _Descent(NamedTuple):
 
     @property
     def worst(self) -> Array:
-        return _worst(self.error)
+        return _largest_error(self.error)
 
 
 class _Rule(NamedTuple):
-    """What a descent keeps to: the joints' lower and upper bounds, what counts as arrived, how many
-    steps it may take."""
+    """Settings of a descent: joint bounds, tolerance (m and rad) and largest number of steps."""
 
     bounds: tuple[Array, Array]
     tolerance: float
-    most: int
+    max_steps: int
 
 
 def _descend(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
     ends = [
-        _descend_together(arm, goal[i : i + _CHUNK], start[i : i + _CHUNK], rule)
+        _descend_batch(arm, goal[i : i + _CHUNK], start[i : i + _CHUNK], rule)
         for i in range(0, max(1, len(goal)), _CHUNK)
     ]
     return _Descent(*map(np.concatenate, zip(*ends, strict=True)))
 
 
-def _descend_together(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
-    """Step all at once; those that have arrived, or can no longer improve, leave the batch."""
-    bounds, tolerance, most = rule
+def _descend_batch(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
+    """Step a batch; vectors that have arrived or cannot improve any more leave it."""
+    bounds, tolerance, max_steps = rule
     q = np.clip(start, *bounds)
-    J, error = _look(arm, q, goal)
+    J, error = _jacobian_and_error(arm, q, goal)
     end = _Descent(q.copy(), error.copy(), np.zeros(len(q), int))
     index, caution = np.arange(len(q)), np.full(len(q), 0.1)
-    for count in range(most + 1):
-        moving = (_worst(error) > tolerance) & (caution < 1e9) & (count < most)
+    for count in range(max_steps + 1):
+        moving = (_largest_error(error) > tolerance) & (caution < 1e9) & (count < max_steps)
         if not moving.all():
             done = index[~moving]
             end.q[done], end.error[done], end.steps[done] = q[~moving], error[~moving], count
@@ -174,28 +173,31 @@ def _descend_together(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Desc
             goal, caution = goal[moving], caution[moving]
         if not index.size:
             break
-        tried = np.clip(q + _step(J, q, error, caution, bounds), *bounds)
-        there, left = _look(arm, tried, goal)
-        better = _square(left) < _square(error)
-        caution = _caution(caution, _square(error), _square(left), _square(tried - q))
+        tried = np.clip(q + _compute_step(J, q, error, caution, bounds), *bounds)
+        there, left = _jacobian_and_error(arm, tried, goal)
+        better = _squared_norms(left) < _squared_norms(error)
+        caution = _update_caution(
+            caution, _squared_norms(error), _squared_norms(left), _squared_norms(tried - q)
+        )
         q, error = np.where(better[:, None], tried, q), np.where(better[:, None], left, error)
         J = there if better.all() else np.where(better[:, None, None], there, J)
     return end
 
 
-def _caution(caution: Array, before: Array, after: Array, step: Array) -> Array:
-    """Less after a step that took most of the error, the same after one that took some, and after a
-    failure enough to shorten the next step at once, however small a singular value made this one
-    long."""
+def _update_caution(caution: Array, before: Array, after: Array, step: Array) -> Array:
+    """Return the next damping factor.
+
+    It falls after a step that removed 90 % of the squared error, stays after any other improvement,
+    and grows after a failure, more after a long step.
+    """
     failed = np.maximum(10.0 * caution, 0.3 / np.maximum(step, 1e-18))
     return np.where(after < before, np.where(after < 0.1 * before, 0.1, 1.0) * caution, failed)
 
 
-def _step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
-    """The damped step; where it would leave the limits, those joints go to theirs and the others
-    make up for it."""
-    damping = caution * _square(error) + 1e-14
-    step = _damped(J, error, damping)
+def _compute_step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
+    """Return the damped step; joints stop at their limits and the others compensate."""
+    damping = caution * _squared_norms(error) + 1e-14
+    step = _solve_damped(J, error, damping)
     kept = np.clip(step, bounds[0] - q, bounds[1] - q)
     cut = np.flatnonzero((kept != step).any(axis=1))
     if cut.size:
@@ -203,20 +205,19 @@ def _step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
         part = np.where(stopped, kept[cut], 0.0)
         left = error[cut] - (J[cut] @ part[..., None])[..., 0]
         others = np.where(stopped[:, None], 0.0, J[cut])
-        step[cut] = part + _damped(others, left, damping[cut])
+        step[cut] = part + _solve_damped(others, left, damping[cut])
     return step
 
 
-def _damped(J: Array, error: Array, damping: Array) -> Array:
+def _solve_damped(J: Array, error: Array, damping: Array) -> Array:
     A = J @ J.swapaxes(1, 2)
     rows = range(A.shape[1])
     A[:, rows, rows] += damping[:, None]
     return (np.linalg.solve(A, error[..., None]).swapaxes(1, 2) @ J)[:, 0]
 
 
-def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
-    """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for
-    poses radians."""
+def _jacobian_and_error(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
+    """Return Jacobians (batch, rows, dof) and errors to the goal (batch, rows), m and then rad."""
     rows = run_batch(get_program(arm, _tip_and_jacobian), q.T)
     # A copy, since a failed step is followed by another from here, after rows were asked for anew.
     pose, J = rows[:16].reshape(4, 4, -1), rows[16:].T.copy().reshape(-1, 6, arm.dof)
@@ -224,7 +225,7 @@ def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     if goal.shape[-2] == 1:
         return J[:, :3], goal[:, 0] - tip.T
     want = np.ascontiguousarray(goal[:, :3].transpose(2, 1, 0))
-    turn = turn_between(list(pose[:3, :3].swapaxes(0, 1)), list(want[:3]))
+    turn = rotation_vectors(list(pose[:3, :3].swapaxes(0, 1)), list(want[:3]))
     return J, np.concatenate([want[3] - tip, turn]).T
 
 
@@ -232,10 +233,16 @@ def _tip_and_jacobian(arm: Arm, steps: Sequence[RowMotion]) -> Sequence[Value]:
     return [*tip_entries(arm, steps), *jacobian_entries(arm, steps)]
 
 
-def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
-    """Rotation vectors (3, batch), in rad and base axes, that turn frames, three axes (3, batch)
-    each, into others."""
-    pairs = list(zip(have, want, strict=True))
+def rotation_vectors(frames: Sequence[Array], target_frames: Sequence[Array]) -> Array:
+    """Return the rotation vectors that turn frames into target frames.
+
+    Args:
+        frames, target_frames: Three axes each, every axis of shape (3, batch).
+
+    Returns:
+        Rotation vectors in base axes, shape (3, batch), rad.
+    """
+    pairs = list(zip(frames, target_frames, strict=True))
     axis = 0.5 * np.sum([cross(u, v) for u, v in pairs], axis=0)
     sine = np.sqrt(dot(axis, axis))
     cosine = 0.5 * (np.sum([dot(u, v) for u, v in pairs], axis=0) - 1.0)
@@ -248,35 +255,34 @@ def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
 
 
 def _half_turn(R: Array) -> Array:
-    """The rotation vector of a half turn, from the largest column of R + I = 2 n n^T."""
+    """Return the rotation vector of a half turn from the largest column of R + I = 2 n n^T."""
     columns = R + np.eye(3)
     largest = columns[:, np.argmax(np.diag(columns))]
     return np.pi * largest / np.linalg.norm(largest)
 
 
-def _square(error: Array) -> Array:
+def _squared_norms(error: Array) -> Array:
     return np.einsum("ij,ij->i", error, error)
 
 
-def _worst(error: Array) -> Array:
-    return np.sqrt(np.maximum(_square(error[:, :3]), _square(error[:, 3:])))
+def _largest_error(error: Array) -> Array:
+    return np.sqrt(np.maximum(_squared_norms(error[:, :3]), _squared_norms(error[:, 3:])))
 
 
-def _goal(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
+def _read_targets(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
     targets = float_array(
         targets, f"{arm.name}: targets", "poses (..., 4, 4) or positions (..., 3) in m"
     )
     if targets.shape[-2:] == (4, 4):
-        flat = poses(arm, targets)
-        must_be_rigid(arm, flat.reshape(-1, 16).T)
+        flat = check_poses(arm, targets)
+        require_rigid(arm, flat.reshape(-1, 16).T)
         return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]
-    points = positions(arm, targets)
+    points = check_positions(arm, targets)
     return points[..., None, :], points.shape[:-1]
 
 
-def _range(arm: Arm) -> tuple[Array, Array]:
-    """Where random starts lie: the joint limits, or half a turn and a metre either way where there
-    are none."""
+def _start_range(arm: Arm) -> tuple[Array, Array]:
+    """Return bounds of random starts: the joint limits, or +-pi rad and +-1 m without limits."""
     far = np.where(arm.turning, np.pi, 1.0)
     lower, upper = arm.limits
     return np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)

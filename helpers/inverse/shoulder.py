@@ -12,8 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError, require_type
-from helpers.inverse.geometry import REACH, Links, facing, two_links
-from helpers.inverse.solutions import Found, Solutions, each_branch, positions, shifted
+from helpers.inverse.geometry import REACH, Links, solve_two_links, turn_plane_to_target
+from helpers.inverse.solutions import (
+    BranchArrays,
+    Solutions,
+    check_positions,
+    each_branch,
+    subtract_offset,
+)
 from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
@@ -33,7 +39,7 @@ def elbow(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solut
     `start`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
     """
     require_elbow_arm(arm)
-    return each_branch(arm, positions(arm, targets), start, ELBOW_BRANCHES, elbow_kernel)
+    return each_branch(arm, check_positions(arm, targets), start, ELBOW_BRANCHES, elbow_kernel)
 
 
 def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
@@ -45,46 +51,46 @@ def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutio
     (+-90, +-90, 0) degrees with a = 0. Raises ArmError for another table or shape.
     """
     require_rod(arm)
-    return each_branch(arm, positions(arm, targets), start, ROD_BRANCHES, rod_kernel)
+    return each_branch(arm, check_positions(arm, targets), start, ROD_BRANCHES, rod_kernel)
 
 
-def elbow_kernel(arm: Arm, p: Array, start: Array) -> Found:
+def elbow_kernel(arm: Arm, p: Array, start: Array) -> BranchArrays:
     """Both shoulders with both elbows, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
     shape = _shape(second, third, tool[0].d if tool else 0.0)
-    plane = facing(first, shape.offset, p, start[0] + first.theta)
+    plane = turn_plane_to_target(first, shape.offset, p, start[0] + first.theta)
     up = first.sin_alpha * np.array([[[-1.0], [1.0]], [[1.0], [-1.0]]])
     end = plane.x[:, None], plane.y[:, None]
-    bend = two_links(shape.links, end, up, start[1] + second.theta)
+    bend = solve_two_links(shape.links, end, up, start[1] + second.theta)
     q = (
-        shifted(plane.phi[:, None], first.theta),
-        shifted(bend.phi_2, second.theta),
-        shifted(second.cos_alpha * bend.phi_3, shape.beta + third.theta),
+        subtract_offset(plane.phi[:, None], first.theta),
+        subtract_offset(bend.phi_2, second.theta),
+        subtract_offset(second.cos_alpha * bend.phi_3, shape.beta + third.theta),
     )
     valid = plane.exists & bend.exists
-    free, merged = {0: plane.free, 1: bend.free}, (plane.one, bend.one)
+    free, merged = {0: plane.free, 1: bend.free}, (plane.is_double, bend.is_double)
     reached = valid.any(axis=(0, 1))
     distance = np.where(reached, 0.0, _elbow_distance(shape, first, p))
-    return Found(q, free, valid, merged, distance)
+    return BranchArrays(q, free, valid, merged, distance)
 
 
-def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
+def rod_kernel(arm: Arm, p: Array, start: Array) -> BranchArrays:
     """Both shoulders with the rod out and through, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
-    plane = facing(first, second.d, p, start[0] + first.theta)
+    plane = turn_plane_to_target(first, second.d, p, start[0] + first.theta)
     out = np.array([1.0, -1.0])[:, None]
     length = out * np.hypot(plane.x, plane.y)[:, None]
     side = second.sin_alpha * out
     phi_2 = np.arctan2(side * plane.x[:, None], -side * plane.y[:, None])
     central = np.abs(length) < REACH
     q = (
-        shifted(plane.phi[:, None], first.theta),
-        np.where(central, start[1], shifted(phi_2, second.theta)),
+        subtract_offset(plane.phi[:, None], first.theta),
+        np.where(central, start[1], subtract_offset(phi_2, second.theta)),
         length - third.d - (tool[0].d if tool else 0.0),
     )
     missing = np.where(plane.exists, 0.0, abs(second.d) - np.hypot(p[0], p[1]))
     free = {0: plane.free, 1: central}
-    return Found(q, free, plane.exists, (plane.one, central), missing)
+    return BranchArrays(q, free, plane.exists, (plane.is_double, central), missing)
 
 
 class Shape(NamedTuple):

@@ -1,5 +1,4 @@
-"""What every closed form returns: all branches of a batch of targets, and ways to choose among
-them."""
+"""Hold all solution branches of a batch of targets, and choose among them."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -23,7 +22,7 @@ from helpers.inverse.axes import cross
 
 Array = NDArray[np.float64]
 
-# So many targets at a time keep the interpreter's share small and the temporaries inside a cache.
+# Targets solved at a time: enough to make the interpreter's share small, few enough for the cache.
 _CHUNK = 4096
 
 
@@ -62,8 +61,8 @@ class Solutions:
 
     @property
     def times(self) -> NDArray[np.int_]:
-        """How many branches each is, shape (..., branches), 1, or 2 where two have become one, a
-        double solution; 4, 8; 0 where there is none."""
+        """Multiplicity of each branch, shape (..., branches): 1, or 2, 4 or 8 for a multiple
+        solution; 0 where the branch does not exist."""
         return np.where(self.valid, 2 ** self.merged.sum(axis=-1), 0)
 
     @property
@@ -75,7 +74,7 @@ class Solutions:
                 f"{self.arm.name}: the targets are {self.q.shape[:-2]}; expected one target"
             )
         rows = zip(self.branches, self.q, self.valid, self.merged, strict=True)
-        return {_told(name, one): q for name, q, valid, one in rows if valid}
+        return {_shorten_branch_name(name, one): q for name, q, valid, one in rows if valid}
 
     def __repr__(self) -> str:
         if self.q.ndim != 2:
@@ -96,7 +95,7 @@ class Solutions:
         return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
     def _cells(self) -> list[tuple[str, ...]]:
-        """The name of each way and its joints in rad or m, "any" where one is free."""
+        """Return a table row for each branch: its name and joint values, "any" for a free joint."""
         shown = [[f"{x:.4f}" for x in q.round(4) + 0.0] for q in self.ways.values()]
         loose = self.free[self.valid]
         rows = zip(self.ways, loose, shown, strict=True)
@@ -104,35 +103,50 @@ class Solutions:
 
     @property
     def within_limits(self) -> NDArray[np.bool_]:
-        """Whether a branch exists and lies within the joint limits, whole turns allowed, shape
-        (..., branches)."""
-        return _inside(self.arm, _turned_towards(self.arm, self.q, np.zeros(self.arm.dof)))
+        """True where a branch exists and is within the joint limits, shape (..., branches).
+
+        Revolute joints may differ by whole turns.
+        """
+        return _is_within_limits(self.arm, _turn_towards(self.arm, self.q, np.zeros(self.arm.dof)))
 
     def nearest(self, q: ArrayLike) -> Array:
-        """The branch within the joint limits with the least largest joint change from q, shape
-        (..., dof); NaN where there is none.
+        """Return the branch whose largest joint change from q is smallest.
 
-        Revolute joints may have made whole turns: each is taken by the turn nearest to q. q has
-        shape (..., dof). Raises ArmError for another shape.
+        Args:
+            q: Joint values, shape (..., dof), rad or m. Each revolute joint is counted in the turn
+                nearest to its value here.
+
+        Returns:
+            Joint values within the limits, shape (..., dof); NaN where no branch is within them.
+
+        Raises:
+            ArmError: q has another shape.
         """
         start = self.arm.joint_vector(q)
         broadcast_shape("q and the targets", start.shape[:-1], self.distance.shape)
         start = start[..., None, :]
-        found = _turned_towards(self.arm, self.q, start)
+        found = _turn_towards(self.arm, self.q, start)
         change = np.abs(found - start).max(axis=-1)
-        allowed = _inside(self.arm, found)
+        allowed = _is_within_limits(self.arm, found)
         best = np.where(allowed, change, np.inf).argmin(axis=-1)[..., None]
         chosen = np.take_along_axis(found, best[..., None], axis=-2)[..., 0, :]
         return np.where(np.take_along_axis(allowed, best, axis=-1), chosen, np.nan)
 
 
 def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLike) -> Array:
-    """Joint vectors along a path of targets, shape (len(targets), dof), each on the branch nearest
-    to the one before.
+    """Solve a path of targets, each by the branch nearest to the solution before.
 
-    `solver(target, start)` is a closed form with its arm put in, as `partial(ur, UR10E)`. A free
-    joint keeps its value. Raises ArmError at the first target that no branch reaches within the
-    joint limits.
+    Args:
+        solver: A closed form with its arm, as `partial(ur, UR10E)`; called as
+            `solver(target, start=q)`.
+        targets: Positions (n, 3) in m or poses (n, 4, 4).
+        start: Joint values before the path, shape (dof,), rad or m. A free joint keeps its value.
+
+    Returns:
+        Joint values, shape (n, dof).
+
+    Raises:
+        ArmError: No branch reaches a target within the joint limits.
     """
     require_callable(solver, "solver", "a closed form with its arm put in, as partial(ur, UR10E)")
     path, q = [], float_array(start, "start", "joint values (dof,)")
@@ -152,9 +166,16 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
     return np.array(path)
 
 
-class Found(NamedTuple):
-    """What a kernel finds: arrays that broadcast to (*branches, batch), one for each joint and for
-    what is known of it. `merged` tells for each choice where it makes no difference."""
+class BranchArrays(NamedTuple):
+    """Branches of a batch, in arrays that broadcast to (*branches, batch).
+
+    Attributes:
+        q: Values of each joint, rad or m.
+        free: For the index of a joint, where its value was chosen freely.
+        valid: Where the branch exists.
+        merged: For each choice, where it makes no difference.
+        distance: Distance of the target from the workspace, shape (batch,), m.
+    """
 
     q: tuple[Array, ...]
     free: Mapping[int, NDArray[Any]]
@@ -168,7 +189,7 @@ def each_branch(
     targets: Array,
     start: ArrayLike | None,
     branches: tuple[tuple[str, ...], ...],
-    kernel: Callable[[Arm, Array, Array], Found],
+    kernel: Callable[[Arm, Array, Array], BranchArrays],
 ) -> Solutions:
     """Run `kernel` on targets of shape (..., k), in chunks of columns (k, batch), and put its
     branches together.
@@ -187,7 +208,7 @@ def each_branch(
     for first in range(0, count, _CHUNK):
         part = np.s_[..., first : first + _CHUNK]
         found = kernel(arm, np.ascontiguousarray(targets[part]), start[part])
-        valid[part], merged[part] = _merged(found, choices)
+        valid[part], merged[part] = _list_merged_once(found, choices)
         distance[part] = found.distance
         missing = np.where(valid[part], 0.0, np.nan)
         for joint, values in enumerate(found.q):
@@ -205,14 +226,17 @@ def each_branch(
     )
 
 
-def _told(name: str, merged: NDArray[np.bool_]) -> str:
+def _shorten_branch_name(name: str, merged: NDArray[np.bool_]) -> str:
+    """Leave out of a branch's name the choices that make no difference."""
     kept = [choice for choice, one in zip(name.split(", "), merged, strict=True) if not one]
     return ", ".join(kept) or "the only one"
 
 
-def _merged(found: Found, choices: tuple[int, ...]) -> tuple[NDArray[np.bool_], ...]:
-    """Which branches are listed, of those that are one the first, (*choices, batch), and which
-    choices make no difference to them, (*choices, number of choices, batch)."""
+def _list_merged_once(
+    found: BranchArrays, choices: tuple[int, ...]
+) -> tuple[NDArray[np.bool_], ...]:
+    """Return which branches to list, (*choices, batch), and which choices make no difference to
+    them, (*choices, number of choices, batch). Of merged branches the first is listed."""
     shape = (*choices, *found.distance.shape)
     listed = np.broadcast_to(found.valid, shape).copy()
     merged = np.stack([np.broadcast_to(one, shape) for one in found.merged], axis=-2)
@@ -223,34 +247,34 @@ def _merged(found: Found, choices: tuple[int, ...]) -> tuple[NDArray[np.bool_], 
 
 
 def _columns(values: Array, shape: tuple[int, ...]) -> Array:
-    """Vectors of shape (..., k) as columns (k, batch), repeated to a shape of batches."""
+    """Arrange vectors (..., k) as columns (k, batch), repeated to the shape of the batch."""
     if values.ndim == 1:
         return np.broadcast_to(values[:, None], (len(values), math.prod(shape)))
     return np.broadcast_to(values, (*shape, values.shape[-1])).reshape(-1, values.shape[-1]).T
 
 
 def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
-    """A view of arrays (..., batch) as a shape of batches with these axes last."""
+    """View an array (..., batch) as the batch's shape, followed by `axes`."""
     return columns.reshape(math.prod(axes), -1).T.reshape((*shape, *axes))
 
 
-def positions(arm: Arm, targets: ArrayLike) -> Array:
-    """Targets as positions of shape (..., 3); raises ArmError for anything else."""
+def check_positions(arm: Arm, targets: ArrayLike) -> Array:
+    """Return targets as positions (..., 3); raise ArmError for anything else."""
     return finite_array(
         targets, f"{arm.name}: targets", "(..., 3), finite positions in m", (3,), many=True
     )
 
 
-def poses(arm: Arm, targets: ArrayLike) -> Array:
-    """Targets as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN
-    or infinity."""
+def check_poses(arm: Arm, targets: ArrayLike) -> Array:
+    """Return target poses flattened to (..., 16); raise ArmError for another shape, NaN or
+    infinity."""
     wanted = "(..., 4, 4), poses of finite numbers"
     transforms = finite_array(targets, f"{arm.name}: targets", wanted, (4, 4), many=True)
     return transforms.reshape(*transforms.shape[:-2], 16)
 
 
-def must_be_rigid(arm: Arm, columns: Array) -> None:
-    """Raises ArmError for transforms in columns (16, batch) of which one is not rigid."""
+def require_rigid(arm: Arm, columns: Array) -> None:
+    """Raise ArmError if a transform in columns (16, batch) is not rigid."""
     x, y, z = (columns[i:12:4] for i in range(3))
     square = columns[:12] * columns[:12]
     norms = square[0:3] + square[4:7] + square[8:11]
@@ -266,13 +290,13 @@ def must_be_rigid(arm: Arm, columns: Array) -> None:
 _BOTTOM = np.array([[0.0], [0.0], [0.0], [1.0]])
 
 
-def shifted(angle: Array, offset: float) -> Array:
-    """An angle of (-pi, pi] less a row's offset, in (-pi, pi] again."""
-    return wrapped(angle - offset) if offset else angle
+def subtract_offset(angle: Array, offset: float) -> Array:
+    """Subtract a row's offset from an angle and wrap the result to (-pi, pi]."""
+    return wrap_angle(angle - offset) if offset else angle
 
 
-def wrapped(angle: Array) -> Array:
-    """The same angle in (-pi, pi], up to rounding."""
+def wrap_angle(angle: Array) -> Array:
+    """Wrap an angle to (-pi, pi], up to rounding."""
     turns = angle * (0.5 / np.pi)
     np.rint(turns, out=turns)
     turns *= -2 * np.pi
@@ -280,9 +304,8 @@ def wrapped(angle: Array) -> Array:
     return turns
 
 
-def _turned_towards(arm: Arm, q: Array, start: Array) -> Array:
-    """Each revolute joint by the turn nearest to `start`, or the nearest to it that is within the
-    limits."""
+def _turn_towards(arm: Arm, q: Array, start: Array) -> Array:
+    """Add whole turns to revolute joints: nearest to `start`, then into the limits if possible."""
     turn = np.where(arm.turning, 2 * np.pi, np.inf)
     whole = np.where(arm.turning, 2 * np.pi, 0.0)
     q = q + whole * np.rint((start - q) / turn)
@@ -294,6 +317,6 @@ def _turned_towards(arm: Arm, q: Array, start: Array) -> Array:
 _SLACK = 1e-9  # rad or m: a joint this far beyond its limit counts as at it
 
 
-def _inside(arm: Arm, q: Array) -> NDArray[np.bool_]:
+def _is_within_limits(arm: Arm, q: Array) -> NDArray[np.bool_]:
     lower, upper = arm.limits
     return np.asarray(((q >= lower - _SLACK) & (q <= upper + _SLACK)).all(axis=-1))

@@ -22,7 +22,7 @@ The parallel axes z_1, z_2, z_3 leave three problems, one after another. With th
 
    The two signs of theta_3 are the two elbows; theta_2 follows as in the elbow arm's triangle.
 
-Other twists of a right angle change signs, which `_shape` holds.
+Other twists of a right angle change signs, which `_read_shape` returns.
 Source: Hawkins (2013), derived anew from the axes so that any signs of the twists will do.
 """
 
@@ -40,25 +40,25 @@ from helpers.inverse.geometry import (
     Links,
     Plane,
     Tool,
-    facing,
-    two_links,
-    unwound,
+    remove_last_twist,
+    solve_two_links,
+    turn_plane_to_target,
     wrist_centre,
 )
 from helpers.inverse.solutions import (
-    Found,
+    BranchArrays,
     Solutions,
+    check_poses,
     each_branch,
-    must_be_rigid,
-    poses,
-    shifted,
-    wrapped,
+    require_rigid,
+    subtract_offset,
+    wrap_angle,
 )
 from helpers.program import cosines_and_sines
 
 Array = NDArray[np.float64]
 
-# Below this sine of joint 5 rounding may turn joint 6 so far that links which just reach do not.
+# If the sine of joint 5 is below this, rounding joint 6 may put links that just reach out of reach.
 UNCERTAIN = 1e-3
 BRANCHES = (("front", "back"), ("q_5 > 0", "q_5 < 0"), ("elbow +", "elbow -"))
 
@@ -82,37 +82,42 @@ def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solution
             " 0 or 180, 0 or 180, +-90, +-90, any) degrees, a_1 = a_4 = a_5 = 0 and links a_2, a_3;"
             " for other arms, calibrated ones for instance, use helpers.inverse.solutions"
         )
-    return each_branch(arm, poses(arm, targets), start, BRANCHES, _kernel)
+    return each_branch(arm, check_poses(arm, targets), start, BRANCHES, _solve_columns)
 
 
-def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
-    must_be_rigid(arm, columns)
-    rows, shape, tool = arm.numeric, _shape(arm), unwound(arm, columns)
-    plane = facing(rows[0], shape.offset, wrist_centre(arm, tool), start[0] + rows[0].theta)
-    wrist = _wrist(arm, shape, plane, tool, start[5])
+def _solve_columns(arm: Arm, columns: Array, start: Array) -> BranchArrays:
+    """Solve poses in columns (16, batch) for all branches."""
+    require_rigid(arm, columns)
+    rows, shape, tool = arm.numeric, _read_shape(arm), remove_last_twist(arm, columns)
+    plane = turn_plane_to_target(
+        rows[0], shape.offset, wrist_centre(arm, tool), start[0] + rows[0].theta
+    )
+    wrist = _solve_wrist(arm, shape, plane, tool, start[5])
     end = _end_of_links(shape, (plane.x[:, None], plane.y[:, None]), (wrist.ux, wrist.uy))
     end, chosen = (end[0][:, :, None], end[1][:, :, None]), start[1] + rows[1].theta
-    bend = two_links(shape.links, end, _SIGNS, chosen, wrist.blur[:, None, None])
+    bend = solve_two_links(shape.links, end, _SIGNS, chosen, wrist.blur[:, None, None])
     heading = np.arctan2(wrist.uy, wrist.ux)[:, :, None]
     q = (
-        shifted(plane.phi, rows[0].theta)[:, None, None],
-        shifted(bend.phi_2, rows[1].theta),
-        shifted(rows[1].cos_alpha * bend.phi_3, rows[2].theta),
-        wrapped(shape.turn_3 * (heading - bend.phi_2 - bend.phi_3) - rows[3].theta),
-        shifted(wrist.phi_5, rows[4].theta)[:, :, None],
-        shifted(wrist.phi_6, rows[5].theta)[:, :, None],
+        subtract_offset(plane.phi, rows[0].theta)[:, None, None],
+        subtract_offset(bend.phi_2, rows[1].theta),
+        subtract_offset(rows[1].cos_alpha * bend.phi_3, rows[2].theta),
+        wrap_angle(shape.turn_3 * (heading - bend.phi_2 - bend.phi_3) - rows[3].theta),
+        subtract_offset(wrist.phi_5, rows[4].theta)[:, :, None],
+        subtract_offset(wrist.phi_6, rows[5].theta)[:, :, None],
     )
     valid = plane.exists & bend.exists
     one = wrist.singular[:, None, None]
     free = {0: plane.free, 1: bend.free}
     if one.any():
-        free[5] = one & ~_isolated(shape, plane)[:, None, None]
-    return Found(
+        free[5] = one & ~_is_isolated(shape, plane)[:, None, None]
+    return BranchArrays(
         q,
         {joint: np.asarray(where) for joint, where in free.items() if where.any()},
         valid,
-        (plane.one, one, bend.one),
-        np.where(valid.any(axis=(0, 1, 2)), 0.0, _distance(shape, wrist_centre(arm, tool), end)),
+        (plane.is_double, one, bend.is_double),
+        np.where(
+            valid.any(axis=(0, 1, 2)), 0.0, _distance_to_reach(shape, wrist_centre(arm, tool), end)
+        ),
     )
 
 
@@ -120,9 +125,15 @@ _SIGNS = np.array([1.0, -1.0])[:, None]
 
 
 class Shape(NamedTuple):
-    """What the table says: the turn of axis 3 against z_1, z_4 against x_4 in the plane, the
-    plane's offset along z_1, the links, and the step d_5 that follows them, along x_4 turned by a
-    right angle."""
+    """Signs and lengths that the table gives.
+
+    Attributes:
+        turn_3: Sign of axis 3 against z_1.
+        side: Sign of z_4 against x_4 turned by a right angle in the plane.
+        offset: Distance of the plane from the base's axis along z_1, m.
+        links: The two links.
+        step: Signed d_5, which follows the links, m.
+    """
 
     turn_3: float
     side: float
@@ -131,7 +142,7 @@ class Shape(NamedTuple):
     step: float
 
 
-def _shape(arm: Arm) -> Shape:
+def _read_shape(arm: Arm) -> Shape:
     _, second, third, fourth, fifth, _ = arm.numeric
     turn_3 = second.cos_alpha * third.cos_alpha
     offset = second.d + second.cos_alpha * third.d + turn_3 * fourth.d
@@ -139,9 +150,8 @@ def _shape(arm: Arm) -> Shape:
     return Shape(turn_3, side, offset, Links(second.a, third.a), side * fifth.d)
 
 
-def _distance(shape: Shape, centre: Array, end: tuple[Array, Array]) -> Array:
-    """How far to move a pose that is out of reach: sideways to where a plane exists, and within it
-    to where the links reach."""
+def _distance_to_reach(shape: Shape, centre: Array, end: tuple[Array, Array]) -> Array:
+    """Return how far a pose is out of reach, m: across the plane, and for the links within it."""
     aside = np.maximum(abs(shape.offset) - np.hypot(centre[0], centre[1]), 0.0)
     length = np.hypot(*end)
     short = length - np.clip(length, shape.links.inner, shape.links.outer)
@@ -149,9 +159,16 @@ def _distance(shape: Shape, centre: Array, end: tuple[Array, Array]) -> Array:
 
 
 class Wrist(NamedTuple):
-    """Angles of joints 5 and 6 and the axis x_4 = (ux, uy) in the plane, each (2 shoulders, 2
-    wrists, batch); for each shoulder, whether both wrists are one, and by how much rounding may
-    move the links' end, in m."""
+    """Both wrists of each shoulder, in arrays (2 shoulders, 2 wrists, batch).
+
+    Attributes:
+        phi_5: Joint 5's angle with its offset, rad.
+        phi_6: Joint 6's angle with its offset, rad.
+        ux: Component of x_4 along x_1.
+        uy: Component of x_4 along y_1.
+        singular: Where both wrists are the same, shape (2 shoulders, batch).
+        blur: How far rounding may move the links' end, shape (2 shoulders, batch), m.
+    """
 
     phi_5: Array
     phi_6: Array
@@ -161,13 +178,12 @@ class Wrist(NamedTuple):
     blur: Array
 
 
-def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wrist:
-    """Joints 5 and 6 from the tool's axes against z_1, which is all that they can change; then x_4
-    follows.
+def _solve_wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wrist:
+    """Compute joints 5 and 6 from the tool's axes along z_1, then x_4.
 
     In the plane z_5 is x_4 times sin(phi_5), and x_5 is x_4 times cos(phi_5). Together they give
-    x_4 with full precision wherever the wrist stands, and where sin(phi_5) vanishes joint 6 may be
-    chosen.
+    x_4 with full precision at every angle of the wrist. Where sin(phi_5) is 0, joint 6 keeps its
+    value of `start`.
     """
     first, fifth, sixth = arm.numeric[0], arm.numeric[4], arm.numeric[5]
     c, s = cosines_and_sines(plane.phi)
@@ -191,10 +207,10 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wr
     flip = np.where(singular, 0.0, np.pi)
     sign = np.where(singular, 1.0, -1.0)
     wrist = Wrist(
-        _pair(phi_5, -phi_5),
-        _pair(phi_6, phi_6 - np.copysign(flip, phi_6)),
-        _pair(ux, sign * ux),
-        _pair(uy, sign * uy),
+        _stack_pair(phi_5, -phi_5),
+        _stack_pair(phi_6, phi_6 - np.copysign(flip, phi_6)),
+        _stack_pair(ux, sign * ux),
+        _stack_pair(uy, sign * uy),
         singular,
         abs(shape.step) * NOISE / np.where(singular, np.inf, sine),
     )
@@ -207,12 +223,12 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wr
 def _end_of_links(
     shape: Shape, centre: tuple[Array, Array], x_4: tuple[Array, Array]
 ) -> tuple[Array, Array]:
-    """Where the two links must end, in the plane: the wrist's centre less d_5 along z_4."""
+    """Return the end of the two links in the plane: the wrist's centre less d_5 along z_4."""
     return centre[0] + shape.step * x_4[1], centre[1] - shape.step * x_4[0]
 
 
-def _isolated(shape: Shape, plane: Plane) -> NDArray[np.bool_]:
-    """Whether no turn about the wrist's centre but one leaves the links within reach, (2 shoulders,
+def _is_isolated(shape: Shape, plane: Plane) -> NDArray[np.bool_]:
+    """Return where a single angle about the wrist's centre lets the links reach, (2 shoulders,
     batch).
 
     The links end on a circle of radius |d_5| about the wrist's centre (x, y). It touches what they
@@ -228,18 +244,22 @@ def _isolated(shape: Shape, plane: Plane) -> NDArray[np.bool_]:
 def _bring_within_reach(
     arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, loose: tuple[NDArray[Any], ...]
 ) -> None:
-    """Turn joint 6, in place, for these shoulders and poses, where the links do not reach, and to
-    the only angle where there is but one, if the tool stays: it turns by the sine of joint 5 times
-    as much.
+    """Turn joint 6 in place so that the links reach, if this does not move the tool.
 
-    Axes 4 and 6 being parallel, or nearly, x_4 turns against joint 6 without moving the tool.
+    Where axes 4 and 6 are parallel, or nearly, x_4 turns against joint 6 while the tool turns only
+    by sin(phi_5) times as much. An isolated solution takes the only possible angle.
+
+    Args:
+        arm, shape, plane: The arm, its signs and lengths, and its plane.
+        wrist: Angles to change, in place.
+        loose: Indices of shoulders and poses with a small sine of joint 5.
     """
     both, at = (loose[0], slice(None), loose[1]), (*loose, None)
     centre, u = (plane.x[at], plane.y[at]), (wrist.ux[both], wrist.uy[both])
     end, arc = _end_of_links(shape, centre, u), abs(shape.step)
     far, length = np.hypot(*centre), np.hypot(*end)
     wanted = np.clip(length, shape.links.inner, shape.links.outer)
-    angle, isolated = _seen_from(centre, end), _isolated(shape, plane)[at]
+    angle, isolated = _angle_at_centre(centre, end), _is_isolated(shape, plane)[at]
     cosine = (far**2 + arc**2 - wanted**2) / np.maximum(2 * far * arc, 1e-300)
     cosine = np.where(isolated, np.rint(cosine), cosine)
     turn = np.copysign(np.arccos(np.clip(cosine, -1.0, 1.0)), angle) - angle
@@ -248,16 +268,16 @@ def _bring_within_reach(
     c, s = np.cos(turn), np.sin(turn)
     wrist.ux[both], wrist.uy[both] = c * u[0] - s * u[1], s * u[0] + c * u[1]
     along = shape.side * arm.numeric[4].sin_alpha * np.cos(wrist.phi_5[both])
-    wrist.phi_6[both] = wrapped(wrist.phi_6[both] - np.sign(along) * turn)
+    wrist.phi_6[both] = wrap_angle(wrist.phi_6[both] - np.sign(along) * turn)
 
 
-def _seen_from(centre: tuple[Array, Array], end: tuple[Array, Array]) -> Array:
-    """The angle at the wrist's centre from the way to the shoulder to that to the links' end."""
+def _angle_at_centre(centre: tuple[Array, Array], end: tuple[Array, Array]) -> Array:
+    """Return the angle at the wrist's centre from the shoulder to the links' end, rad."""
     (x, y), (vx, vy) = centre, (centre[0] - end[0], centre[1] - end[1])
     return np.arctan2(x * vy - y * vx, x * vx + y * vy)
 
 
-def _pair(one: Array, other: Array) -> Array:
+def _stack_pair(one: Array, other: Array) -> Array:
     pair = np.empty((len(one), 2, *one.shape[1:]))
     pair[:, 0], pair[:, 1] = one, other
     return pair

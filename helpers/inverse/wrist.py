@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm, fixed
 from helpers.inputs import ArmError, require_type
 from helpers.inverse.axes import dot
-from helpers.inverse.geometry import SINGULAR, unwound, wrist_centre
+from helpers.inverse.geometry import SINGULAR, remove_last_twist, wrist_centre
 from helpers.inverse.shoulder import (
     ELBOW_BRANCHES,
     ROD_BRANCHES,
@@ -26,12 +26,12 @@ from helpers.inverse.shoulder import (
     rod_kernel,
 )
 from helpers.inverse.solutions import (
-    Found,
+    BranchArrays,
     Solutions,
+    check_poses,
     each_branch,
-    must_be_rigid,
-    poses,
-    wrapped,
+    require_rigid,
+    wrap_angle,
 )
 from helpers.kinematics import tip_entries
 from helpers.program import cosines_and_sines, get_program, run_batch
@@ -48,7 +48,7 @@ def stanford(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> So
     joints 4 and 6 turn about one axis: joint 4 keeps its value of `start`, shape (..., 6), and
     joint 6 follows. Raises ArmError for another table or targets that are no poses.
     """
-    return _decoupled(arm, targets, start, Shoulder(rod_kernel, require_rod, ROD_BRANCHES))
+    return _solve_decoupled(arm, targets, start, Shoulder(rod_kernel, require_rod, ROD_BRANCHES))
 
 
 def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
@@ -60,67 +60,78 @@ def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None
     Free joints as in `stanford` and `elbow`. Raises ArmError for another table or targets that are
     no poses.
     """
-    return _decoupled(
+    return _solve_decoupled(
         arm, targets, start, Shoulder(elbow_kernel, require_elbow_arm, ELBOW_BRANCHES)
     )
 
 
 class Shoulder(NamedTuple):
-    """What places the wrist's centre, what refuses another arm, and the choices it leaves."""
+    """A closed form of joints 1 to 3, the check that an arm fits it, and its branch names."""
 
-    place: Callable[[Arm, Array, Array], Found]
+    place: Callable[[Arm, Array, Array], BranchArrays]
     must_fit: Callable[[Arm], None]
     choices: tuple[tuple[str, ...], ...]
 
 
-def _decoupled(arm: Arm, targets: ArrayLike, start: ArrayLike | None, by: Shoulder) -> Solutions:
+def _solve_decoupled(
+    arm: Arm, targets: ArrayLike, start: ArrayLike | None, by: Shoulder
+) -> Solutions:
     _require_right_angled_wrist(arm)
-    shoulder = _to_centre(arm)
+    shoulder = _arm_to_wrist_centre(arm)
     by.must_fit(shoulder)
 
-    def kernel(arm: Arm, columns: Array, start: Array) -> Found:
-        must_be_rigid(arm, columns)
-        tool = unwound(arm, columns)
+    def kernel(arm: Arm, columns: Array, start: Array) -> BranchArrays:
+        require_rigid(arm, columns)
+        tool = remove_last_twist(arm, columns)
         placed = by.place(shoulder, wrist_centre(arm, tool), start[:3])
         first = np.stack(np.broadcast_arrays(*placed.q))
-        seen = _seen_from(shoulder, first, tool.axes[:, 0], tool.axes[:, 2])
-        wrist, singular = _wrist(arm, seen, start)
-        free = {joint: _both(loose) for joint, loose in placed.free.items()}
-        q = (*(_both(joint) for joint in placed.q), *wrist)
-        merged = (*(_both(one) for one in placed.merged), _both(singular))
-        return Found(q, {**free, 3: _both(singular)}, _both(placed.valid), merged, placed.distance)
+        tool_axes = _express_in_frame_3(shoulder, first, tool.axes[:, 0], tool.axes[:, 2])
+        wrist, singular = _solve_wrist(arm, tool_axes, start)
+        free = {joint: _repeat_for_both_wrists(loose) for joint, loose in placed.free.items()}
+        q = (*(_repeat_for_both_wrists(joint) for joint in placed.q), *wrist)
+        merged = (
+            *(_repeat_for_both_wrists(one) for one in placed.merged),
+            _repeat_for_both_wrists(singular),
+        )
+        return BranchArrays(
+            q,
+            {**free, 3: _repeat_for_both_wrists(singular)},
+            _repeat_for_both_wrists(placed.valid),
+            merged,
+            placed.distance,
+        )
 
     choices = (*by.choices, ("q_5 > 0", "q_5 < 0"))
-    return each_branch(arm, poses(arm, targets), start, choices, kernel)
+    return each_branch(arm, check_poses(arm, targets), start, choices, kernel)
 
 
-def _both(values: NDArray[Any]) -> NDArray[Any]:
-    """The same for both wrists: an axis before the last."""
+def _repeat_for_both_wrists(values: NDArray[Any]) -> NDArray[Any]:
+    """Insert an axis before the last, for both wrists."""
     return values[..., None, :]
 
 
 @lru_cache(maxsize=32)
-def _to_centre(arm: Arm) -> Arm:
-    """The first three joints, their tip at the wrist's centre."""
+def _arm_to_wrist_centre(arm: Arm) -> Arm:
+    """Return the arm of the first three joints, with its tip at the wrist's centre."""
     rows = (*arm.rows[:3], fixed(d=arm.rows[3].d))
     return replace(arm, rows=rows, bodies=(), home=())
 
 
-def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
-    """Vectors (3, batch) in frame 3 of each branch of q (3, 2, 2, batch), each (3, 2, 2, batch)."""
+def _express_in_frame_3(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
+    """Express vectors (3, batch) in frame 3 of each branch; q and results are (3, 2, 2, batch)."""
     pose = run_batch(get_program(shoulder, tip_entries), q.reshape(3, -1))
     pose = pose.reshape(4, 4, *q.shape[1:])
     axes = [pose[:3, i] for i in range(3)]
     return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
 
 
-def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...], Array]:
-    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free.
+def _solve_wrist(arm: Arm, tool_axes: list[Array], start: Array) -> tuple[tuple[Array, ...], Array]:
+    """Return joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free.
 
-    Joint 6 is found after joint 4, from what its turn leaves of x_6: near a straight wrist both are
-    uncertain, and only together right.
+    Joint 6 follows from x_6 after joint 4's rotation is removed. Near a straight wrist each angle
+    alone is uncertain, but both together turn the tool correctly.
     """
-    x, z = seen
+    x, z = tool_axes
     s4, s5 = arm.numeric[3].sin_alpha, arm.numeric[4].sin_alpha
     sine, cosine = np.hypot(z[0], z[1]), -s4 * s5 * z[2]
     singular = sine < SINGULAR
@@ -134,7 +145,7 @@ def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...]
     flip = np.where(singular, 0.0, np.pi)
     pairs = (phi_4, phi_4 + flip), (phi_5, -phi_5), (phi_6, phi_6 + flip)
     wrist = (
-        wrapped(np.stack(pair, axis=2) - row.theta)
+        wrap_angle(np.stack(pair, axis=2) - row.theta)
         for pair, row in zip(pairs, arm.numeric[3:], strict=True)
     )
     return tuple(wrist), singular
@@ -152,12 +163,12 @@ def has_right_angled_wrist(arm: Arm) -> bool:
 
 def is_elbow_arm_with_wrist(arm: Arm) -> bool:
     """Return whether an arm has the table that `spherical_wrist` solves."""
-    return has_right_angled_wrist(arm) and is_elbow_arm(_to_centre(arm))
+    return has_right_angled_wrist(arm) and is_elbow_arm(_arm_to_wrist_centre(arm))
 
 
 def is_stanford_arm(arm: Arm) -> bool:
     """Return whether an arm has the table that `stanford` solves."""
-    return has_right_angled_wrist(arm) and has_rod(_to_centre(arm))
+    return has_right_angled_wrist(arm) and has_rod(_arm_to_wrist_centre(arm))
 
 
 def _require_right_angled_wrist(arm: Arm) -> None:
