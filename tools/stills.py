@@ -14,6 +14,8 @@ import quickjs
 from docutils import nodes
 from sphinx.application import Sphinx
 
+from helpers.explorer.stub import RUN_HINT
+
 ROOT = Path(__file__).parents[1]
 PAPER = Path(__file__).with_name("paper.js")
 EXPLORER_START = re.compile(r'<div class="arm-explorer[^>]*>')
@@ -66,7 +68,8 @@ class PageScripts:
         style_name = "figure" if kind else "panel"
         self.styles[style_name] = STYLE.search(still)[1]
         link = f'<link rel="stylesheet" href="{self.root}_static/{style_name}.css">'
-        return html[: start.end()] + STYLE.sub(link, still, count=1) + html[start.end() :]
+        page_html = html.replace(RUN_HINT, "", 1)  # a page has no cell to run
+        return page_html[: start.end()] + STYLE.sub(link, still, count=1) + page_html[start.end() :]
 
     def add_form(self, html: str) -> str:
         """Return the end of a judge's HTML with the answer form before it."""
