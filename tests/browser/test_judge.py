@@ -369,7 +369,8 @@ def test_answer_field_is_on_first_screen(page):
     field = page.get_by_label("Your answer", exact=True).bounding_box()
     assert field["y"] + 100 < page.viewport_size["height"]
     assert page.evaluate("scrollY") == 0
-    assert page.evaluate("moved") == 0
+    # A page that is painted while it is parsed moves the bar's links by up to 0.0003.
+    assert page.evaluate("moved") < 0.001
 
 
 @phone

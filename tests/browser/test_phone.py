@@ -5,7 +5,7 @@ from itertools import pairwise
 from tests.browser.reader import THERE
 from tests.test_book import HTML
 
-GAPS = """() => [...document.querySelectorAll(".doors a")].map(link => {
+GAPS = """() => [...document.querySelectorAll(".bar-links a")].map(link => {
     const words = document.createRange();
     words.selectNodeContents(link);
     const { left, right } = words.getBoundingClientRect();

@@ -4418,7 +4418,7 @@ input[type="range"] {
   );
   appearance: none;
   width: 100%;
-  height: 18px;
+  height: 24px; /* the smallest target that WCAG 2.2 allows */
   margin: 0;
   background: none;
   cursor: pointer;
@@ -4696,6 +4696,10 @@ td {
   .paper slot {
     display: block;
   }
+  .explorer,
+  .live {
+    break-inside: avoid;
+  }
   .legend {
     position: static;
     justify-content: center;
@@ -4838,9 +4842,10 @@ button.main:hover:not(:disabled) {
   font-size: 16px;
 }
 .rail {
-  padding-top: 5px;
+  padding-top: 2px;
 }
 .bounds {
+  margin-top: -3px;
   display: flex;
   justify-content: space-between;
   font-size: 12px;
@@ -5311,7 +5316,7 @@ input.small {
     line-height: 44px;
   }
   .rail {
-    padding-top: 10px;
+    padding-top: 7px;
   }
 }
 @container (max-width: 600px) {
