@@ -68,13 +68,15 @@ def test_circle_below_starts_at_tip_as_its_top(plane, aside):
     np.testing.assert_allclose(path.positions[1], [x + aside[0], y + aside[1], z - 0.1], atol=1e-15)
 
 
-@pytest.mark.parametrize(("method", "order"), [("euler", 1), ("rk4", 4)])
-def test_error_order_of_each_method(method, order):
+@pytest.mark.parametrize(
+    ("method", "gain", "order"), [("euler", 0.0, 1), ("rk4", 0.0, 4), ("rk4", 2.0, 4)]
+)
+def test_error_order_of_each_method(method, gain, order):
     """Its size is in chapter 3, with the other numbers of the homework."""
-    error = [
-        trace(HOMEWORK, HOMEWORK.home, panda_circle(n), method=method).report.position_error
-        for n in (50, 100)
+    traces = [
+        trace(HOMEWORK, HOMEWORK.home, panda_circle(n), method=method, gain=gain) for n in (50, 100)
     ]
+    error = [run.report.position_error for run in traces]
     assert error[0] / error[1] == pytest.approx(2**order, rel=0.15)
 
 

@@ -107,6 +107,13 @@ def test_side_links_add_mass_at_zero_angle():
     assert np.linalg.norm(gap[:3, 3]) == pytest.approx(0.5)
 
 
+def test_mass_of_side_link_counts_at_its_own_place():
+    camera = link("camera", 0.3), joint("mount", "tool", "camera", "fixed", xyz="0 0.15 0")
+    arm = from_urdf(robot(*LINKS, *JOINTS, *camera), tip="tool")
+    torque = abs(gravity_torque(arm, [0, math.pi / 2])[1])
+    assert torque == pytest.approx(9.81 * (1 * 0.2 + 0.5 * 0.4 + 0.3 * 0.55), abs=1e-12)
+
+
 LOOP = robot(link("a"), link("b"), joint("j", "a", "b"), joint("k", "b", "a"))
 BOMB = '<!DOCTYPE r [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]><robot name="&b;"/>'
 OUTSIDE = '<!DOCTYPE r [<!ENTITY a SYSTEM "file:///etc/passwd">]><robot name="&a;"/>'

@@ -76,6 +76,12 @@ def test_lost_directions_of_ur10e_at_home():
     np.testing.assert_allclose(lost[:, [0, 4, 5]], 0, atol=1e-12)
 
 
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 1e6])
+def test_cutoff_of_lost_directions_is_a_share(scale):
+    lost = lost_directions(scale * np.diag([1.0, 0.3, 0.05]), cutoff=0.1)
+    np.testing.assert_allclose(np.abs(lost), [[0, 0, 1]], atol=1e-12)
+
+
 def test_frame_beyond_the_tip_is_rejected():
     with pytest.raises(ArmError, match="UR10e: frame 7 does not exist; expected 0 to 6"):
         jacobian_in_frame(UR10E, np.zeros(6), 7)
