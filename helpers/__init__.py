@@ -1,1 +1,1 @@
-"""What the book's notebooks share: one table for each arm, and everything that follows from it."""
+"""Compute with robot arms from DH tables, for all notebooks of the book."""

@@ -194,7 +194,7 @@ class Arm:
 
     @property
     def turning(self) -> NDArray[np.bool_]:
-        """Whether each joint turns, shape (dof,); the others slide."""
+        """True for each revolute joint, shape (dof,); the others are prismatic."""
         return np.array([self.rows[i - 1].joint.kind == "revolute" for i in self.joints], bool)
 
     @property

@@ -30,7 +30,7 @@ export const GRADE_MARKS = {
  * @typedef {{ what: string, where: string, words: string }} Finding
  */
 /**
- * How the joints of a right table count beside the reference's.
+ * The map from the joint values of a right table to those of the reference.
  * @typedef {object} JointReport
  * @property {number[]} signs joint k of the reference is signs[k] times the student's joint plus
  *   offsets[k]

@@ -35,14 +35,14 @@ function verdicts(arm, q) {
   return { ...ranks(arm, q), ways, counted: describeBranches(arm, ways) };
 }
 
-// What a link opens: its state, the tip's pose there, what is said of the table, and what gravity asks.
+// Return the state that a link opens, the tip's pose, the message about the table, energy and gravity.
 function opened(fragment, arms) {
   const { patch, message } = parseFragment(fragment, arms, VIEWS);
   const { frames, energy, gravity } = new Store(makeInitialState(patch)).derived;
   return { patch, words: message, pose: frameMatrix(frames.at(-1)), table: describeTable(patch, { frames }), energy, gravity };
 }
 
-// What is said of a typed table beside the arm behind it.
+// Return the message that compares a typed table with its reference.
 function compared(arm, reference) {
   const q = movingRows(arm).map(() => 0);
   return describeTable({ arm, reference, q }, { frames: linkFrames(arm, q) });

@@ -62,7 +62,7 @@ def report_on(work: Mapping) -> checks.Verdict:
 
 
 def verdict(work: Mapping) -> tuple[str, str]:
-    """How the judge's answer compares with the truth, and its first words."""
+    """Compare the judge's verdict with the truth; return the outcome and the headline."""
     try:
         report = report_on(work)
     except ArmError as refusal:

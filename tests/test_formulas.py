@@ -24,7 +24,7 @@ every_arm = pytest.mark.parametrize("arm", ARMS.values(), ids=ARMS)
 
 
 def value_of(letter, q):
-    """What a letter as c_{2-3} stands for, read off its name."""
+    """Return the value of a symbol such as c_{2-3}, from its name and the joint angles."""
     function, _, index = letter.name.partition("_")
     index = index.strip("{}")
     joints = [int(x) for x in re.findall(r"[+-]?\d+", index if "-" in index else "+".join(index))]

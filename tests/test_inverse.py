@@ -49,8 +49,7 @@ def apart(arm, q, other):
 
 
 def misses(arm, found, targets):
-    """How far each existing branch is from its target: the largest entry of the difference of poses
-    or positions."""
+    """Return for each existing branch the largest difference between its tip and the target."""
     T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
     if targets.shape[-1] == 3:
         error = np.abs(T[..., :3, 3] - targets[..., None, :]).max(axis=-1)
@@ -60,8 +59,10 @@ def misses(arm, found, targets):
 
 
 def among(solver, arm, q, off=1e-5):
-    """What a solver finds for the poses of q, each branch proved and q among them, or one with
-    another way: from one to the other the tip hardly goes."""
+    """Solve the poses of q, and assert that all branches reach them and that q is among them.
+
+    Near a singular pose q may differ from its branch if the tip hardly moves between both.
+    """
     T = forward_kinematics(arm, q)
     targets = T[:, :3, 3] if arm.dof == 3 else T
     found = solver(arm, targets)

@@ -298,8 +298,8 @@ def test_pose_in_own_joint_angles_reaches_the_given_tool_frame():
     assert [answer["grade"] for answer in judge_on_page(answers)] == ["right", "wrong"]
 
 
-# What only a reader of Python knows: shapes, keywords, names and values. Not what is quoted or put
-# in, and a print from NumPy is told about to who has one.
+# Terms that only Python programmers know: shapes, keywords, names and values. Quotations and
+# fields of messages are exempt, and so is the remark about a print from NumPy.
 PYTHON = re.compile(
     r"shape \(|\(\d+,\)|\(\d, \d\)|\.\.\., |\w=[^ ]|\b(np\.|report\.|arm\.|robots\.|lambda|dof|None"
     r"|True|False|dtype|tuple|array|argument|Body|numpy|\w+Error|compare_\w+|angular_first)\b"

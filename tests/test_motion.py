@@ -194,14 +194,14 @@ def test_report_matches_hand_calculation():
 
 
 def test_report_shows_singular_pose():
-    """How near one came is in chapter 3's reports."""
+    """Reports near singular poses are tested by chapter 3."""
     home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
     assert home.largest_condition > 1e12
     assert "above 1e12" in str(home)
 
 
 def same_jacobian(arm, q):
-    """The arm's own Jacobian as a caller's function, with which a trace goes step by step."""
+    """Return the arm's Jacobian. As a caller's function it makes a trace go step by step."""
     return jacobian(arm, q)
 
 

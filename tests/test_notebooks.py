@@ -121,7 +121,7 @@ def test_chapter_imports_arms_only_in_first_cell(path):
 
 @every_notebook
 def test_cells_do_not_measure_time(path):
-    """What lasts how long changes with what else the machine does, and so would the output."""
+    """Times depend on the machine's load, so printed times would differ in each run."""
     clock = r"(import|from) +(time|timeit|datetime)\b|^ *%%?time"
     assert not [cell.source for cell in code_cells(path) if re.search(clock, cell.source, re.M)]
 

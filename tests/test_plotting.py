@@ -99,7 +99,7 @@ def points(line):
 
 
 def through(ax, wanted):
-    """Whether one of the lines has all these points among its corners."""
+    """Return whether one of the lines has all these points among its corners."""
     gaps = (points(line)[:, None] - wanted for line in ax.lines)
     return any((np.linalg.norm(gap, axis=2).min(axis=0) < 1e-9).all() for gap in gaps)
 

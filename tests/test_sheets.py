@@ -54,7 +54,7 @@ def pose(sheet):
 
 
 def true(sheet, what, q):
-    """What the numeric view says of an answer at q."""
+    """Return an answer at q by the numeric functions."""
     arm, index = sheet.arm, int("0" + re.sub(r"\D", "", what))
     frames = kinematics.link_frames(arm, q)
     answers_by_letter = {

@@ -27,7 +27,7 @@ def slider_cells(path):
 
 
 def run(path):
-    """What a chapter's imports and sliders make: its names, and what the sliders are shown by."""
+    """Run a chapter's imports and slider cell; return its names and the widget."""
     cells = nbformat.read(path, as_version=4).cells
     imports = next(cell for cell in cells if cell.cell_type == "code")
     (sliders,) = slider_cells(path)

@@ -46,7 +46,7 @@ def same(report):
 
 
 def maps_tip(report, mine, arm):
-    """Whether the verdict's joint map takes the reference's tip to that of the student's table."""
+    """Return whether the verdict's joint map makes the tips of both tables agree."""
     q = np.random.default_rng(1).uniform(-2, 2, (5, arm.dof))
     joints = report.joint_map
     mapped = np.array(joints.signs) * q + np.array(joints.offsets) if joints else q
@@ -137,7 +137,7 @@ def test_wrong_length_or_twist_is_detected(arm, size):
 
 
 def _slides_along(arm, i):
-    """Whether a joint slides along an axis that parallel axes alone link to row i's."""
+    """Return whether a joint slides among the parallel axes around row i."""
     parallel = [row.sin_alpha == 0 for row in arm.numeric]
     first = next((k + 1 for k in reversed(range(i)) if not parallel[k]), 0)
     last = next((k for k in range(i, len(parallel)) if not parallel[k]), len(parallel) - 1)

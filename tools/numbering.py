@@ -34,7 +34,7 @@ IDS_FROM_SPHINX = re.compile(r"\{(eval-rst|bibliography)\}")  # pages whose anch
 
 
 class Kind(NamedTuple):
-    """How one kind of numbered item is written."""
+    """The notation of one kind of numbered item."""
 
     name: str
     item: re.Pattern  # groups: anchor, text up to the number, number

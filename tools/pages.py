@@ -47,7 +47,7 @@ class LiveArm(SphinxDirective):
 
 
 def is_long(tex: str) -> bool:
-    """Whether a formula may be as long as a phone's line."""
+    """Return whether a formula may be as long as a phone's line."""
     return len(SIGN.findall(tex)) > LINE
 
 

@@ -10,7 +10,7 @@
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      // Where a page may not use the clipboard by itself, a selection can still be copied.
+      // If the browser denies the page its clipboard, it may still copy a selection.
       const area = Object.assign(document.createElement("textarea"), { value: text });
       document.body.append(area);
       area.select();
@@ -59,7 +59,7 @@
     tools.replaceChildren(fold, ...all);
   }
 
-  // What is folded would be an empty box on paper.
+  // Open all answers for printing, since a folded one would be an empty box on paper.
   let opened = [];
   addEventListener("beforeprint", () => {
     opened = answers.filter((answer) => !answer.open);

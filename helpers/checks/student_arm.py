@@ -10,7 +10,7 @@ from helpers.arm import Arm, Body, Joint, Row
 
 @dataclass(frozen=True)
 class JointMap:
-    """How the joints of a right table count beside the reference's.
+    """Map the joint values of a right table to those of the reference.
 
     Joint k of the reference is ``signs[k]`` times the student's joint plus ``offsets[k]``.
 

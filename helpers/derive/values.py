@@ -73,7 +73,7 @@ class Line(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class DerivationStep:
-    """How one row was derived from the lines of z_{i-1} and z_i, in base axes.
+    """The derivation of one row from the lines of z_{i-1} and z_i, in base axes.
 
     Attributes:
         number: Number i of the row, counted from 1.

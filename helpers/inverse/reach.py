@@ -1,4 +1,4 @@
-"""How far a target is out of reach of three joints that place a point."""
+"""Compute how far a target is out of reach of three joints that place a point."""
 
 import numpy as np
 

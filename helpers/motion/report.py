@@ -58,7 +58,7 @@ class TraceReport:
 
     @property
     def executable(self) -> bool:
-        """Whether the real arm could do it: no joint leaves its range or exceeds its speed.
+        """True if no joint leaves its range or exceeds its speed.
 
         Accelerations are reported only, since the table has no limits for them. A trace that begins
         at speed needs a run-up, or a path made by `rest_to_rest`.

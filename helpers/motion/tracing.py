@@ -139,7 +139,7 @@ def trace(
 
 @dataclass(frozen=True)
 class Steering:
-    """How joint rates follow from a twist, and joint values from rates.
+    """Rules that compute joint rates from a twist, and joint values from rates.
 
     Functions passed in by the caller receive copies of arrays.
 

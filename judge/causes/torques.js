@@ -64,7 +64,7 @@ export function makeLoad(arm, wrenches, gravity) {
   };
 }
 
-// A function that keeps its results, in a WeakMap if their arguments come and go.
+// Cache a function's results, in a WeakMap if its arguments are short-lived objects.
 /** @param {(argument: any) => any} make @param {Map<any, any> | WeakMap<any, any>} results */
 function keepResults(make, results = new Map()) {
   return (argument) => {
@@ -74,7 +74,7 @@ function keepResults(make, results = new Map()) {
   };
 }
 
-/** Torques at some poses. Mistakes share what is kept: frames of a chain, weights and forces. */
+/** Computes torques at some poses. Mistakes share the cached frames, weights and forces. */
 class TorquesAtPoses {
   /** @param {Load} load @param {number} dof @param {number[]} q joint values of all poses */
   constructor(load, dof, q) {
@@ -98,7 +98,7 @@ class TorquesAtPoses {
 }
 
 /**
- * Return a maker of torques. It takes the steps that are done wrong, and gives a function from the
+ * Return a maker of torques. It takes the steps done wrong, and returns a function from the
  * joint values of all poses to the torques there. What it makes at `q` is kept.
  * @param {Load} load
  * @param {number} dof
@@ -161,7 +161,7 @@ export function* mistakePairs(steps, maker) {
       if (first.change && second.change)
         [steps.change, steps.secondChange] = [first.change, second.change];
       yield {
-        // Made when it is asked for: hardly any of thousands of pairs explains an answer.
+        // Computed on demand, since hardly any of thousands of pairs explains an answer.
         get cause() {
           return combineCauses(first.cause, second.cause);
         },
@@ -194,7 +194,7 @@ function* writings(arm) {
     }
 }
 
-// The centres' numbers taken as coordinates in the frame before the link's own.
+// Move each centre of mass: its numbers are taken as coordinates in the frame before its link.
 const inFrameBefore = ({ centres, T }) =>
   centres.map((centre, row) => chains.changeFrame(T[row], T[row + 1], centre));
 

@@ -151,14 +151,14 @@ function isCheaper(p, q) {
   return k >= 0 && p[k] < q[k];
 }
 
-// All lists of so many signs, 1 before -1.
+// List all combinations of this many signs, 1 before -1.
 const listSigns = (count) =>
   Array.from({ length: 2 ** count }, (_, k) =>
     Array.from({ length: count }, (__, i) => ((k >> (count - 1 - i)) & 1 ? -1 : 1)),
   );
 
-// The cheapest choices up to the end of a gap, for each sign of its last joint. A gap begins with
-// the joint that ends the one before it.
+// Return the cheapest choice of signs up to the end of a gap, for each sign of its last joint. Each
+// gap begins with the last joint of the previous one.
 function extendBest(sides, gap, best) {
   const { joints: between } = sides.mine.gaps[gap];
   const found = new Map();
@@ -235,7 +235,7 @@ function compareKinds(mine, reference) {
   });
 }
 
-// How axis 1 lies to z_0. Its direction is free.
+// Compare the distance and the angle of axis 1 from z_0. Its direction is free.
 function compareFeet(mine, reference, length, angle) {
   const [[far, lean], [other, wanted]] = [mine.foot, reference.foot];
   const ends = [0, mine.joints[0]];
@@ -278,7 +278,7 @@ function compareTwists(mine, m, r, signs, angle) {
   });
 }
 
-// The angle between two axes: about their common normal if `sided`, else between 0 and pi.
+// Return the angle between two axes: signed about their common normal if `sided`, else 0 to pi.
 function twist(gap, pair, sided, signs) {
   const cosine = product(gap, pair, signs);
   return sided
@@ -286,7 +286,7 @@ function twist(gap, pair, sided, signs) {
     : clampedAcos(cosine);
 }
 
-// One of the gap's products with each joint's direction multiplied by its sign.
+// Return a product of the gap's directions, each multiplied by its joint's sign.
 const product = (gap, which, signs) =>
   which.reduce((x, k) => x * (signs.get(k) ?? 1), gap.shape.get(`${which}`));
 
@@ -305,8 +305,8 @@ function compareSlides(mine, m, r, signs, angle) {
   return [difference("table side", [start, "a"], [0, Math.PI], [start, m.toTip ? 0 : end])];
 }
 
-// For each slide between axes not parallel to it: its row, and in both tables the angle about it
-// from the common normal before it to the one after it, in the direction nearer to theta.
+// List for each slide between axes not parallel to it: its row, and in each table the angle about
+// it from the common normal before it to the one after it. Its direction is chosen near theta.
 function anglesAboutSlides(mine, m, r, signs) {
   const skew = (...pair) => 1 - m.shape.get(`${pair}`) ** 2 > TINY;
   return m.joints.slice(1, -1).flatMap((k) => {
@@ -314,7 +314,7 @@ function anglesAboutSlides(mine, m, r, signs) {
     const after = m.joints.find((j) => j > k && skew(k, j));
     if (before === undefined || after === undefined) return [];
     const [three, row] = [[before, k, after], mine.joints[k]];
-    // Not at a right angle, where it would be left to rounding.
+    // 2 rad instead of a right angle, where rounding would choose the direction.
     const back =
       angleDistance(angleAboutSecond(m, three, new Map(), 1), mine.rows[row - 1].theta) > 2;
     const direction = back ? -1 : 1;
@@ -328,8 +328,8 @@ function anglesAboutSlides(mine, m, r, signs) {
   });
 }
 
-// The angle about the second of three axes, from the common normal of the first two to that of the
-// last two.
+// Return the angle about the second of three axes, from the common normal of the first two to that
+// of the last two.
 function angleAboutSecond(gap, three, signs, direction) {
   const [i, k, j] = three;
   const [u, v, w] = [

@@ -29,7 +29,7 @@ export { cosSin };
  * @property {number} dof
  */
 /**
- * How one step of the Jacobian's recipe is done otherwise.
+ * Deviations from the Jacobian's recipe; a step that is absent is done right.
  * @typedef {object} RecipeOptions
  * @property {number[]} [axis] index of the frame whose z serves each joint
  * @property {number[]} [origin] index of the frame whose o serves each joint

@@ -113,7 +113,7 @@ function solveDecoupled(solveShoulderFor, arm, target) {
   });
 }
 
-// The two solutions of joints 4 to 6, from the tool's axes x and z in frame 3. Rounding may have
+// Return both solutions of joints 4 to 6 from the tool's axes x and z in frame 3. Rounding may have
 // turned the first three joints by `blur` (rad).
 function solveWrist(rows, x, z, blur) {
   const [s4, s5] = [rows[3].sa, rows[4].sa];

@@ -99,7 +99,7 @@ function inverseOf({ R, shift }) {
 }
 
 /**
- * Goes on from each root, with the choice's name.
+ * Continue from each root and put the choice's name before those of later choices.
  * @param {string} choice
  * @param {Roots} roots
  * @param {(value: number) => Candidate[]} next
@@ -117,7 +117,7 @@ const forEachRoot = (choice, { values, equal }, next) =>
 /** @returns {Candidate[]} */
 const candidate = (motions, free) => [{ motions, free, names: [], times: 1 }];
 
-// Three joints that take the point w to p: E1 E2 E3 w = p.
+// Solve three joints that take the point w to p: E1 E2 E3 w = p.
 
 /** @param {Axis[]} axes @param {Vector} w @param {Vector} p @returns {Candidate[]} */
 function placePoint([first, second, third], w, p, size, start) {
@@ -197,7 +197,7 @@ function crossAlike(curve1, curve3, chosen) {
   return { roots, thirdAt: (q) => Math.atan2(point(q)[1], point(q)[0]) };
 }
 
-// Three joints that place the point w, and three axes that meet there.
+// Solve three joints that place the point w, and three axes that meet there.
 
 /** @param {Axis[]} axes @param {Vector} w @param {Motion} motion @returns {Candidate[]} */
 function solveWrist(axes, w, motion, size, start) {
@@ -227,7 +227,7 @@ const joined = (placed, rest) => ({
   times: placed.times * rest.times,
 });
 
-// Three parallel axes; the other joints a, b, c follow them in the loop closed by base and target.
+// Solve an arm with three parallel axes. The other joints a, b, c follow them in the closed loop.
 
 /** @param {Structure} structure @param {Motion} motion @returns {Candidate[]} */
 function solveParallel({ axes, first, size }, motion, start) {
@@ -270,7 +270,7 @@ const movedAxis = (motion, axis) => ({
 });
 
 /**
- * Joints a and b meet in a point, whose height only joint c changes.
+ * Solve joints a and b, which meet in a point whose height only joint c changes.
  * @param {Loop} loop
  * @param {Axis[]} axes
  * @returns {Candidate[]}
@@ -289,7 +289,7 @@ function solveLastFirst({ h, hBack, motion, size, start }, [a, b, c], point) {
 }
 
 /**
- * Joints b and c meet in a point, whose height only joint a changes.
+ * Solve joints b and c, which meet in a point whose height only joint a changes.
  * @param {Loop} loop
  * @param {Axis[]} axes
  * @returns {Candidate[]}
@@ -309,7 +309,7 @@ function solveFirstFirst({ h, hBack, motion, size, start }, [a, b, c], point) {
 }
 
 /**
- * Three parallel joints that move points as `planar` does: a triangle of links.
+ * Solve the triangle of three parallel joints that move points as `planar` does.
  * @param {Axis[]} axes
  * @param {(point: Vector) => Vector} planar
  * @returns {Candidate[]}
@@ -339,7 +339,7 @@ function solveTriangle([first, second, third], planar, size, start) {
   });
 }
 
-// A planar three-link arm, or one with a slide across its plane (SCARA).
+// Solve a planar three-link arm, or one with a slide across its plane (SCARA).
 function solvePlanar({ axes, size }, motion, start) {
   const turning = axes.flatMap((axis, k) => (axis.turns ? [k] : []));
   const three = turning.map((k) => axes[k]);

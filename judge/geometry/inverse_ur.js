@@ -54,7 +54,7 @@ export function solveUr(arm, target) {
   });
 }
 
-// The two solutions of joints 5 and 6 for one shoulder, each with the axis x_4 = u in the plane.
+// Return both solutions of joints 5 and 6 for one shoulder, each with x_4 = u in the plane.
 function solveUrWrist(shape, plane, tool, side) {
   const { rows } = shape;
   const [c, s] = [Math.cos(plane.phi[side]), Math.sin(plane.phi[side])];
@@ -109,8 +109,8 @@ function isIsolated({ rows, links }, x, y) {
   return touching && Math.min(far, arc) > BOUNDARY;
 }
 
-// Turn a free or uncertain joint 6 until the links reach; to the only angle where there is just
-// one.
+// Turn a free or uncertain joint 6 until the links reach. An isolated solution has only one such
+// angle.
 function turnWithinReach(shape, x, y, found) {
   const { rows, links, side } = shape;
   const arc = Math.abs(rows[4].d);

@@ -1,5 +1,5 @@
-// The action of joints on points and directions, and the three equations that every structured arm
-// comes down to; as helpers/inverse/equations.py.
+// Move points and directions by joints, and solve the three equations that inverse kinematics by
+// structure needs; as helpers/inverse/equations.py.
 
 import { cross, dot, minus, norm, plus, scaled } from "./kinematics.js";
 
@@ -27,7 +27,7 @@ export const partAcross = (h, v) => minus(v, scaled(dot(h, v), h));
 
 // The three equations.
 
-/** Solves a cos q + b sin q = c. @returns {Roots} */
+/** Solve a cos q + b sin q = c. @returns {Roots} */
 export function solveCosineSine(a, b, c, size, chosen) {
   const amplitude = Math.hypot(a, b);
   let gap = amplitude - Math.abs(c);
@@ -38,7 +38,7 @@ export function solveCosineSine(a, b, c, size, chosen) {
   return rootsOf(middle + off, middle - off, gap <= 0);
 }
 
-/** Solves a q + b q^2 = c. @returns {Roots} */
+/** Solve a q + b q^2 = c. @returns {Roots} */
 export function solveQuadratic(a, b, c, size) {
   if (Math.abs(b) < BOUNDARY / size)
     return { values: [Math.abs(a) < ON_AXIS ? NaN : c / a], equal: true, free: false };
@@ -55,14 +55,14 @@ const rootsOf = (first, second, equal) => ({
   free: false,
 });
 
-// The turn about a direction from u to v; free where one lies along it.
+// Return the angle about a direction h from u to v; free if u or v is along h.
 export function angleBetween(h, u, v, size, chosen) {
   const [x, y] = [partAcross(h, u), partAcross(h, v)];
   if (Math.min(norm(x), norm(y)) < ON_AXIS * size) return { value: chosen, free: true };
   return { value: Math.atan2(dot(h, cross(x, y)), dot(x, y)), free: false };
 }
 
-/** The two turns about h after which u has the angle to v that `target` has. @returns {Roots} */
+/** Find the two angles about h that give u the angle to v that `target` has. @returns {Roots} */
 export function turnsToAngle(h, u, v, target) {
   const between = (p, q) => Math.atan2(norm(cross(p, q)), dot(p, q));
   const [sideV, sideU, opposite] = [between(h, v), between(h, u), between(v, target)];
@@ -74,6 +74,6 @@ export function turnsToAngle(h, u, v, target) {
   return rootsOf(value + corner, value - corner, above <= 0 || below <= 0);
 }
 
-// Exactly 0 at the boundary, where both turns are one.
+// Return 0 at the workspace boundary, where both angles coincide.
 const sine = (angle) =>
   Math.abs(angle) > BOUNDARY && Math.abs(Math.PI - angle) > BOUNDARY ? Math.sin(angle) : 0;

@@ -16,8 +16,7 @@ const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times th
  * @typedef {{ signs: number[], offsets: number[], base: any }} JointMap
  */
 
-// The map between two tables that agree, or null where it cannot be confirmed by the tips of some
-// poses.
+// Return the joint map between two tables that agree; null if the tips of some poses disagree.
 /** @param {AxisWalk} mine @param {AxisWalk} reference @returns {JointMap | null} */
 export function findJointMap(mine, reference, found, tolerance = 1e-6) {
   const base = baseOf(mine, reference, found);
@@ -50,15 +49,15 @@ const BASE = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], o: [0, 0, 0] };
 
 const UPSIDE_DOWN = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, -1], o: [0, 0, 0] };
 
-// Your base's frame in the reference's, as far as axis 1 tells.
+// Return the student's base frame in the reference's base, as far as axis 1 fixes it.
 function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
   const axis = linkFrames({ rows: reference.rows.slice(0, reference.joints[0] - 1) }, []).at(-1).z;
   const up = mine.up * signs[0];
   return { ...(upsideDown ? UPSIDE_DOWN : BASE), o: scaled(up * baseHigher, axis) };
 }
 
-// List what each joint carries, in the reference's base: the axes, each a line (point, direction)
-// or, for a slide, a direction without place; the tip; the axes of the tool.
+// List the features that joints carry, in the reference's base: each joint axis as a point and a
+// direction (a slide has no point), the tip, and the tool's z and x axes.
 function features(rows, q, base, signs) {
   const T = linkFrames({ rows }, q).map((F) => placed(base, F));
   const axes = movingRows({ rows }).map((i, k) => ({
@@ -84,8 +83,8 @@ const placed = (base, { x, y, z, o }) => ({
   o: plus(base.o, turnedBy(base, o)),
 });
 
-// The angle about an axis along z, through p here and o there, that carries r to m; null where it
-// does not show.
+// Return the angle about z that carries the reference's feature r to the student's m; null if both
+// are on the axis. The axis passes through p in the student's arm and through o in the reference.
 function turn(z, p, m, o, r) {
   const pairs = [];
   if (m.direction) pairs.push([m.direction, r.direction]);
@@ -101,7 +100,7 @@ function turn(z, p, m, o, r) {
 // Return the part of w that is perpendicular to the unit vector d.
 const across = (w, d) => minus(w, scaled(dot(w, d), d));
 
-// How far along z r is carried to m; null where it does not show.
+// Return the distance along z that carries feature r to m; null if r does not change along z.
 function slide(z, m, r) {
   if (!m.point) return null;
   const w = minus(m.point, r.point);
@@ -110,7 +109,7 @@ function slide(z, m, r) {
   return dot(along, along) > SEEN ** 2 ? dot(w, along) / dot(along, along) : null;
 }
 
-// The map, if the tips of some poses agree by it, up to the height of the base on axis 1.
+// Return the map if it makes the tips of some poses agree, except for the base's height; else null.
 function confirmed(mine, reference, found, tolerance) {
   const off = POSES.map((step) => {
     const q = mine.joints.map((_, k) => Math.sin(step * (k + 1)));

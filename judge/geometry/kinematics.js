@@ -24,7 +24,7 @@ export const cross = (u, v) => [
   u[0] * v[1] - u[1] * v[0],
 ];
 export const norm = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
-// a u + b v.
+// Return the linear combination a u + b v.
 const combine = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]];
 
 /**
@@ -44,8 +44,8 @@ export function cosSin(angle) {
   ][((Math.round(turns) % 4) + 4) % 4];
 }
 
-// A function of an arm's rows that keeps its result as long as the rows live. It is asked thousands
-// of times for each answer.
+// Cache a function of an arm's rows for as long as the rows exist. The search for mistakes calls it
+// thousands of times for each answer.
 function keptByRows(make) {
   const results = new WeakMap();
   return ({ rows }) => {

@@ -1,4 +1,4 @@
-// Newton's method, which takes a joint vector that nearly reaches a target all the way.
+// Improves joint values that nearly reach a target by Newton's method.
 
 import { cross, dot, jacobianColumns, linkFrames, minus, plus } from "./kinematics.js";
 import { solveLinear } from "./linear.js";
@@ -8,7 +8,7 @@ const FINISHED_FROM = 1e-6; // largest pose error (m, rad) to start from with an
 const NEARLY_FINISHED_FROM = 1e-2; // the same for axes that meet or are parallel only nearly
 
 /**
- * The joint vector that reaches the target; null where none is near.
+ * Return joint values near q that reach the target to 1e-9; null if there are none.
  * @param {import("./arm.js").Arm} arm
  * @param {boolean} isExact
  * @param {any} target a point or a frame
@@ -42,8 +42,8 @@ function newtonStep(arm, q, error) {
   return columns.map((c) => c.reduce((sum, x, i) => sum + x * y[i], 0));
 }
 
-// From the tip to the target: metres, then radians; 1 is added where the turn is over 90 degrees,
-// since the sine of half a turn is 0 too.
+// Return the error from the tip to the target: m, then the rotation vector's sines. 1 is added to
+// these beyond 90 degrees, since the sine of half a turn is 0 too.
 function poseError(arm, target, q) {
   const { x, y, z, o } = linkFrames(arm, q).at(-1);
   if (Array.isArray(target)) return minus(target, o);

@@ -114,6 +114,6 @@ export function collectBranches(choices, make, names = [], at = []) {
   return first.flatMap((name, k) => collectBranches(rest, make, [...names, name], [...at, k]));
 }
 
-// How many branches coincide in this one; 0 for all but the first of them.
+// Count the branches that coincide here: 1, 2, 4, ... for the first of them, 0 for the others.
 const countMerged = (merged, at) =>
   merged.some((one, k) => one && at[k]) ? 0 : 2 ** merged.filter(Boolean).length;

@@ -106,7 +106,8 @@ function axesAtGenericPose(arm) {
 }
 
 /**
- * The point where revolute axes meet, and by how much they miss it; null where they do not meet.
+ * Return the point where revolute axes meet, and their largest distance from it relative to the
+ * arm's size; null if they do not meet.
  * @param {Axis[]} axes
  */
 export function meetingPoint(axes, size) {
@@ -130,8 +131,8 @@ const total = (numbers) => numbers.reduce((sum, x) => sum + x, 0);
 const parallelGap = (axes) =>
   Math.max(...axes.slice(1).map((axis, k) => norm(cross(axes[k].direction, axis.direction))));
 
-// How far the curves of joints 1 and 3 are from crossing in closed form: 0 where one is a segment,
-// or both are parabolas or circles of one kind.
+// Measure how far the curves of joints 1 and 3 are from a closed form of their crossings: 0 if one
+// is a segment, or if both are parabolas or circles of one kind.
 function crossingGap([first, second, third], size) {
   if (!first.turns && !third.turns) return 0;
   const widths = [first, third].map((axis) => flatnessOf(axis, second, size).width);
@@ -140,7 +141,7 @@ function crossingGap([first, second, third], size) {
 }
 
 /**
- * The curve on which a joint moves a point: centre + X cos q + Y sin q, or centre + X q.
+ * Return the curve on which a joint moves a point: centre + X cos q + Y sin q, or centre + X q.
  * @param {Axis} axis @param {Vector} point
  */
 export function jointCurve(axis, point) {
@@ -151,9 +152,9 @@ export function jointCurve(axis, point) {
 }
 
 /**
- * The two numbers that joint 2 leaves alone along a curve, A (x, y) + b; (x, y) = (cos q, sin q) or
- * (q, q^2). They are the height along its axis and the squared distance from it over twice the
- * size, of a sliding joint two coordinates across it.
+ * Return the two numbers that joint 2 does not change, as A (x, y) + b along a curve, where
+ * (x, y) = (cos q, sin q) or (q, q^2). For a revolute joint 2 they are the height along its axis
+ * and the squared distance from it over twice the arm's size; for a slide, two coordinates across.
  * @param {Axis} second
  */
 export function invariants(second, { centre, X, Y, turns }, size) {
@@ -184,8 +185,8 @@ export function unitAcross(direction) {
 }
 
 /**
- * The directions along and across a joint's curve in the plane of the two invariants, and its width
- * over its length, 0 where it is a segment; a property of the two axes, whatever the point.
+ * Return the directions along and across a joint's curve in the plane of the two invariants, and
+ * its width over its length, 0 for a segment. They depend on the two axes, not on the point.
  * @param {Axis} axis @param {Axis} second
  */
 export function flatnessOf(axis, second, size) {

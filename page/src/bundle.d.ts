@@ -1,4 +1,4 @@
-// What the bundler makes of files that are no modules.
+// Types of the files that the bundler imports as text.
 declare module "*.css" {
   const text: string;
   export default text;

@@ -15,7 +15,7 @@ const DIRECTIONS = [
   [0.8, 0.8],
   [-0.8, -0.8],
 ];
-// Where a label may stand, in px from the end of its axis: the nearest first.
+// Offsets of a label from the end of its axis, in px, nearest first.
 const OFFSETS = [
   [0, 0],
   ...[15, 22, 30].flatMap((far) => DIRECTIONS.map(([x, y]) => [far * x, far * y])),

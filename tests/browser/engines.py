@@ -34,8 +34,8 @@ class Chromium:
         self.mouse.up()
 
 
-class _ByHand:
-    """What Firefox and WebKit share."""
+class _WebDriverBrowser:
+    """Type and drag by WebDriver actions, for Firefox and WebKit."""
 
     def type(self, text):
         kinds = ("keyDown", "keyUp")
@@ -55,7 +55,7 @@ class _ByHand:
         self.act({**mouse, "actions": [to, down, *on, up]})
 
 
-class Firefox(_ByHand):
+class Firefox(_WebDriverBrowser):
     """By WebDriver BiDi, which Firefox itself speaks."""
 
     def __init__(self, line):
@@ -87,7 +87,7 @@ class Firefox(_ByHand):
         self.send("input.performActions", **self.context, actions=[hand])
 
 
-class WebKit(_ByHand):
+class WebKit(_WebDriverBrowser):
     """By WebDriver."""
 
     def __init__(self, address):
@@ -160,7 +160,7 @@ def _program(running, words, **how):
 
 
 def _until(ready):
-    """What a program that has just been started gives, once it does."""
+    """Call `ready` until it returns, for up to a minute while a program starts."""
     for _ in range(600):
         with suppress(OSError, ValueError):
             return ready()

@@ -19,16 +19,16 @@ BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selec
     .map(v => `${v.id}: ` + v.nodes.slice(0, 3).map(n => n.html.slice(0, 160)).join(" | ")))"""
 
 
-# Where only words and numbers are asked for. What a picture shows is drawn by the processor, which costs more than all
-# else of its page: the calls come to WebGL, and end there while `undrawn` holds.
+# Skips the drawing calls of WebGL while `undrawn` is true, for tests that read only text and numbers. Without a graphics
+# card the processor draws each picture, which takes longer than the rest of the page.
 UNDRAWN = """window.undrawn = true;
 for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced", "drawRangeElements"]) {
     const own = WebGL2RenderingContext.prototype[name];
     WebGL2RenderingContext.prototype[name] = function (...given) { if (!window.undrawn) own.apply(this, given); };
 }"""
 
-# How far the text and what is live in it have moved under a reader who touches nothing; the list of pages beside it
-# unfolds while the page is read.
+# Adds up the layout shifts of the text and its figures without any input. The list of pages beside the text is left out,
+# since it unfolds during reading.
 UNTOUCHED = """window.moved = 0;
 const beside = ({ node }) => node?.parentElement?.closest(".contents");
 new PerformanceObserver((list) => list.getEntries().forEach(({ value, sources }) => {

@@ -175,8 +175,7 @@ def visit(browser, usual):
     assert troubles == []
 
 
-# What a link shows to somebody who touches nothing: its arm, its tab, the first fields of the joints, and in some tab
-# what else it asks for.
+# For each link, without any input: its arm, its tab, the first fields of the joints, and text that the tab shows.
 HOME_OF_PANDA = ["0.0°", "0.0°", "0.0°", "90.0°", "0.0°", "180.0°", "0.0°"]
 POSED = "#arm=Panda&q=0.1,0.2,0.3,1.4,0.5,1.6,0.7"
 IN_DEGREES = ["5.7°", "11.5°", "17.2°", "80.2°", "28.6°", "91.7°", "40.1°"]
@@ -361,7 +360,7 @@ def test_static_torques_follow_the_force_ball(visit):
 
 
 def orange(page):
-    """Where in the picture the ball of the force stands: the rightmost of its colour."""
+    """Return the pixel of the force's ball, the rightmost of its colour."""
     from io import BytesIO
 
     from PIL import Image
@@ -426,7 +425,7 @@ def test_circle_is_traced_played_and_scrubbed(visit):
     assert "no length above 0" in here.page.locator(".trace .error").inner_text()
 
 
-# Where in the picture the hand becomes a finger.
+# Lists the pixels of the picture over which the cursor is a pointer.
 POINTED = """(canvas) => {
     const { left, top, width, height } = canvas.getBoundingClientRect(), found = [];
     for (let y = 10; y < height; y += 32)
@@ -470,7 +469,7 @@ def test_branches_are_chosen_in_picture_and_list(visit):
         arrived()
 
 
-# What the chapters tell their readers to do, and what they say will be seen.
+# Follow the chapters' instructions and compare with what they announce.
 
 
 def typed(page, label, text):
@@ -638,7 +637,7 @@ def test_numbers_work_without_webgl(browser):
 
 
 def pixel_of(page, frame):
-    """Where the origin of a frame stands in the window."""
+    """Return the pixel of a frame's origin in the window."""
     return page.evaluate(
         f"""() => {{
         const canvas = document.querySelector('.arm-explorer').shadowRoot.querySelector('.stage canvas');

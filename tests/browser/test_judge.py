@@ -21,7 +21,7 @@ ELBOW = """-0.2841 -0.3039 -0.0778
 OUTSIDE = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *, .marked pre *)")]
   .filter((part) => part.getBoundingClientRect().right > innerWidth).map((part) => part.outerHTML.slice(0, 80))"""
 
-# Where no line has room for more than a word: on how many lines these stand.
+# Counts the lines that some words take in a box of width 0, where no line has room for two.
 LINES = """(box, words) => {
   box.style.width = 0;
   const texts = document.createTreeWalker(box, NodeFilter.SHOW_TEXT), range = document.createRange();
@@ -80,7 +80,7 @@ def ask(page, answer, q="0.5, 0.7, -0.4"):
 
 
 def serious(page, part=".arm-judge"):
-    """What axe finds that is serious in a part of the page."""
+    """List the serious findings of axe in a part of the page."""
     page.add_script_tag(path=AXE)
     return page.locator(part).first.evaluate(BAD)
 

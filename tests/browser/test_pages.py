@@ -25,7 +25,7 @@ BROKEN = """async () => {
     const loaded = await Promise.allSettled(pictures.map(picture => picture.decode()));
     return pictures.filter((picture, k) => loaded[k].status === "rejected" || !picture.naturalWidth).map(p => p.src);
 }"""
-# What reaches over its box or the screen without a box that scrolls, shows that it does, and can be reached by keys.
+# Lists text and elements that overflow the page outside of a box that scrolls visibly and takes focus.
 CUT = """() => {
     const article = document.querySelector("article"), edge = article.getBoundingClientRect().right + 1, found = [];
     const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .arm-explorer, .arm-judge, .headerlink");
@@ -158,7 +158,7 @@ ONLY_COLOURS = (
 
 
 def serious(page):
-    """What axe finds in the colours that the page has, and what the others spoil."""
+    """List the serious findings of axe in both themes."""
     page.set_viewport_size(SIZES["wide"])
     page.evaluate(CALM)
     focusable = page.locator("math").locator("a[href], button, input, [tabindex]").count()
