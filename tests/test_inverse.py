@@ -41,14 +41,14 @@ def random_q(arm, count, seed=0):
     return np.where(slides, 0.3, np.pi) * rng.uniform(-1, 1, (count, arm.dof))
 
 
-def apart(arm, q, other):
+def joint_gaps(arm, q, other):
     """The largest difference of a joint, whole turns aside."""
     turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
     gap = q - other
     return np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
 
 
-def misses(arm, found, targets):
+def tip_errors(arm, found, targets):
     """Return for each existing branch the largest difference between its tip and the target."""
     T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
     if targets.shape[-1] == 3:
@@ -58,16 +58,16 @@ def misses(arm, found, targets):
     return error[found.valid]
 
 
-def among(solver, arm, q, off=1e-5):
-    """Solve the poses of q, and assert that all branches reach them and that q is among them.
+def solve_and_check(solver, arm, q, off=1e-5):
+    """Solve the poses of q, and assert that all branches reach them and that q is one of them.
 
     Near a singular pose q may differ from its branch if the tip hardly moves between both.
     """
     T = forward_kinematics(arm, q)
     targets = T[:, :3, 3] if arm.dof == 3 else T
     found = solver(arm, targets)
-    assert misses(arm, found, targets).max() < 1e-10
-    nearest = np.where(found.valid, apart(arm, found.q, q[:, None]), np.inf).min(axis=1)
+    assert tip_errors(arm, found, targets).max() < 1e-10
+    nearest = np.where(found.valid, joint_gaps(arm, found.q, q[:, None]), np.inf).min(axis=1)
     J = jacobian(arm, q)[:, : 3 if arm.dof == 3 else 6]
     weakest = np.linalg.svd(J, compute_uv=False)[:, -1]
     assert ((nearest < off) | (nearest * weakest < 1e-10)).all()
@@ -75,11 +75,15 @@ def among(solver, arm, q, off=1e-5):
     return found
 
 
-def all_differ(arm, found):
+def assert_branches_differ(arm, found):
     for i in range(found.q.shape[-2]):
         for j in range(i):
             both = found.valid[:, i] & found.valid[:, j]
-            assert (apart(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all(), (arm.name, i, j)
+            assert (joint_gaps(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all(), (
+                arm.name,
+                i,
+                j,
+            )
 
 
 LENGTH, SIGN, ZERO = st.floats(0.1, 1), st.sampled_from((-1, 1)), st.floats(-3, 3)
@@ -113,9 +117,9 @@ RODS = st.tuples(
 @pytest.mark.parametrize(("solver", "rows"), [(elbow, ELBOWS), (ur, URS), (rod, RODS)])
 @settings(max_examples=60)
 @given(data=st.data())
-def test_arms_of_any_signs_offsets_and_zeros(solver, rows, data):
+def test_closed_form_solves_any_signs_offsets_and_zeros(solver, rows, data):
     arm = Arm("random", data.draw(rows))
-    found = among(solver, arm, random_q(arm, 50))
+    found = solve_and_check(solver, arm, random_q(arm, 50))
     if (
         solver is rod
     ):  # out is where its length from the shoulder, offset and tool counted, is positive
@@ -127,7 +131,7 @@ def test_arms_of_any_signs_offsets_and_zeros(solver, rows, data):
 # By hand
 
 
-def test_up_is_up_and_front_is_towards_the_target():
+def test_branch_names_describe_elbow_and_shoulder():
     p = forward_kinematics(ELBOW, random_q(ELBOW, 300))[:, :3, 3]
     found = elbow(ELBOW, p)
     joint = forward_kinematics(replace(ELBOW, rows=ELBOW.rows[:2], home=()), found.q[..., :2])
@@ -144,7 +148,7 @@ def test_up_is_up_and_front_is_towards_the_target():
     assert (towards == ["front" in name for name in names]).all()
 
 
-def test_beyond_reach_there_is_no_branch_but_a_distance():
+def test_target_out_of_reach_has_a_distance_and_no_branch():
     found = elbow(ELBOW, [(1.0, 0.0, 0.5), (0.05, 0.0, 0.5), (0.0, 0.0, 2.0)])
     assert not found.valid.any()
     assert np.isnan(found.q).all()
@@ -154,7 +158,7 @@ def test_beyond_reach_there_is_no_branch_but_a_distance():
     np.testing.assert_allclose(rod(SHORT, (0.06, 0.08, 0.3)).distance, 0.054)
 
 
-def test_the_boundary_belongs_to_the_reach():
+def test_target_on_the_boundary_is_reached():
     for p, ways in (
         ((0.7, 0, 0.5), ["front", "back"]),
         ((0, 0.1, 0.5), ["front", "back"]),
@@ -163,7 +167,7 @@ def test_the_boundary_belongs_to_the_reach():
         found = elbow(ELBOW, p)
         assert list(found.ways) == ways
         assert found.times.sum() == 4
-        assert misses(ELBOW, found, np.array(p)).max() < 1e-12
+        assert tip_errors(ELBOW, found, np.array(p)).max() < 1e-12
     assert not elbow(ELBOW, (0.7 + 1e-9, 0, 0.5)).valid.any()
 
 
@@ -184,7 +188,7 @@ MAST = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()
     ],
 )
 @pytest.mark.parametrize("start", [(0.0, 0.3, 0.0), (-2.0, 0.7, 0.3)])
-def test_a_joint_that_is_free_keeps_its_value(solver, arm, target, ways, free, start):
+def test_free_joint_keeps_its_start_value(solver, arm, target, ways, free, start):
     found = solver(arm, target, start=start)
     assert list(found.ways) == ways
     assert found.times.sum() == 4
@@ -192,12 +196,12 @@ def test_a_joint_that_is_free_keeps_its_value(solver, arm, target, ways, free, s
     assert (found.free[found.valid] == wanted).all()
     kept = np.where(wanted, found.q[found.valid] - start, 0)
     np.testing.assert_allclose(kept, 0, atol=1e-12)
-    assert misses(arm, found, np.array(target)).max() < 1e-12
+    assert tip_errors(arm, found, np.array(target)).max() < 1e-12
 
 
 @pytest.mark.parametrize("flipped", [0.0, np.pi])
 @pytest.mark.parametrize(("solver", "arm"), [(stanford, STANFORD), (spherical_wrist, PUMA)])
-def test_a_straight_wrist_has_joint_4_free(solver, arm, flipped):
+def test_straight_wrist_leaves_joint_4_free(solver, arm, flipped):
     q = random_q(arm, 200, seed=4)
     q[:, 2] += np.where(arm is STANFORD, 0.5, 0.0)
     q[:, 4] = flipped
@@ -205,29 +209,30 @@ def test_a_straight_wrist_has_joint_4_free(solver, arm, flipped):
     near = np.array((0, 0, 0, 1.1, 0, 0))
     found = solver(arm, T, start=near)
     same = (
-        apart(arm, found.q[..., :3] @ np.eye(3, 6), q[:, None] @ np.diag([1, 1, 1, 0, 0, 0])) < 1e-6
+        joint_gaps(arm, found.q[..., :3] @ np.eye(3, 6), q[:, None] @ np.diag([1, 1, 1, 0, 0, 0]))
+        < 1e-6
     )
     assert (same.sum(axis=1) == 1).all()
     assert (found.times[same] == 2).all()  # both wrists, which are one here
     assert found.free[same][:, 3].all()
     assert np.allclose(found.q[same][:, 3], 1.1)
-    assert misses(arm, found, T).max() < 1e-10
+    assert tip_errors(arm, found, T).max() < 1e-10
 
 
 @pytest.mark.parametrize("arm", [UR10E, UR10E_HOMEWORK])
 @pytest.mark.parametrize("bend", [0.0, np.pi])
-def test_parallel_axes_of_a_ur_have_joint_6_free(arm, bend):
+def test_parallel_wrist_axes_leave_joint_6_free(arm, bend):
     q = random_q(arm, 300, seed=5)
     q[:, 4] = bend
     T = forward_kinematics(arm, q)
     found = ur(arm, T, start=q)
-    assert misses(arm, found, T).max() < 1e-10
-    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-6
+    assert tip_errors(arm, found, T).max() < 1e-10
+    assert np.where(found.valid, joint_gaps(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-6
     # Whatever value joint 6 is asked to keep, some branch is found, since the pose can be reached.
     for q6 in np.linspace(-3, 3, 7):
         found = ur(arm, T, start=(0, 0, 0, 0, 0, q6))
         assert found.valid.any(axis=1).all()
-        assert misses(arm, found, T).max() < 1e-10
+        assert tip_errors(arm, found, T).max() < 1e-10
         assert (found.free[..., 5] & found.valid).any(axis=1).all()
 
 
@@ -248,19 +253,18 @@ def test_parallel_axes_of_a_ur_have_joint_6_free(arm, bend):
         ((0.2, 0.4, np.pi, 0, 0, 0.3), False, UR10E_HOMEWORK.with_values(a_3=0.3)),
     ],
 )
-def test_joint_6_of_a_ur_is_free_where_its_circle_lies_within_reach(q, free, arm):
+def test_joint_6_is_free_only_if_several_angles_reach(q, free, arm):
     found = ur(arm, forward_kinematics(arm, np.array(q, float)))
     same_shoulder = found.valid & (np.abs(np.exp(1j * found.q[:, 0]) - np.exp(1j * q[0])) < 1e-5)
     assert same_shoulder.any()
     assert found.free[same_shoulder, 5].any() == free
 
 
-# Branches that are one
+# Coinciding branches
 
 
-def in_the_last_digits(targets, rng):
-    """Targets as another processor might have them: each entry up to two units off in the last
-    place."""
+def add_round_off(targets, rng):
+    """Move each entry by up to two units of its last binary digit, as other processors may."""
     digit = np.maximum(np.spacing(np.abs(targets)), 1e-16)
     noisy = targets + digit * rng.integers(-2, 3, targets.shape)
     if targets.shape[-2:] == (4, 4):
@@ -268,7 +272,7 @@ def in_the_last_digits(targets, rng):
     return noisy
 
 
-def with_one_shoulder(arm, near, rng):
+def targets_with_one_shoulder(arm, near, rng):
     """Poses of a UR whose wrist centre is as far from axis 1 as its shoulder is wide, so that both
     shoulders are one, and farther, so that they turn by twice `near`."""
     width, hand = abs(arm.numeric[3].d), arm.numeric[5].d
@@ -282,7 +286,7 @@ def with_one_shoulder(arm, near, rng):
     return poses.reshape(-1, 4, 4)
 
 
-def at_knife_edges():
+def boundary_targets():
     """Poses at which branches meet, joint 6 or 4 is free, or both, and their neighbours at
     distances down to rounding: solver, arm, targets."""
     rng = np.random.default_rng(20)
@@ -303,7 +307,7 @@ def at_knife_edges():
         q.append(np.zeros((1, 6)))
         poses = forward_kinematics(arm, np.concatenate(q))
         if solver is ur:
-            poses = np.concatenate([poses, with_one_shoulder(arm, near, rng)])
+            poses = np.concatenate([poses, targets_with_one_shoulder(arm, near, rng)])
         yield solver, arm, poses
     turn = np.linspace(0, 2 * np.pi, 40)[:, None]
     around, high = np.hstack([np.cos(turn), np.sin(turn), 0 * turn]), np.array([0, 0, 0.5])
@@ -313,24 +317,24 @@ def at_knife_edges():
     yield elbow, OFFSET, OFFSET.values["d"] * around + high + np.array([0, 0, 0.2])
 
 
-@pytest.mark.parametrize(("solver", "arm", "targets"), list(at_knife_edges()))
-def test_what_is_listed_does_not_hang_on_the_last_digit(solver, arm, targets):
-    """And branches that are one are listed once, and counted so."""
+@pytest.mark.parametrize(("solver", "arm", "targets"), list(boundary_targets()))
+def test_branches_do_not_depend_on_round_off(solver, arm, targets):
+    """Coinciding branches are listed once, with their multiplicity."""
     rng, found = np.random.default_rng(21), solver(arm, targets)
     assert found.valid.any(axis=1).all()
     # Rounding turns joint 1 of a stretched arm by 1e-8 rad.
-    assert misses(arm, found, targets).max() < (2e-9 if arm is UR10E_HOMEWORK else 1e-10)
-    all_differ(arm, found)
+    assert tip_errors(arm, found, targets).max() < (2e-9 if arm is UR10E_HOMEWORK else 1e-10)
+    assert_branches_differ(arm, found)
     assert (found.times.sum(axis=1) <= len(found.branches)).all()
     assert ((found.times >= 1) == found.valid).all()
     for _ in range(12):
-        again = solver(arm, in_the_last_digits(targets, rng))
+        again = solver(arm, add_round_off(targets, rng))
         np.testing.assert_array_equal(again.valid, found.valid)
         np.testing.assert_array_equal(again.times, found.times)
         np.testing.assert_array_equal(again.free, found.free)
 
 
-def test_a_family_is_told_as_one():
+def test_infinite_family_is_listed_as_one_branch():
     """A quarter round the homework's circle axes 4 and 6 are parallel, the shoulder at the back."""
     T = forward_kinematics(UR10E_HOMEWORK, np.zeros(6))
     T[:3, 3] = (-0.1, 0.3561, 1.328)
@@ -352,7 +356,7 @@ def test_a_family_is_told_as_one():
 # Choosing
 
 
-def limited(arm, limits):
+def limit_joints(arm, limits):
     """The arm with these (lower, upper) limits and a home within them."""
     rows = [
         replace(row, joint=replace(row.joint, lower=low, upper=high))
@@ -364,13 +368,11 @@ def limited(arm, limits):
 @pytest.mark.parametrize(("solver", "arm"), [(elbow, ELBOW), (stanford, STANFORD)])
 @settings(max_examples=60)
 @given(seed=st.integers(0, 9999), wide=st.floats(0.5, 12))
-def test_nearest_is_the_nearest_of_all_branches_and_turns_within_the_limits(
-    solver, arm, seed, wide
-):
-    """By trying every turn of every joint; a slide makes none."""
+def test_nearest_agrees_with_search_over_branches_and_turns(solver, arm, seed, wide):
+    """The search tries every turn of every revolute joint."""
     rng = np.random.default_rng(seed)
     low = rng.uniform(-wide, 0, arm.dof)
-    arm = limited(arm, np.stack([low, low + wide], axis=1))
+    arm = limit_joints(arm, np.stack([low, low + wide], axis=1))
     start = random_q(arm, 1, seed)[0] * rng.choice([1, 3])
     T = forward_kinematics(arm, random_q(arm, 1, seed + 1)[0])
     found = solver(arm, T[:3, 3] if arm.dof == 3 else T)
@@ -383,26 +385,26 @@ def test_nearest_is_the_nearest_of_all_branches_and_turns_within_the_limits(
     assert np.isfinite(chosen).all() == np.isfinite(least).any()
     if np.isfinite(least).any():
         assert np.abs(chosen - start).max() == pytest.approx(least.min(), abs=1e-9)
-        assert apart(arm, found.q, chosen)[found.valid].min() < 1e-9
+        assert joint_gaps(arm, found.q, chosen)[found.valid].min() < 1e-9
     np.testing.assert_array_equal(found.within_limits, inside.any(axis=-1).all(axis=-1))
 
 
 @pytest.mark.parametrize("limits", [(-2.0, 1.0), (1.0, 2.0), (-6.0, 1.0)])
-def test_a_joint_at_its_limit_is_within_and_not_wound_back(limits):
-    """A billionth of a radian over is rounding; a millionth is not."""
+def test_joint_at_its_limit_is_within_limits(limits):
+    """5e-10 rad beyond the limit is round-off; 1e-6 rad is not."""
     arm = Arm("stopped", (revolute(alpha="pi/2"), revolute(a=1), revolute(a=0.5)))
-    arm = limited(arm, [limits, (-9, 9), (-9, 9)])
+    arm = limit_joints(arm, [limits, (-9, 9), (-9, 9)])
     out = 1.0 if limits[1] == 1.0 else -1.0
     for over, inside in ((0.0, True), (5e-10, True), (1e-6, limits[0] == -6)):
         q = np.array((1.0 + out * over, 0.4, 0.5))
         found = elbow(arm, forward_kinematics(arm, q)[:3, 3])
-        at = int(apart(arm, found.q, q).argmin())
+        at = int(joint_gaps(arm, found.q, q).argmin())
         assert found.within_limits[at] == inside
         if over < 1e-6:
             np.testing.assert_allclose(found.nearest(q), q, atol=1e-9)
 
 
-def test_follow_keeps_its_branch_and_its_free_joint():
+def test_follow_keeps_branch_and_free_joint():
     """A path straight through the column above the shoulder: the arm leans over without a jump."""
     x = np.linspace(-0.2, 0.2, 81)
     path = np.stack([x, 0 * x, 0 * x + 1.0], axis=-1)
@@ -425,7 +427,7 @@ def test_follow_keeps_its_branch_and_its_free_joint():
 # Shapes and bad input
 
 
-def test_shapes_broadcast_and_chunks_do_not_show():
+def test_targets_broadcast_beyond_one_chunk():
     q = random_q(UR10E, 9000)
     T = forward_kinematics(UR10E, q)
     assert ur(UR10E, T[:0]).q.shape == (0, 8, 6)
@@ -440,7 +442,7 @@ def test_shapes_broadcast_and_chunks_do_not_show():
         np.testing.assert_array_equal(found.valid.reshape(-1, 8)[k], one.valid)
 
 
-def test_near_is_taken_target_by_target_beyond_a_chunk_too():
+def test_each_target_has_its_start_beyond_one_chunk():
     """Above the shoulder joint 1 is free: each target's own value of it comes back."""
     q1 = np.linspace(-3, 3, 9000)
     near = np.column_stack([q1, 0 * q1, 0 * q1])
@@ -450,8 +452,8 @@ def test_near_is_taken_target_by_target_beyond_a_chunk_too():
         np.testing.assert_allclose(found.q[:, :2, 0], np.column_stack([q1, q1]), atol=1e-12)
 
 
-def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
-    """Its table counts joints 2 and 3 from elsewhere."""
+def test_ur_folded_onto_its_shoulder_leaves_joint_2_free():
+    """The table has offsets at joints 2 and 3."""
     first, second, third, *others = UR10E.with_values(a_3=0.6127).rows  # as a_2
     offset = replace(second, theta=0.3), replace(third, theta=-0.5)
     twins = replace(UR10E.with_values(a_3=0.6127), rows=[first, *offset, *others])
@@ -461,7 +463,7 @@ def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
     folded = found.valid & found.free[:, 1]
     assert folded.any()
     np.testing.assert_allclose(found.q[folded, 1], 0.7, atol=1e-12)
-    assert misses(twins, found, T).max() < 1e-10
+    assert tip_errors(twins, found, T).max() < 1e-10
 
 
 NO_ROD = [
@@ -491,7 +493,7 @@ NO_UR = [(i, {"a": 0.1}) for i in (1, 4, 5)] + [(i, {"alpha": 0.3}) for i in ran
         (lambda: solve(PANDA, np.zeros((4, 4))), "Panda: a target is no rigid transform"),
     ],
 )
-def test_an_arm_or_a_target_that_does_not_fit_is_refused(call, message):
+def test_unsuitable_arm_or_target_is_rejected(call, message):
     with pytest.raises(ArmError, match=message):
         call()
 
@@ -500,7 +502,7 @@ def test_an_arm_or_a_target_that_does_not_fit_is_refused(call, message):
 
 
 @pytest.mark.parametrize("arm", [PANDA, PANDA.lock(3), UR10E, STANFORD, PUMA])
-def test_solve_from_starts_within_a_fifth_of_a_radian(arm):
+def test_solve_converges_from_starts_within_0_2_rad(arm):
     """No failure at 1000 targets that are not singular, each error proved by forward kinematics."""
     lower, upper = (np.clip(limit, -np.pi, np.pi) for limit in arm.limits)
     rng = np.random.default_rng(1)
@@ -516,7 +518,7 @@ def test_solve_from_starts_within_a_fifth_of_a_radian(arm):
     assert found.orientation_error.max() <= 1e-10
 
 
-def test_solve_knows_how_far_is_out_of_reach():
+def test_solve_reports_distance_of_unreachable_target():
     """The elbow arm's distance by geometry is what least squares find: two methods, one number."""
     p = np.random.default_rng(2).uniform(-1.5, 1.5, (200, 3))
     wanted = elbow(ELBOW, p).distance
@@ -526,10 +528,10 @@ def test_solve_knows_how_far_is_out_of_reach():
     assert (found.orientation_error == 0).all()
 
 
-def test_solve_stays_within_limits_even_when_that_costs_the_target():
+def test_solve_prefers_limits_to_reaching_the_target():
     q = np.array(PANDA.home) + 0.3
     T = forward_kinematics(PANDA, q)
-    narrow = limited(PANDA, np.add.outer(PANDA.home, [-0.1, 0.1]))
+    narrow = limit_joints(PANDA, np.add.outer(PANDA.home, [-0.1, 0.1]))
     found = solve(narrow, T, PANDA.home)
     assert not found.reached
     assert found.position_error > 0.01
@@ -537,8 +539,8 @@ def test_solve_stays_within_limits_even_when_that_costs_the_target():
     assert solve(narrow, T, PANDA.home, limits=False).reached
 
 
-def test_restarts_begin_all_over_the_limits_or_half_a_turn_and_a_metre_where_there_are_none():
-    """No step is taken: where a second start is nearer to the target, it is the answer."""
+def test_restarts_cover_limits_or_half_a_turn_and_a_metre():
+    """Without iterations the answer is the start that is nearest to the target."""
     rows = [
         revolute(limits=(0.2, 0.7)), revolute(a=1, limits=(-np.inf, 0.5)), prismatic(),
         revolute(a=1), prismatic(alpha="pi/2", limits=(0.1, np.inf)),
@@ -558,7 +560,7 @@ def test_restarts_begin_all_over_the_limits_or_half_a_turn_and_a_metre_where_the
     assert share.max() <= 1
 
 
-def test_turn_between_is_undone_by_rodrigues():
+def test_rotation_vectors_agree_with_rodrigues():
     """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric
     part."""
     rng = np.random.default_rng(8)
@@ -581,7 +583,7 @@ def rotation(axis, angle):
     return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
 
 
-def test_solve_in_chunks_and_shapes():
+def test_solve_broadcasts_beyond_one_chunk():
     q = random_q(ELBOW, 5000, seed=9)
     p = forward_kinematics(ELBOW, q)[:, :3, 3].reshape(2, 2500, 3)
     found = solve(ELBOW, p, q.reshape(2, 2500, 3) + 0.01)

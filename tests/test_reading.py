@@ -40,14 +40,14 @@ HELD = [
 
 
 @pytest.mark.parametrize(("held", "words", "given"), HELD, ids=range(len(HELD)))
-def test_what_is_held_and_no_table_is_refused_in_words(held, words, given):
+def test_object_without_table_is_rejected_with_message(held, words, given):
     with pytest.raises(ArmError) as told:
         Arm.from_table(held)
     assert str(told.value) == words.replace("{}", given)
 
 
 @pytest.mark.parametrize("sign", "+-*/")
-def test_a_formula_of_very_many_terms_has_its_value(sign):
+def test_formula_of_4000_terms_is_evaluated(sign):
     found = reading.formula(sign.join(["q", *["1"] * 4000]), q=5.0)
     wanted = {"+": 4005, "-": -3995}.get(sign, 5)
     assert found == {"names": ["q"], "value": wanted}
@@ -65,7 +65,7 @@ def test_a_formula_is_as_deep_as_may_be_and_no_deeper(form):
         reading.formula(start * (most + 1) + "x" + end * (most + 1), "y")
 
 
-def test_a_formula_has_so_many_characters_and_no_more():
+def test_formula_over_20000_characters_is_rejected():
     assert reading.formula("1+" * 9999 + "10")["value"] == 10_009
     with pytest.raises(ArmError, match="y has 20001 characters; expected at most 20000"):
         reading.formula("1+" * 10_000 + "1", "y")
@@ -107,7 +107,7 @@ class Frame:
     ],
     ids=range(12),
 )  # fmt: skip
-def test_a_table_is_read_as_it_is_held(held, options):
+def test_table_is_read_from_any_container(held, options):
     [read] = reading.tables(held, **options)
     rows = reading.rows(read)
     np.testing.assert_array_equal([r[1:] for r in rows], NUMBERS)
@@ -137,7 +137,7 @@ def test_tables_at_the_edges_are_read():
 
 
 @pytest.mark.parametrize("as_held", [list, np.array, stacked, lambda matrices: matrices * 2])
-def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
+def test_link_matrices_are_read_as_table_rows(as_held):
     rows = [(0.7, -0.4, 0.3, 0.25), (-2.1, 2.2, 0.15, -0.6)]
     held = as_held([matrix(*row) for row in rows])
     [read] = reading.tables(held, lengths="m", angles="rad")
@@ -151,8 +151,8 @@ def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
     assert read["rows"][0]["texts"] == texts
 
 
-def test_a_matrix_that_no_row_makes_is_refused():
-    """A sign is wrong, or a cosine missing, which at q = 0 would not show."""
+def test_matrix_that_fits_no_row_is_rejected():
+    """The wrong sign and the missing cosine do not show at q = 0."""
     link = "cos(q{0}) sin(q{0}) 0 {2}\nsin(q{0}) -cos(q{0}) 0 0.4*sin(q{0})\n0 0 {1} 0.1\n0 0 0 1\n"
     good = link.format(1, -1, "0.4*cos(q1)")
     for wrong, at in ((link.format(2, 1, "0.4*cos(q2)"), "2, column 2"),
@@ -161,11 +161,11 @@ def test_a_matrix_that_no_row_makes_is_refused():
             reading.tables(good + wrong)
 
 
-def test_without_heads_the_columns_are_in_the_books_order():
+def test_columns_without_headers_are_a_alpha_d_theta():
     assert reading.tables("0 0 0.5 q1\n0 0 0.3 q2")[0]["said"] == ["columns a alpha d theta"]
 
 
-def test_a_matrix_moves_where_it_has_symbols_itself():
+def test_matrix_with_symbols_has_a_joint():
     still, moves = "1 0 0 .3\n0 0 -1 0\n0 1 0 .2\n", "C1 -S1 0 C1/2\nS1 C1 0 S1/2\n0 0 1 0\n"
     [read] = reading.tables(f"{still}0 0 0 1\n{moves}0 0 0 1")
     found = [(row["kind"], row["numbers"]["a"]) for row in read["rows"]]
@@ -185,7 +185,7 @@ def test_a_matrix_moves_where_it_has_symbols_itself():
         ("a_mm,alpha_deg,d_mm,theta_deg", ("mm", "deg", None)),
     ],
 )
-def test_heads_say_units_and_the_convention(heads, said):
+def test_headers_give_units_and_convention(heads, said):
     sign = next((sign for sign in ",\t" if sign in heads), " ")
     [read] = reading.tables(f"{heads}\n{sign.join('1111')}")
     assert (read["lengths"], read["angles"], read["convention"]) == said
@@ -201,13 +201,13 @@ def test_heads_say_units_and_the_convention(heads, said):
         ({"columns": 5}, "5"),
     ],
 )
-def test_what_is_said_of_a_table_and_cannot_be_is_refused(options, words):
+def test_contradictory_table_option_is_rejected(options, words):
     with pytest.raises(ArmError) as told:
         Arm.from_table(NUMBERS, **options)
     assert words in str(told.value)
 
 
-def test_exchanged_heads_are_mended():
+def test_exchanged_headers_are_corrected():
     text = "a,alpha,d,theta\n0,q1,0.5,90\n0.4,q2,0,0\n0.3,q3,0,0"
     [read] = reading.tables(text, lengths="m", angles="deg", convention="craig")
     assert read["exchanged"]
@@ -227,7 +227,7 @@ def test_exchanged_heads_are_mended():
         ("Link('theta', 0.3, 'a', 0.1), Link('theta', 0.3, 'd', 0.1)", "PR"),
     ],
 )
-def test_a_link_slides_where_that_is_said_or_its_angle_is_fixed(text, kinds):
+def test_row_slides_if_stated_or_if_its_angle_is_fixed(text, kinds):
     [read] = reading.tables(text)
     assert "".join(row["kind"][0].upper() for row in read["rows"]) == kinds
 
@@ -246,7 +246,7 @@ def test_a_link_slides_where_that_is_said_or_its_angle_is_fixed(text, kinds):
         ),
     ],
 )
-def test_offsets_in_a_column_of_their_own_are_added_to_what_moves(text, still):
+def test_offset_column_is_added_to_the_joint_entry(text, still):
     [read] = reading.tables(text)
     numbers = [row["numbers"] for row in read["rows"]]
     assert [(n["theta"], n["d"]) for n in numbers] == still
@@ -272,16 +272,16 @@ FORMULAS = [
 
 
 @pytest.mark.parametrize(("text", "wanted"), FORMULAS)
-def test_a_number_is_read_as_it_is_written_or_not_at_all(text, wanted):
+def test_number_is_read_exactly_or_rejected(text, wanted):
     found = reading.asked("number", text=text)
     assert found == (wanted if wanted is None else pytest.approx(wanted, rel=1e-12))
 
 
-# Tables and formulas made at random
+# Random tables and formulas
 
 
 @pytest.mark.parametrize("seed", range(10))
-def test_tables_are_read_as_what_they_were_made_from(seed):
+def test_random_tables_are_read(seed):
     rng = np.random.default_rng(seed)
     for _ in range(30):
         text, options, wanted, sure = typed_tables.made(rng)
@@ -295,7 +295,7 @@ def test_tables_are_read_as_what_they_were_made_from(seed):
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_formulas_have_the_values_that_they_were_made_with(seed):
+def test_random_formulas_are_evaluated(seed):
     rng = np.random.default_rng(seed)
     for _ in range(60):
         text, wanted = typed_tables.formula_of(rng)
@@ -311,7 +311,7 @@ REPEATED = ["-", "[", "(", "{", ",", " ", "1", ".", "+", "a=", "a - ", "a_1 = ",
 
 @pytest.mark.parametrize("kind", ["table", "numbers"])
 @pytest.mark.parametrize("text", REPEATED)
-def test_a_text_takes_as_long_as_it_is(text, kind):
+def test_reading_time_grows_linearly_with_length(text, kind):
     short, long = reading.asked("pace", **{"as": kind}, text=text, counts=[8_000, 32_000])
     assert long < 9 * short, (short, long)
 
