@@ -48,7 +48,7 @@ function compared(arm, reference) {
   return describeTable({ arm, reference, q }, { frames: linkFrames(arm, q) });
 }
 
-// The solutions for the poses of joint vectors, with their names, how many branches each is, and its free joints.
+// Return the solutions for the poses of joint values: their names, multiplicities and free joints.
 function solutions(arm, qs) {
   const form = findClosedForm(arm);
   return qs.map((q) => {

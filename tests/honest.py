@@ -23,7 +23,7 @@ NAMES = json.loads(Path(__file__).with_name("honest_slips.json").read_text("utf-
 RIGHT = ("right", "so far", "refused", "called wrong")
 WRONG = ("named", "located", "so far", "passed", "false cause", "refused")
 _CLOSED = {"UR10E": inverse.ur, "STANF": inverse.stanford, "ELBOW": inverse.elbow}
-# They say where an answer is wrong, not what was done.
+# Causes that locate an error without naming a mistake.
 _SYMPTOMS = {
     *("trace.leans", "trace.spins", "trace.jump", "pose.entry", "pose.coordinate"),
     *("table.number", "table.missing"),
@@ -81,7 +81,7 @@ def verdict(work: Mapping) -> tuple[str, str]:
     causes = [_mistakes_in(cause, names) for cause in report.causes]
     if not any(causes):
         return "located", words
-    # Each cause is an alternative; one that adds a second, unmade mistake is false.
+    # Causes are alternatives. A cause with a second mistake that was not made is false.
     return ("named" if any(one and one <= names for one in causes) else "false cause"), words
 
 

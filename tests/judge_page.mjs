@@ -1,10 +1,10 @@
-// What the page says to questions that came by a link, for tests/test_judge.py: a line of JSON in, a line of JSON out.
+// Judges questions that come by a link, for tests/test_judge.py: a line of JSON in, a line of JSON out.
 
 import { createInterface } from "node:readline";
 import { formatVerdict } from "../judge/verdict.js";
 import { EMPTY, parseQuestionLink, judgeQuestion, formatQuestionLink } from "../page/src/check/question.js";
 
-// The verdict, or why there is none.
+// Return the verdict, or the message of the error.
 function answered(fields, arms) {
   const keys = arms.map(({ key }) => key);
   const { question, message } = parseQuestionLink(formatQuestionLink({ ...EMPTY, ...fields }), keys);

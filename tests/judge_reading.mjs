@@ -1,4 +1,4 @@
-// What judge/reading makes of a text, for tests/reading.py: a line of JSON in, a line of JSON out, until nobody asks.
+// Reads texts by judge/reading, for tests/reading.py: a line of JSON in, a line of JSON out, until the input ends.
 
 import { createInterface } from "node:readline";
 import { number, parse, symbols, value } from "../judge/reading/formula.js";
@@ -14,8 +14,8 @@ const tableOf = (kinds) => (table) => ({
 
 const READERS = { table: read, numbers: (text) => numbers(text, "mine") };
 
-// The processor's time, in microseconds and the least of three, to read a text. Clocks tell one
-// time of a busy machine and another of an idle one; this hardly does.
+// Return the processor's time to read a text, the least of three, in microseconds. Unlike a clock's
+// time it hardly depends on the machine's load.
 function spent(reader, text) {
   const once = () => {
     const start = process.cpuUsage();

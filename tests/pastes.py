@@ -12,7 +12,7 @@ from dataclasses import dataclass
 Rows = list[list[str]]
 Cell = Callable[[str], str]
 
-# The elbow arm's Jacobian, a pose, a rotation in whole numbers, a row, a column of large and small.
+# The elbow arm's Jacobian, a pose, a rotation of integers, a row, and a column of mixed sizes.
 MATRICES: tuple[Rows, ...] = (
     [
         ["-0.2841", "-0.3039", "-0.0778"],

@@ -202,7 +202,7 @@ FREE = {
     *("plotting.angle text", "plotting.dimension text", "plotting.postures titles"),
 }
 
-# The words for an argument in its messages, where they differ from its name.
+# Descriptions of arguments in messages, if they differ from the name.
 CALLED = {
     "arm.Arm.joint_vector q": "anything",
     "arm.Body com": "centre of mass",

@@ -99,7 +99,7 @@ def test_valid_solutions_reach_and_contain_the_pose(form, arm):
     assert np.abs(miss).max() < 1e-9
     nearest = np.full(len(q), np.inf)
     np.minimum.at(nearest, n, apart(arm, found.q[n, branch], q[n]))
-    # Ways are one where from one to the other the tip hardly goes: by a tenth of what valid allows.
+    # Branches coincide if the tip moves by less than 1e-10 between them, a tenth of the tolerance.
     rows = slice(None) if arm.dof == 6 else slice(3)
     lost = nearest > 1e-6
     weakest = np.linalg.svd(jacobians(arm, q[lost])[:, rows], compute_uv=False)[:, -1]

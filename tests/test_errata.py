@@ -19,7 +19,7 @@ KINDS = {
     "Unproved": {7, 10},
     "Withdrawn": {24, 26, 27},
 }
-# Words of box and entry that mention what the report says in its favour.
+# Words in box and entry that mention a mitigating fact of the report.
 IN_FAIRNESS = {
     3: "mended by the report itself",
     4: "a picture may be lost",
@@ -99,7 +99,7 @@ def test_entry_has_quotation_kind_and_link(number, text):
     _must_quote(text)
     assert number in KINDS[_kind(text)]
     links = re.findall(r"\]\(\w+\.ipynb#(slip-[\w-]+)\)", text)
-    if number not in KINDS["Withdrawn"]:  # what was withdrawn hangs in no chapter
+    if number not in KINDS["Withdrawn"]:  # no chapter links to a withdrawn slip
         assert f"slip-{number}" in links
         assert set(links) <= set(BOXES)
 

@@ -541,7 +541,7 @@ def test_changing_arm_resets_pose_and_results(explorer):
     with pytest.raises(ArmError, match=r"^arm_name is 'Puma'; expected one of Panda, "):
         explorer.arm_name = "Puma"
     told = {"arm_name": "Elbow arm", "q": [0.1, 0.2, 0.3], "trace": [[0] * 3, [1] * 3]}
-    explorer.set_state(told)  # the page says itself what goes with another arm
+    explorer.set_state(told)  # the page sends the arm with its pose and trace
     assert (explorer.q, explorer.trace) == ((0.1, 0.2, 0.3), told["trace"])
     explorer.arm_name = "UR10e"
     assert (explorer.q, explorer.trace) == (UR10E.home, None)

@@ -42,7 +42,7 @@ def python(tmp_path_factory):
     what = ["-c", ROOT / "requirements.lock", source]
     command = [sys.executable, "-m"]
     done = find_spec("uv") and not subprocess.run([*command, *uv, *what], check=False).returncode
-    if not done:  # uv is not to be had everywhere, nor where pip's settings are not its own
+    if not done:  # uv may be missing, or not read pip's settings
         subprocess.run([*command, *pip, *what], check=True)
     bare = sysconfig.get_path("purelib", vars={"base": place})
     share_bytecode(Path(sysconfig.get_path("purelib")), Path(bare))

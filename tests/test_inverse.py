@@ -153,7 +153,7 @@ def test_target_out_of_reach_has_a_distance_and_no_branch():
     assert not found.valid.any()
     assert np.isnan(found.q).all()
     np.testing.assert_allclose(found.distance, (0.3, 0.05, 0.8), atol=1e-12)
-    # The hole of an arm with offset: the axis is 0.12 away from everything that the arm can reach.
+    # An arm with an offset reaches no point within 0.12 m of its first axis.
     np.testing.assert_allclose(elbow(OFFSET, (0.05, 0.0, 0.8)).distance, 0.07, atol=1e-12)
     np.testing.assert_allclose(rod(SHORT, (0.06, 0.08, 0.3)).distance, 0.054)
 
@@ -239,12 +239,12 @@ def test_parallel_wrist_axes_leave_joint_6_free(arm, bend):
 @pytest.mark.parametrize(
     ("q", "free", "arm"),
     [
-        # At home the only point of the circle within reach is where it stands; with the elbow a
-        # little bent it crosses the boundary.
+        # At home a single point of joint 6's circle is within reach; with the elbow slightly bent
+        # the circle crosses the boundary.
         ((0, 0, 0, 0, 0, 0), False, UR10E_HOMEWORK),
         ((0, 0, 1e-3, 0, 0, 0), True, UR10E_HOMEWORK),
-        # d_5 in line with the stretched links, wherever they point; out of line; back towards the
-        # shoulder, where other q_6 bend the elbow.
+        # d_5 in line with the stretched links; out of line; back towards the shoulder, so that
+        # other q_6 bend the elbow.
         ((0.3, -0.7, 0, 0, 0, 0.4), False, UR10E_HOMEWORK),
         ((0.3, -0.7, 0, 0.5, 0, 0.4), True, UR10E_HOMEWORK),
         ((0.3, -0.7, 0, np.pi, 0, 0.4), True, UR10E_HOMEWORK),

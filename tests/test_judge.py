@@ -324,7 +324,7 @@ def test_page_sentences_use_no_python_terms():
 def test_unreadable_input_message_uses_no_python_terms():
     own, framed, *_ = map(typed_fields, questions_about("by link"))
     asked = [*judge.EXAMPLES, judge.trace_example(), {**framed, "ask": "torques"}, own, framed]
-    asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula
+    asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # an arm without closed form
     bad = [{**one, field: text} for one in asked
            for field in TYPED if field in one for text in [*REFUSED, *COUNTS]]  # fmt: skip
     for given, said in zip(bad, judge_on_page(bad), strict=True):

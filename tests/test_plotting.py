@@ -70,7 +70,7 @@ def test_svg_views_cover_all_ink_once():
     figure.legend(loc="outside upper center")
     boxes = views(svg(figure))
     assert len(boxes) == 5
-    figure.set_layout_engine("none")  # as it was laid out for the drawing
+    figure.set_layout_engine("none")  # keep the layout of the first drawing
     file = BytesIO()
     figure.savefig(file, dpi=72, bbox_inches="tight")  # a dot for each point of the drawing
     file.seek(0)

@@ -21,7 +21,7 @@ NOT_PROSE = re.compile(
     re.M,
 )
 NUMBER = r"(?<![\w.])(\d+(?:(?:\\,|[ \u00a0])\d{3}(?!\d))*(?:\.\d+)?)(?![\w.]*\w)"
-# A number in a cell is in the unit of the prose or in the SI unit that belongs to it.
+# A number printed by a cell has the prose's unit or the matching SI unit.
 UNITS = {
     "mm": (1, 1000),
     "cm": (1, 100, 0.1),

@@ -303,8 +303,8 @@ def test_random_formulas_are_evaluated(seed):
         assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12), text
 
 
-# No engine tells how many steps a pattern takes, so its time stands for them: four times the text
-# takes four times as long (two to six were seen), and sixteen where a pattern's steps are squared.
+# JavaScript does not count a pattern's steps, so its time is measured: a text four times as long
+# takes four times as long (measured: two to six), and sixteen times if the steps are quadratic.
 REPEATED = ["-", "[", "(", "{", ",", " ", "1", ".", "+", "a=", "a - ", "a_1 = ", "dict(", "Link(",
             "a(", "\\begin{", "Columns 1", "q1 = 1\n"]  # fmt: skip
 

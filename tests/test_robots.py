@@ -53,7 +53,7 @@ def frankas_frames(q):
 
 
 def centres(arm, q):
-    """Where each body's centre of mass is, in the base frame."""
+    """Return each body's centre of mass in the base frame."""
     T = link_frames(arm, q)[1:]
     points = [[*(arm.number(c) for c in body.com), 1] for body in arm.bodies]
     return np.einsum("nij,nj->ni", T, points)[:, :3]

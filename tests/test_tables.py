@@ -195,7 +195,7 @@ def test_entries_of_arm_are_quoted():
             compare_tables(mine, reference)
 
 
-# What is said, each by hand
+# Messages, each typed by hand
 
 
 GENERIC = "0.1 pi/3 0.4 q1; 0.3 -pi/4 0.25 q2; 0.2 pi/2 0.05 q3+0.3; 0.15 0.6 0.35 q4"
@@ -315,7 +315,7 @@ def test_wrong_entry_is_quoted(entry, instead, words):
 @pytest.mark.parametrize(
     ("typed", "reference", "options", "lines"),
     [
-        # Another fixed row, so that entries cannot be told one by one.
+        # One more fixed row, so that rows do not correspond and axes are compared.
         ("0 pi/2 0.4 q1; 0.35 0 0 q2; 0.2 1 0.05 q3; 0.1 0 0.3 q4; 0 0 0 0", ELBOWED, {}, [
             "Row 2, a: the distance from axis 2 to axis 3 is 0.35 m in yours and 0.3 m in the "
             "reference: 50 mm too long.",
@@ -392,7 +392,7 @@ JOINTS = "The reference counts these joints otherwise: {}\n"
          [JOINTS.format("its q_2 is your q_2 + 100 mm"), "joints stand at (0°, -100 mm, 0°)"]),
         ("0.1 0 0.2 q1; 0.3 0 0 q2+0.3; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED,
          {"convention": "craig"}, [JOINTS.format("its q_3 is your q_2 + 17.19°")]),
-        # The last frame's z axis may point the other way.
+        # The last frame's z axis may be reversed.
         ("0 1.5708 0.4 q1; 0.3 0.00005 0 q2; 0.2 1.57 0.05 q3; 0 -3.1416 0.25 q4+4.7124", ELBOWED,
          {},
          [JOINTS.format("its q_4 is your q_4 - 90°"),
@@ -424,7 +424,7 @@ def test_table_with_other_joint_zeros_is_right_by_map(typed, reference, options,
 @pytest.mark.parametrize(
     ("typed", "reference", "options", "grade", "message"),
     [
-        # A thousandth of a degree is no zero of its own.
+        # A zero that differs by 0.001 degrees counts as the same.
         (GENERIC.replace("q3+0.3", "q3+0.30001"), GENERIC, {}, "right", "the same arm as Ref."),
         ("0 pi/2 0.4 q1; 0.301 0 0 q2; 0.2 pi/2 0.050 q3; 0 0 0.250 q4",
          ELBOWED.replace("0.3 ", "0.3006 "), {}, "rounded", "but for the last digit"),

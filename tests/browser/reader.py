@@ -11,7 +11,7 @@ WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Boxes are fitted when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
-# As a link leads there. A debugger's own scroll measures what is not laid out, and stands elsewhere once it is.
+# Scrolls to an element as a link does. Playwright's own scroll ends elsewhere once far sections are laid out.
 THERE = "(place) => place.scrollIntoView()"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
@@ -36,7 +36,7 @@ new PerformanceObserver((list) => list.getEntries().forEach(({ value, sources })
 })).observe({ type: "layout-shift", buffered: true });"""
 
 
-# A browser without a window now and then tells a new page of a pointer in its corner, which no reader has moved there.
+# Stops the pointer event at (0, 0) that a headless browser sometimes sends to a new page.
 NOBODY = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.stopImmediatePropagation(), true);"""
 
 

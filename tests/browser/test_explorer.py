@@ -58,7 +58,7 @@ def at_rest(page, locator):
     return seen[-1]
 
 
-# The instrument taken away, and its stub as it came brought to life as the page does with this fragment.
+# Replaces the explorer by its stub, and mounts the stub again as the page does for a link with this fragment.
 KEPT = f"""document.addEventListener("DOMContentLoaded", () => {{
     window.asItCame = document.querySelector("{INSTRUMENT}")?.cloneNode(true);
 }});"""
@@ -132,7 +132,7 @@ class Visit(Reader):
         return self.page.evaluate("location.hash")
 
 
-# The page's small figure has words like the instrument's, and comes to life when the reader has stayed for long.
+# Removes the small figure of the explorer's page: it has labels like the explorer's and comes alive during the tests.
 USUAL = f"""{UNDRAWN}
 Object.defineProperty(window, "devicePixelRatio", {{ value: 0.5 }});
 document.addEventListener("DOMContentLoaded", () => {{
@@ -374,9 +374,9 @@ def orange(page):
     return float(np.median(columns[near])), float(np.median(rows[near]))
 
 
-# Pause is pressed at the frame at which the arm has moved: the path lasts 8 seconds, and a slow machine may take as
-# long to find a button. Where it was then, where it is three frames later, and the most frames that were asked for
-# during one: two that each asked for two more brought the page to a stand.
+# Presses Pause at the first frame in which the arm has moved, since a slow machine may take as long to find the button
+# as the path lasts (8 s). Returns the progress at the pause and three frames later, and the largest number of frames
+# requested during one frame: requests that doubled in each frame once froze the page.
 PLAYED_AND_PAUSED = f"""(button) => new Promise((done) => {{
     const store = {STORE}, own = requestAnimationFrame.bind(window);
     let asked = 0, most = 0;
@@ -405,7 +405,7 @@ def test_circle_is_traced_played_and_scrubbed(visit):
     button = here.page.get_by_role("button", name="Play")
     here.page.locator(
         ".stage .labels:not([hidden])"
-    ).wait_for()  # a first picture takes frames of its own
+    ).wait_for()  # The first picture requests frames too.
     paused, later, most = button.evaluate(PLAYED_AND_PAUSED)
     expect(button).to_be_visible()
     assert 0 < paused == later < 1, "on the way, and it stays there"

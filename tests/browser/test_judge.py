@@ -428,7 +428,7 @@ def test_common_answers_are_explained_on_phone(page):
         page.evaluate(ASKED, urlencode({**typed_fields(case), "answer": ""}))
         page.get_by_label("Your answer", exact=True).fill(case["answer"])
         for words in case.get("said", ["Type or paste your answer."]):
-            # Python says what is set aside; the page shows the rest as typed.
+            # Only Python lists the values that are left out; the page shows them in the typed text.
             verdict(page, "are right" if words.startswith("set aside") else words)
         assert page.evaluate(OUTSIDE) == [], case
     one_way = judge.EXAMPLES[3] | {"answer": "0.5000  0.7000 -0.4002"}

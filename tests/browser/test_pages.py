@@ -117,7 +117,7 @@ def test_page_fits_screen_or_scrolls(visit, size):
     assert size != "wide" or all(66 <= letters <= 75 for letters in lines), lines
 
 
-# In one go: between two calls the page may look again at what is too wide, and mark it.
+# Runs in one call, since between two calls the page may mark boxes that are too wide again.
 UNMARKED = f"""(box) => {{
     box.classList.remove("scrolls", "more-right");
     const found = ({CUT})();

@@ -76,7 +76,7 @@ def test_linked_equation_is_shown_beside_its_link(browser):
     reader.context.close()
 
 
-# The text is on the screen, in its own letters.
+# True once the text is painted in the book's typeface.
 READ = """performance.getEntriesByName('first-contentful-paint').length &&
     ["1em Source Serif", "600 1em Source Serif"].every((face) => document.fonts.check(face))"""
 
@@ -88,7 +88,7 @@ def test_late_math_font_hardly_moves_lines(browser):
     def late(route):
         reader.page.wait_for_function(READ)
         reader.page.evaluate(TWO_FRAMES)
-        reader.page.evaluate("window.moved = 0")  # the text's own letters are not judged here
+        reader.page.evaluate("window.moved = 0")  # leave out shifts by the text's typeface
         route.continue_()
 
     reader.page.route("**/stix/*.woff2", late)
@@ -268,7 +268,7 @@ def test_theme_follows_system_until_chosen(browser):
         button.click()
         assert button.get_attribute("aria-label") == f"Colours: {name}"
     assert page.evaluate(GROUND) == dark, "chosen, whatever the system prefers"
-    for _ in range(20):  # Chromium writes it down in its own time
+    for _ in range(20):  # Chromium stores the choice with a delay
         page.goto((HTML / "glossary.html").as_uri())
         if page.evaluate(GROUND) == dark:
             break
@@ -298,7 +298,7 @@ def test_page_without_scripts_follows_system(browser):
     context.close()
 
 
-# What only a script brings; the explorer's own page tells of nothing else.
+# Instructions that need a script; the explorer's page has no others.
 ASKED = re.compile(
     r"[^.\n]*\b(?:[Dd]rag(?! at)\w*|Point at|[Cc]lick\w*|sliders?|[Pp]ress (?:Play|Draw|Back|Find))\b[^.\n]*"
 )

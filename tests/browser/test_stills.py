@@ -25,7 +25,7 @@ WOKEN = f"""async () => {{
         || document.querySelector(".arm-judge > .unscripted");
     while (asleep()) await new Promise(requestAnimationFrame);
 }}"""
-# The pictures that are seen, and those that are not.
+# For each figure, whether its still picture is visible.
 SEEN = """() => [...document.querySelectorAll(".arm-explorer")].map(({ shadowRoot }) =>
     shadowRoot.querySelector(".still").checkVisibility({ visibilityProperty: true }))"""
 
