@@ -5,7 +5,7 @@ export const RIGHT_BY_MAP = "right by map"; // same arm, other joint zeros or si
 
 // Allowed difference of a rounded number, in units of its last place.
 const HALF = 0.5;
-// The same for a number that is off by one in its last place besides.
+// Allowed difference of a number that is off by one in its last place, in the same units.
 const ONE_OFF = 1.5;
 // If the last typed place exceeds this share of the largest entry (as in 1e9), being off by one
 // there is an error, not rounding.
@@ -15,7 +15,7 @@ const FULL = 13;
 // Round-off of a program: smaller numbers are its zeros, as 6.1e-17 for cos 90°.
 const NOISE = 1e-12;
 // Error of pi with seven digits or of a long sum, as a share of the largest entry.
-const HAIR = 1e-6;
+const SUM_ROUND_OFF = 1e-6;
 // Joint values whose last place exceeds this (rad or m) are exact: q = 0.3 does not stand for 0.26.
 const FINE = 2e-3;
 const NUDGE = 1e-6; // step of the difference quotient, rad or m
@@ -56,7 +56,7 @@ export function columnUnits(rows, typedUnits) {
   const columns = rows[0].map((_, k) => {
     const pairs = rows
       .map((row, i) => [Math.abs(row[k]), typedUnits[i][k]])
-      .filter(([, unit]) => unit); // an exact one has none
+      .filter(([, unit]) => unit); // exact numbers have no unit
     return {
       finest: Math.min(...pairs.map(([, unit]) => unit)),
       digits: Math.max(...pairs.map(([x, unit]) => Math.ceil(Math.log10(1 + x / unit)))),
@@ -85,9 +85,9 @@ function literal(text) {
 }
 
 export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
-const hairOf = (truth) => HAIR * largest(truth);
-// A typed number has a last place, so only round-off is allowed beyond it.
-const hair = (unit, top) => (unit ? NOISE : HAIR) * top;
+const allowSumRoundOff = (truth) => SUM_ROUND_OFF * largest(truth);
+// Return the allowed round-off: little for a typed number, whose last place is allowed for anyway.
+const allowRoundOff = (unit, top) => (unit ? NOISE : SUM_ROUND_OFF) * top;
 
 const isShort = (x, expected) => Math.abs(x) <= Math.abs(expected) && x * expected >= 0;
 
@@ -103,7 +103,7 @@ export function agreement({ values, units: places }, truth, slack) {
   let [rounded, cut, oneOff] = [true, true, true];
   for (let i = 0; i < values.length; i++) {
     const [x, expected, unit] = [values[i], truth[i], places[i]];
-    const off = Math.abs(x - expected) - hair(unit, top) - slack[i];
+    const off = Math.abs(x - expected) - allowRoundOff(unit, top) - slack[i];
     if (off <= 0) continue;
     rounded &&= off <= HALF * unit;
     cut &&= off < unit && isShort(x, expected);
@@ -122,7 +122,7 @@ export function beyond({ values, units: places }, truth, slack) {
   const top = largest(truth);
   const past = (most) =>
     values.map((x, i) => {
-      const room = hair(places[i], top) + slack[i] + most * places[i];
+      const room = allowRoundOff(places[i], top) + slack[i] + most * places[i];
       return Math.abs(x - truth[i]) > room;
     });
   const wrong = past(ONE_OFF);
@@ -134,14 +134,14 @@ export function beyond({ values, units: places }, truth, slack) {
  * @param {{ units: number[] }} mine @param {number[]} truth @param {number[]} other
  */
 export function tellable({ units: places }, truth, other) {
-  const least = 2 * hairOf(truth);
+  const least = 2 * allowSumRoundOff(truth);
   return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(places[i] / 100, least));
 }
 
 // Return the logarithm (base 10) of the number of values that the chosen entries could take.
 export function room({ values: mine, units: places }, truth, slack, chosen) {
   const size = Math.max(largest(truth), largest(mine));
-  const values = (i) => size / (places[i] + 2 * slack[i] + hairOf(truth));
+  const values = (i) => size / (places[i] + 2 * slack[i] + allowSumRoundOff(truth));
   return chosen.reduce((sum, is, i) => (is ? sum + Math.max(0, Math.log10(values(i))) : sum), 0);
 }
 

@@ -1,4 +1,4 @@
-// The judge's entry for Python: a question as JSON text in, an answer as JSON text out.
+// Entry point for Python: takes a question as JSON text and returns the answer as JSON text.
 
 import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";

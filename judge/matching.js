@@ -62,7 +62,7 @@ export function matchAnswers(right, given, tolerance) {
   const astray = [];
   let sharp = true;
   given.forEach((answer, at) => {
-    const found = matches(right, answer, tolerance);
+    const found = listEqualBranches(right, answer, tolerance);
     for (const { branch } of found) if (!hits.has(branch)) hits.set(branch, at + 1);
     if (!found.length) astray.push(at + 1);
     else if (!found.some(({ how }) => isRight(how))) sharp = false;
@@ -70,10 +70,10 @@ export function matchAnswers(right, given, tolerance) {
   return { hits, astray, sharp };
 }
 
-// List the branches that an answer equals, and how. If a branch has a free joint, any member of its
-// family counts.
+// List the branches that an answer equals, each with its agreement. If a branch has a free joint,
+// any solution of its family counts.
 /** @param {Solutions} right @param {Answer} answer */
-function matches(right, answer, tolerance) {
+function listEqualBranches(right, answer, tolerance) {
   const { arm, branches } = right;
   const found = branches.flatMap(({ q }, branch) => {
     const how = agreementWith(arm, answer, q, tolerance);
@@ -84,13 +84,13 @@ function matches(right, answer, tolerance) {
   const own = matchJointsByBranch(right, answer, tolerance);
   return branches.flatMap(({ q, free }, branch) => {
     if (!free.includes(true)) return [];
-    const loose = movingInPlace(arm, q);
+    const loose = flagFreeJoints(arm, q);
     return own[branch].every((is, k) => is || loose[k]) ? [{ branch, how: "rounded" }] : [];
   });
 }
 
 // Flag the joints that can move without moving the tip: the null space of the Jacobian.
-function movingInPlace(arm, q) {
+function flagFreeJoints(arm, q) {
   const dof = q.length;
   const columns = jacobianColumns(arm, linkFrames(arm, q));
   const rows = Array.from({ length: dof >= 6 ? 6 : 3 }, (_, i) =>
@@ -104,10 +104,10 @@ function movingInPlace(arm, q) {
 
 // Return the distance (m) and angle (rad) from the tip at q to the target.
 /** @returns {[number, number]} */
-export const measureMiss = (right, q) => between(linkFrames(right.arm, q).at(-1), right);
+export const measureMiss = (right, q) => measureGap(linkFrames(right.arm, q).at(-1), right);
 
 /** @returns {[number, number]} */
-function between(here, { arm, branches }) {
+function measureGap(here, { arm, branches }) {
   const target = linkFrames(arm, branches[0].q).at(-1);
   return [norm(target.o.map((x, i) => x - here.o[i])), rotationBetween(here, target)];
 }
@@ -129,7 +129,7 @@ export function reachesTarget(right, q, units = q.map(() => 0), change = (c) => 
   const columns = jacobianColumns(right.arm, frames);
   const spread = (i) => columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * units[k], 0);
   const most = (half) => Math.max(REACHED, norm(half.map(spread)));
-  const [away, turned] = between(frames.at(-1), right);
+  const [away, turned] = measureGap(frames.at(-1), right);
   return away <= most([0, 1, 2]) && (q.length < 6 || turned <= most([3, 4, 5]));
 }
 

@@ -106,8 +106,8 @@ export const completeVerdicts =
 /** @param {Verdict} verdict @param {any} mine */
 const findTokens = ({ tokens, typed }, mine) => tokens ?? typed?.tokens ?? mine?.tokens;
 
-// The verdict on an answer that is right for another arm of the same family; null if it is not.
-// Tables have causes of their own for that.
+// Return the verdict on an answer that is right for another arm of the same family; null if it is
+// wrong for all of them, or a table, whose causes already name other arms.
 /** @param {Verdict} verdict */
 function findRightArm({ topic, grade, typed }, judge, mine, args) {
   const [arm, ...rest] = args;
