@@ -313,7 +313,7 @@ export function setAside(text, block, live = null) {
   const kept = live && live.text.length === text.length ? linesOf(live.text) : lines;
   const comments = lines.slice(from, to + 1).flatMap((line, i) => {
     const end = kept[from + i].trimEnd().length;
-    return kept[from + i] === line ? [] : [line.slice(end).trim()];
+    return kept[from + i] === line ? [] : [line.slice(end).trim()].filter(Boolean);
   });
   return [...told.map((line) => line.trim()), ...comments, ...numbersBeside(block)];
 }

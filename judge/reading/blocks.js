@@ -1,7 +1,7 @@
 // Every rectangular block of entries in a text, with the words beside it.
 
 import { RAD } from "../geometry/angles.js";
-import { plainCharacters } from "./characters.js";
+import { foldBlanks, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
@@ -34,7 +34,7 @@ const PARTINGS = [false, true].flatMap((gaps) =>
  * Take decorations off a text and make its characters plain.
  * @param {import("./spans.js").SpannedText} pasted
  */
-export const plainText = (pasted) => plainCharacters(withoutDecorations(pasted));
+export const plainText = (pasted) => plainCharacters(withoutDecorations(foldBlanks(pasted)));
 
 /**
  * Return a function for each way to part the text, which makes its blocks but for those that the
@@ -194,7 +194,7 @@ function joinNamed(rows) {
   });
   const single = labelled.filter(({ row }, k) => {
     const beside = [labelled[k - 1], labelled[k + 1]].filter((one) => one);
-    return !namesOtherQuantity(row) || beside.some((one) => isSlideBeside(row, one.row));
+    return !namesOtherQuantity(row) || beside.some((one) => isSlideBeside(labelled[k], one));
   });
   const sets = [];
   for (const one of single) {
@@ -219,9 +219,12 @@ function joinNamed(rows) {
   ];
 }
 
-// Return whether a row d3 = 0.4 stands beside one of another joint, q2 = 0.3: then it is a slide.
-const isSlideBeside = (row, other) =>
-  /^d/i.test(row.name) && Math.abs(row.line - other.line) < 2 && !namesOtherQuantity(other);
+// Return whether a row d3 = 0.4 stands beside one of the next joint, q2 = 0.3: then it is a slide.
+const isSlideBeside = ({ row, label }, other) =>
+  /^d/i.test(row.name) &&
+  Math.abs(label.at - other.label.at) === 1 &&
+  Math.abs(row.line - other.row.line) < 2 &&
+  !namesOtherQuantity(other.row);
 
 const joinedCell = (words) => ({
   text: words.map(({ text }) => text).join(" "),

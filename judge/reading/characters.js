@@ -19,6 +19,14 @@ const SAME = new Map([
   ...[..."０１２３４５６７８９"].flatMap((one, i) => mapEach(one, `${i}`)), // among Chinese characters
 ]);
 export const FOLDED = new RegExp(`[${[...SAME.keys()].join("")}]`, "g");
+// Thin blanks part digits in threes, 0.123 456.
+const BLANKS = /[\u00a0\u2002\u2003\u2007\u200a\u3000]|[\u2009\u202f](?!\d{1,3}(?!\d))/g;
+
+/**
+ * Replace wide and narrow blanks.
+ * @param {import("./spans.js").SpannedText} text
+ */
+export const foldBlanks = (text) => text.replace(BLANKS, " ");
 export const foldCharacter = (one) => SAME.get(one);
 // LaTeX's, which only set a formula out; a ~ before a number may be a minus.
 export const SPACING =

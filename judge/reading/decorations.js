@@ -1,6 +1,8 @@
 // Decorations of a number: emphasis, a box, a colour, an approximate sign, an uncertainty, the mark
 // of a footnote, a comment. They are taken off; the number keeps its place in the pasted text.
 
+import { foldBlanks } from "./characters.js";
+
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const UNITS_BEHIND = String.raw`[kmM]?N ?[-·*]?m{0,2}|rad|deg|°|\$\^\\circ\$|π|pi|mm?|cm`;
 const QUANTITY = String.raw`${NUMBER}(?: ?(?:${UNITS_BEHIND}))?`;
@@ -35,11 +37,13 @@ const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|un
 // Matches text in braces, with braces inside it up to two deep.
 const BRACED = String.raw`\{((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){0,60}\}){0,80})\}`;
 // (corrected), (was 2.075), but (rad)
-const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ ]*[*/^+-])`;
+const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ ]?[*/^+-])`;
 
 const UNCERTAIN =
   String.raw`(?<![\d.,])(\d{1,9}(?:[.,]\d{0,20})?|[.,]\d{1,20})([ ]?(?:${UNIT}|π|pi))?` +
   String.raw`\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*[.,]\d+)`;
+
+const STARRED = String.raw`(?<=\d[.,]\d{1,18}(?:e[-+]?\d{1,2})?)\*`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
@@ -71,23 +75,31 @@ const DECORATIONS = [
   [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
   [/(?<=[\w°π)}])[ ]*[✓✔](?!\w)/g, ""],
   [/(?<=\d)(?:[ ]*[†‡§]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\})/g, ""],
-  [/(?<=[\d}])\^\{\*\}/g, ""],
+  [/(?<=[\w}*])\^\{\*\}/g, ""],
   [/(?<=[\d)][ \t]+)[-–—](?=[ \t]*$)/gm, ""], // an empty cell at a row's end
-  [/(?<=[\d\])°m][ ]+)#[ ]?[a-z]{2,12}(?=[ ]*[\t|&;])/g, ""], // a remark in a cell
   [/(?<=[\d\])°m][ ]*)(?:<-+|←|!)(?=[ ]*(?:$|[,;\t|&]))/gm, ""], // an arrow that points at a number
   ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`", "'"].map((mark) => [wrapped(mark), "$1"]),
-  [
-    /(?<=\d[.,]\d{1,18}(?:e[-+]?\d{1,2})?)\*(?=\s*(?:$|[|&;,\]])|[ \t]{2,}(?:[-+−.\d]|%|#|\/\/))/gm,
-    "",
-  ], // a star behind
+  // A star behind a number.
+  [new RegExp(String.raw`${STARRED}(?=[ ]?(?:N|rad|deg|°)|\s*(?:$|[|&;,"\]]))`, "gm"), ""],
+  [new RegExp(String.raw`${STARRED}(?=[ \t]{2,}(?:[-+−.\d]|%|#|\/\/))`, "gm"), ""],
+  [/(?<=\d[ ]?N\*m|rad|deg)\*(?=[ ]*(?:$|[|&;,"\]]))/gm, ""],
   [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
   [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
-  [new RegExp(String.raw`(?<![\w.])${NUMBER}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"), ""], // corrected
+  [
+    new RegExp(String.raw`(?<![\w.])[-+−]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"),
+    "",
+  ], // corrected
   [new RegExp(`<(${NUMBER.replace("[-+]", "[-+−]")})>`, "g"), "$1"],
-  [new RegExp(String.raw`(?<=\d)[ \t]*\[\s*(${UNIT})\s*\]`, "g"), " $1"], // 0.5 [rad]
+  [
+    new RegExp(
+      String.raw`(?<![\p{L}_]\d{1,2}[ ]?)(?<=\d[ ]?(?:π|pi)?)[ \t]*\[\s*(${UNIT})\s*\]`,
+      "gu",
+    ),
+    " $1",
+  ], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
   [
-    new RegExp(String.raw`(?<=[\p{L}\d)}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
+    new RegExp(String.raw`(?<=[\p{L}\p{N})}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
     (_, unit) => `(${unit.replace(/[-\s·*.⋅]/g, "")})`,
   ],
   [/=[ \t]*\d{1,2}[×x]\d{1,2}(?:[ \t]+\w+)?[ \t]*$/gm, "="], // MATLAB's size
@@ -118,7 +130,7 @@ const NEGATIVE = /(?:^|[\s|&,;:=[({~])[-−]\s?[\d.]/m;
 const withoutTildes = (text) =>
   NEGATIVE.test(text.text) ? text.replace(/~[ ]?(?=[-+−]?[\d.])/g, " ") : text;
 
-const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|\t|[ \t]{2,})[ \t]*/;
+const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|\t|[ \t]{2,}|$)[ \t]*/;
 
 // The numbers of lines, where all lines have one and there is other text than rows of numbers.
 function withoutLineNumbers(text) {
@@ -149,6 +161,7 @@ export function labelNumberedLines(text) {
 }
 
 const COMMENTS = [
+  /(?<=[\d\])°m][ ]*)#[ ]?[a-z]{2,12}(?=[ ]*(?:[\t|&;,]|$))/gm, // in a cell
   /<!--(?:(?!-->)[\s\S]){0,2000}-->/g,
   /~~[^~\n]{1,300}~~|<(s|del|strike)>[^<>\n]{1,300}<\/\1>/g,
   /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*(?:of|\/)[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
@@ -160,9 +173,10 @@ const COMMENTS = [
 
 /**
  * Take comments and struck text out; null where there are none.
- * @param {import("./spans.js").SpannedText} text
+ * @param {import("./spans.js").SpannedText} pasted
  */
-export function withoutComments(text) {
+export function withoutComments(pasted) {
+  const text = foldBlanks(pasted);
   const blank = (comment) => comment.replace(/[^\n]/g, " ");
   const rest = COMMENTS.reduce((kept, pattern) => kept.replace(pattern, blank), text);
   return rest === text ? null : rest;

@@ -27,7 +27,8 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
  * @returns {TableBlock[]}
  */
 export function tablesIn(text, known, pasted = new SpannedText(text)) {
-  const all = markColumnHeaders(withoutStars(plainText(pasted)));
+  const plain = plainText(pasted).replace(DEFINITIONS, "");
+  const all = markColumnHeaders(withoutStars(plain));
   const ways = blocksIn(all.plain, { isEntry: entryIn(known) });
   const blocks = ways.flatMap((way) => way().reverse());
   const lines = all.plain.text.split("\n");
@@ -45,6 +46,10 @@ export function tablesIn(text, known, pasted = new SpannedText(text)) {
       return { ...one, context, left: told, torn: tornFrom(one.block, lines) };
     });
 }
+
+// A line of lengths, "d_1 = 0.5, a_2 = 0.4", which is no row.
+const LENGTH = String.raw`(?!al|th|q)[a-z]\w{0,6}[ \t]*=[ \t]*-?[\d.]{1,12}(?:[ \t]*m{1,2})?`;
+const DEFINITIONS = new RegExp(String.raw`^[ \t]*(?:${LENGTH}[ \t]*(?:[,;][ \t]*|$)){2,}$`, "gim");
 
 // The text around a block: the lines beside it, the words before its rows and above them.
 const contextOf = (lines, { from, to, labels, headers }) =>
@@ -177,7 +182,9 @@ function headsIn(typed) {
   for (const sign of SEPARATORS) {
     const cells = line.split(sign);
     if (cells.length > 2 * MOST_COLUMNS) continue;
-    const heads = withUnits(cells.map((head) => head.trim().replace(/^"|"$/g, "")));
+    const heads = withUnits(cells.map((head) => head.trim().replace(/^"|"$/g, ""))).filter(
+      (head, k, all) => !k || headOf(head) !== "i" || headOf(all[k - 1]) !== "i", // "Link, i"
+    );
     const named = heads.map(headOf).filter((word) => ENTRIES.includes(word));
     if (new Set(named).size >= 3 && heads.length <= named.length + 4) return heads;
   }
@@ -195,6 +202,7 @@ function withUnits(cells) {
 
 // Entries
 
+const FRAMES = /^\d{1,2} ?- ?\d{1,2}$/; // 0-1 names a row after its frames
 // Names of rows, which are no symbols of an arm.
 const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
 // A joint's variable, or a length with its number or one letter.
@@ -206,6 +214,7 @@ const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
 function entryIn(known) {
   const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {
+    if (FRAMES.test(cell)) return false;
     const text = entryText(cell);
     if (isNumber(text) || VARIABLE.test(plain(text)) || WORD.test(text)) return true;
     return symbolsIn(text)?.every(isSymbol) ?? false;
