@@ -57,7 +57,7 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
   );
 }
 
-const COMMA_BEFORE_ZERO = /\d,0\d/;
+const COMMA_BEFORE_ZERO = /(?:^|[\d\s|&;-]),0\d/;
 const PADDED = /^[-+]?0\d/; // the decimals of 1,0365 where a comma parts cells
 
 // A function that makes its result when it is first called.

@@ -43,7 +43,8 @@ const ENTITIES = {
 };
 
 const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
-const NOUNS = "wrist|joint|column|link|angle|torque|axis|motor|branch|sol(?:ution)?|lösung";
+const NOUNS =
+  "wrist|joint|step|point|column|link|angle|torque|axis|motor|branch|sol(?:ution)?|lösung";
 // A noun and its number in one word.
 const joinedNoun = (noun) => `${noun.trim()}_`;
 
