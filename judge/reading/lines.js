@@ -160,7 +160,7 @@ function endLine(state) {
 }
 
 const STRONG = ["\t", "&", "|", ";"];
-const DECIMAL_COMMA = /^\s*[-+]?\d*,\d+\s*(?:π|pi|°)?\s*$/; // where another character parts the cells
+const DECIMAL_COMMA = /^\s*[-+]?\d*,\d+[^,\d]*$/; // where another character parts the cells
 
 // The cells between two brackets or rows' ends go to the rows.
 function readSegment(from, to, state) {
