@@ -3,7 +3,7 @@
 
 import { RAD } from "../geometry/angles.js";
 import { withoutComments } from "./decorations.js";
-import { hasDecimals, plain, simple } from "./formula.js";
+import { hasDecimals, number, plain, simple } from "./formula.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { tablesIn } from "./table_blocks.js";
@@ -113,15 +113,16 @@ function refuseSize(text) {
 function defined(text) {
   const found = [...text.matchAll(DEFINED)].map(([, name, x, unit]) => [
     plain(name),
-    Number(x) * UNITS[unit ?? "m"],
+    number(x) * UNITS[unit ?? "m"],
   ]);
-  return found.filter(([name]) => !headOf(name) && !isVariable(name));
+  return found.filter(([name, x]) => Number.isFinite(x) && !headOf(name) && !isVariable(name));
 }
 
 const LONGEST = 100_000; // characters
+const PRODUCT = String.raw`-?\d+(?:\.\d+)?(?:[ ]?[*/][ ]?\d+(?:\.\d+)?)*`; // L1 = 2 * 0.15
 const DEFINED = new RegExp(
   String.raw`(?<![\p{L}\p{N}_.])([A-Za-z](?:_?\{?\w{1,4}\}?)?)\s*:?=` +
-    String.raw`\s*(-?\d+(?:\.\d+)?)\s*(mm|cm|m)?(?![\w.*/+^°])`,
+    String.raw`\s*(${PRODUCT})\s*(mm|cm|m)?(?![\w.*/+^°]| ?[*/+^])`,
   "gu",
 );
 
@@ -134,7 +135,8 @@ function tablesOf(found, { columns, options, known }) {
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);
   const order = ordered(cells, heads, columns);
-  const units = unitsOf(options, withContext(fromHeads(heads), typed.context));
+  const named = { ...fromHeads(heads), ...(found.convention && { convention: found.convention }) };
+  const units = unitsOf(options, withContext(named, typed.context));
   const held = order.rows.flat().join(" & ");
   const unused = typed.cells.flat().filter((cell) => hasDecimals(cell) && !held.includes(cell));
   return readings(order, known).map((table) => ({

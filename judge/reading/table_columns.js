@@ -22,7 +22,7 @@ const LONGEST = 80; // characters of a head
 // Find the entry that a column header names, or "i" for the rows' numbers.
 export function headOf(cell) {
   if (cell.length > LONGEST) return undefined;
-  const words = plain(cell.replace(/-\s*1/g, "")).replaceAll("*", "");
+  const words = plain(withoutSubscripts(cell).replace(/-\s*1/g, "")).replaceAll("*", "");
   const word = words
     .replace(/\([^)]*\)|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:mm|deg)$/g, "")
     .replace(/[\s_{}$\\^'"().]/g, "")
@@ -31,8 +31,12 @@ export function headOf(cell) {
   return WORDS.get(word) ?? WORDS.get(word.replace(/[ijkn]$/, "")) ?? WORDS.get(last);
 }
 
+// Write aᵢ₋₁ as ai-1, and the α of APL, which the Robotics Toolbox prints, as the Greek one.
+const withoutSubscripts = (text) =>
+  text.replace(/[ᵢⱼₖₙ₋₁]/g, (one) => "ijkn-1"["ᵢⱼₖₙ₋₁".indexOf(one)]).replaceAll("⍺", "α");
+
 export function fromHeads(heads) {
-  const text = heads.join(" ");
+  const text = withoutSubscripts(heads.join(" "));
   const [, lengths = null] = /[[(/_ ]\s?(mm|cm|m)(?!\w)/.exec(text) ?? [];
   const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
   return { lengths, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };

@@ -183,8 +183,13 @@ function ofLinks(groups) {
   });
   const entries = links.flatMap(({ given }) => Object.values(given));
   const parts = links.map(({ part }) => part);
-  return { ...plainly(cells, parts), said: [formatMessage("taken: links")], entries };
+  const isModified = links.some(({ calls }) => MODIFIED.test(calls));
+  const found = { ...plainly(cells, parts), said: [formatMessage("taken: links")], entries };
+  return isModified ? { ...found, convention: "craig" } : found;
 }
+
+const MODIFIED = /MDH\b|\bmodified\b|\bmdh\s*=\s*(?:True|1)/;
+const LISTED = ["d", "a", "alpha", "offset"]; // arguments of RevoluteDH without names
 
 const PLACES = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
 const NAMED = /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset|sigma)['"]?\s*[,=]\s*([^,]+)/gu;
@@ -194,7 +199,7 @@ function linkOf(kind, body) {
   const list = body.trim().startsWith("[") ? listIn(body.trim().slice(1).split("]")[0]) : [];
   const pairs = list.length
     ? PLACES.slice(0, list.length).map((name, i) => [name, list[i]])
-    : [...body.matchAll(NAMED)].map(([, name, x]) => [name, x.trim()]);
+    : (namedPairs(body) ?? listedPairs(kind, body));
   const given = Object.fromEntries(pairs);
   const sigma = number(given.sigma ?? "0");
   if (list.length > PLACES.length || (sigma !== 0 && sigma !== 1))
@@ -203,7 +208,21 @@ function linkOf(kind, body) {
     `${kind}${body}`.toLowerCase().includes("prismatic") ||
     sigma === 1 ||
     ("theta" in given && !("d" in given));
-  return { row: { ...none, ...given }, slides, given };
+  return { row: { ...none, ...given }, slides, given, calls: `${kind}(${body})` };
+}
+
+function namedPairs(body) {
+  const pairs = [...body.matchAll(NAMED)].map(([, name, x]) => [name, x.trim()]);
+  return pairs.length || !body.trim() ? pairs : null;
+}
+
+// Arguments by their order, which the Robotics Toolbox gives Revolute and Prismatic alone.
+function listedPairs(kind, body) {
+  const values = listIn(body).filter((value) => !value.includes("="));
+  const names = /prismatic/i.test(kind) ? ["theta", ...LISTED.slice(1)] : LISTED;
+  if (!/^(?:revolute|prismatic)/i.test(kind) || values.length > names.length)
+    throw new ArmError(formatMessage("link sigma", { given: quoteText(`${kind}(${body})`) }));
+  return values.map((value, k) => [names[k], value]);
 }
 
 export function few(count) {
