@@ -78,7 +78,9 @@ export const MATRIX_CHARACTERS = [
   [/(?<=\d)\{,\}(?=\d)/g, ","],
 ];
 const WORD_MATRIX = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
-const DASHES_ARE_BULLETS = /^[ \t]*- +(?=[-[{])/m; // else a dash may be a minus
+// Else a dash may be a minus. A name above a list and a dash before each of its numbers is YAML.
+const DASHES_ARE_BULLETS =
+  /^[ \t]*- +(?=[-[{])|^[A-Za-z]\w*:[ \t]*\n(?:- \d[\d.]*[ \t]*(?:\n|$)){3}/m;
 const BULLET = /^[ \t]*- +/gm;
 
 /**

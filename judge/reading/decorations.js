@@ -43,10 +43,15 @@ const UNCERTAIN =
   String.raw`(?<![\d.,])(\d{1,9}(?:[.,]\d{0,20})?|[.,]\d{1,20})([ ]?(?:${UNIT}|π|pi))?` +
   String.raw`\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*[.,]\d+)`;
 
+// Behind a value, but not behind "1", which may be a name.
+const BEHIND_VALUE =
+  String.raw`(?<![\p{L}_]\d{1,2}[ ]?)(?<=(?:[.,]\d{0,22}|(?<![\d.])0)` +
+  String.raw`(?:e[-+]?\d{1,2})?[ ]?(?:π|pi)?)`;
 const STARRED = String.raw`(?<=\d[.,]\d{1,18}(?:e[-+]?\d{1,2})?)\*`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
+  [/(?<=10)<sup>\s*([-+−]?\d{1,2})\s*<\/sup>/gi, "^$1"],
   [/<sup>\s*[\w*†‡]\s*<\/sup>/gi, ""],
   [/<\/?(?:b|i|u|em|strong|code|span|mark|font|sup|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
   [/^(?:[ \t]*>(?!>)[ \t]?)+/gm, ""], // a quotation
@@ -90,17 +95,11 @@ const DECORATIONS = [
     "",
   ], // corrected
   [new RegExp(`<(${NUMBER.replace("[-+]", "[-+−]")})>`, "g"), "$1"],
-  [
-    new RegExp(
-      String.raw`(?<![\p{L}_]\d{1,2}[ ]?)(?<=\d[ ]?(?:π|pi)?)[ \t]*\[\s*(${UNIT})\s*\]`,
-      "gu",
-    ),
-    " $1",
-  ], // 0.5 [rad]
+  [new RegExp(String.raw`${BEHIND_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
   [
     new RegExp(String.raw`(?<=[\p{L}\p{N})}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
-    (_, unit) => `(${unit.replace(/[-\s·*.⋅]/g, "")})`,
+    (_, unit) => `_(${unit.replace(/[-\s·*.⋅]/g, "")})`,
   ],
   [/=[ \t]*\d{1,2}[×x]\d{1,2}(?:[ \t]+\w+)?[ \t]*$/gm, "="], // MATLAB's size
 ];
@@ -168,7 +167,7 @@ const COMMENTS = [
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
-  /(?<=[\d\])},;°m*][ \t]+)(?:#(?!\d)|%|\/\/|<-).*$/gm,
+  /(?<=[\d\])},;°m*][ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t]|[\d.])).*$/gm,
 ];
 
 /**
