@@ -8,7 +8,7 @@ const UNITS_BEHIND = String.raw`[kmM]?N ?[-·*]?m{0,2}|rad|deg|°|\$\^\\circ\$|�
 const QUANTITY = String.raw`${NUMBER}(?: ?(?:${UNITS_BEHIND}))?`;
 const BEFORE = String.raw`(?<=^|[\s|&,;:=[({>$])`;
 const AFTER = String.raw`(?=$|[\s|&,;:.\])}<$])`;
-const wrapped = (mark) => new RegExp(`${BEFORE}${mark} ?(${QUANTITY}) ?${mark}${AFTER}`, "gm");
+const EMPHASIS = "\\*{1,3}|_{1,2}|==|`|'";
 
 const UNIT =
   String.raw`[kmM]?N\s?[-·*.⋅]?\s?m{0,2}|rad(?:ians?)?|deg(?:rees?)?|` +
@@ -55,7 +55,6 @@ const DECORATIONS = [
   [/<sup>\s*[\w*†‡]\s*<\/sup>/gi, ""],
   [/<\/?(?:b|i|u|em|strong|code|span|mark|font|sup|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
   [/^(?:[ \t]*>(?!>)[ \t]?)+/gm, ""], // a quotation
-  [/(?<=\\[dt]?frac)\{\{([^{}\n]*)\}\}\s*\{\{([^{}\n]*)\}\}/g, "{$1}{$2}"],
   [/\\(?:phantom|hspace|vspace|cancel|sout)\{[^{}\n]*\}/g, " "],
   [new RegExp(String.raw`\\textcolor\{\w+\}${BRACED}`, "g"), "$1"],
   [/\{\\color\{\w+\}\s*([^{}\n]*)\}/g, "$1"],
@@ -83,7 +82,7 @@ const DECORATIONS = [
   [/(?<=[\w}*])\^\{\*\}/g, ""],
   [/(?<=[\d)][ \t]+)[-–—](?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [/(?<=[\d\])°m][ ]*)(?:<-+|←|!)(?=[ ]*(?:$|[,;\t|&]))/gm, ""], // an arrow that points at a number
-  ...["\\*\\*\\*", "\\*\\*", "\\*", "__", "_", "==", "`", "'"].map((mark) => [wrapped(mark), "$1"]),
+  [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "gm"), "$2"],
   // A star behind a number.
   [new RegExp(String.raw`${STARRED}(?=[ ]?(?:N|rad|deg|°)|\s*(?:$|[|&;,"\]]))`, "gm"), ""],
   [new RegExp(String.raw`${STARRED}(?=[ \t]{2,}(?:[-+−.\d]|%|#|\/\/))`, "gm"), ""],
@@ -161,7 +160,6 @@ export function labelNumberedLines(text) {
 
 const COMMENTS = [
   /(?<=[\d\])°m][ ]*)#[ ]?[a-z]{2,12}(?=[ ]*(?:[\t|&;,]|$))/gm, // in a cell
-  /<!--(?:(?!-->)[\s\S]){0,2000}-->/g,
   /~~[^~\n]{1,300}~~|<(s|del|strike)>[^<>\n]{1,300}<\/\1>/g,
   /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*(?:of|\/)[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
