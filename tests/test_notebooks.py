@@ -161,7 +161,8 @@ def test_drawing_cell_has_no_other_output(path):
 def test_cell_with_caption_has_picture(path):
     for cell in code_cells(path):
         if "mystnb" in cell.metadata:
-            assert any(PICTURES & set(output.get("data", {})) for output in cell.outputs)
+            has_picture = any(PICTURES & set(output.get("data", {})) for output in cell.outputs)
+            assert has_picture, f"cell {cell.id} has alt text and no picture"
 
 
 @every_notebook
@@ -183,7 +184,8 @@ def test_notebook_holds_no_machine_details(path):
     assert set(notebook.metadata) <= {"kernelspec", "language_info", "myst"}
     assert notebook.metadata.kernelspec.name == "python3"
     assert notebook.metadata.myst.html_meta.description
-    assert all(not output.get("metadata") for _, output in outputs(path))
+    metadata = [output.metadata for _, output in outputs(path) if output.get("metadata")]
+    assert not metadata, "remove the metadata of these outputs"
 
 
 @every_notebook

@@ -191,7 +191,8 @@ def test_displayed_formulas_are_complete(sheet):
     for item in sheet.items:
         shown, whole = displays.symbols(sheet, item), [plain(sp.latex(x)) for x in item.value]
         assert entries(item, shown, vectors) == whole or shown[0] in PARALLEL
-        assert all(f"$$\n{display}\n$$" in page(sheet) for display in shown)
+        missing = [display for display in shown if f"$$\n{display}\n$$" not in page(sheet)]
+        assert not missing, f"the page of {sheet.arm.name} lacks these formulas"
         copied = re.findall(r"(?s)\\\[\n(.*?)\n\\\]", given("LaTeX", sheet, item))
         assert entries(item, copied, {}) == whole
 
