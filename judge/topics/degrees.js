@@ -20,7 +20,7 @@ const TURN = 2 * Math.PI;
  */
 
 /**
- * Ask about degrees if an answer is not right and some angle exceeds a whole turn: nobody types
+ * Ask about degrees if a wrong answer is not explained and some angle exceeds a whole turn: nobody types
  * such an angle in radians. If the answer is right in degrees, the verdict says so.
  * @param {Verdict} verdict
  * @param {DegreesQuestion} question
@@ -40,7 +40,7 @@ export function askAboutDegrees(verdict, question) {
     const headline = makeHeadline(uncapitalize(words));
     return { ...verdict, grade: WRONG, headline, findings, causes: [causeName(cause)] };
   }
-  if (verdict.grade !== WRONG) return verdict;
+  if (verdict.grade !== WRONG || verdict.causes.length) return verdict;
   const joint = jointNames(arm)[large % turns.length];
   const note = formatMessage("more than a turn", { joint, value: formatNumber(values[large], 6) });
   const setting = { field: "angles", value: "deg" };
