@@ -152,4 +152,4 @@ def test_other_joint_zeros_report_the_start_in_own_joints():
     report = checks.compare_tables("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0", ELBOW)
     assert report.figures["same machine"]
     start = np.degrees(np.subtract(ELBOW.home, [0, np.pi / 6, 0]))
-    assert "joints stand at ({:g}°, {:g}°, {:g}°)".format(*start.round(4)) in str(report)
+    assert "your joint values are ({:g}°, {:g}°, {:g}°)".format(*start.round(4)) in str(report)

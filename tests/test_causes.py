@@ -122,7 +122,7 @@ def test_square_answer_is_read_by_columns_if_only_that_fits():
     three = found.q[:3].round(4)
     by_rows, by_columns = (checks.compare_branches(x, found) for x in (three, three.T))
     assert by_rows.figures == by_columns.figures
-    assert (by_rows.taken, by_columns.taken) == ((), ("an answer per column",))
+    assert (by_rows.taken, by_columns.taken) == ((), ("one answer in each column",))
     three[0, 0] += 0.3
     assert checks.compare_branches(three.T, found).taken == ()
 
@@ -132,7 +132,7 @@ def test_branches_beyond_slide_range_are_not_asked_for(taken):
     found = inverse.stanford(STANFORD, KNOWN["STANFORD"].tip(SLID))
     mine = found.q[found.q[:, 2].argsort()[::-1]][taken]
     report = checks.compare_branches(mine, found)
-    notes = ("what is missing lies beyond the range of q_3, where the arm cannot go",)
+    notes = ("the missing branches are beyond the range of q_3, where the arm cannot go",)
     assert report.notes == (notes if len(taken) > 3 else ())
     assert "ik.one sign" not in report.causes
 
@@ -171,8 +171,8 @@ def test_wrong_joint_at_zero_is_not_called_degrees():
     found = inverse.ur(UR10E_HOMEWORK, ZERO_POSE)
     report = checks.compare_branches([[0, 0, 0, 0, 0, 0.25]], found)
     assert report.causes == ()
-    assert "misses the target by 0 mm and 14.3°: q_6 agrees with no branch" in str(report)
-    assert "the 8 branches are only 1 here" in str(report)
+    assert "misses the target by 0 mm and 14.3°: q_6 belongs to no branch" in str(report)
+    assert "here only 1 of the 8 branches differ" in str(report)
     assert checks.compare_branches([[0.0] * 6], found).grade == "right"
     pose = checks.compare_pose([0, 0, 0, 0, 0, 0.1], UR10E_HOMEWORK, ZERO_POSE)
     assert "ik.degrees" not in pose.causes
@@ -186,7 +186,7 @@ def test_near_miss_at_zero_reports_the_distance():
         q = np.round([*best.q, 0.1], digits)
         words = str(checks.compare_branches([q], found))
         assert "misses the target by 0.6" in words
-        assert "not in the list" not in words
+        assert "none of the branches" not in words
 
 
 def test_angle_near_zero_is_not_called_wrong_sign():

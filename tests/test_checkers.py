@@ -31,7 +31,7 @@ def test_truncated_digits_are_accepted_and_noted():
     cut = np.trunc(J3 * 1e4) / 1e4
     report = checks.compare_jacobian(cut, ELBOW, Q)
     assert report.agrees
-    assert "your digits are cut" in str(report)
+    assert "your numbers are cut off" in str(report)
 
 
 def test_jacobian_tolerance_is_applied():
@@ -235,7 +235,7 @@ def test_whole_turns_are_unwound_and_jumps_named():
     assert "from step 76 to 77 joint 1 jumps by a whole turn (such steps: 1)" in report.notes[0]
     lean = np.arctan2(0.3 * np.sin(q[:, 2]), 0.4 + 0.3 * np.cos(q[:, 2]))
     flipped = np.stack([q[:, 0], q[:, 1] + 2 * lean, -q[:, 2]], axis=1)
-    for other, words in ((flipped, "another branch"), (1.5 * q, "look at J")):
+    for other, words in ((flipped, "changes its branch"), (1.5 * q, "check J")):
         mine = np.where(np.arange(201)[:, None] < 77, q, other)
         report = checks.compare_trace(mine, ELBOW, CIRCLE)
         assert report.causes == ("trace.jump",), str(report)

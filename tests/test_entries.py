@@ -248,10 +248,10 @@ def test_mixed_branches_and_turned_shoulder_are_named():
     first, second = FOUR.q[0], FOUR.q[1]
     mixed = of_elbow(first, (second[0], first[1], second[2]))
     assert mixed.causes[0] == "ik.mixed"
-    assert "branches are mixed" in str(mixed)
+    assert "two branches are mixed" in str(mixed)
     turned = of_elbow(first, first + np.array([np.pi, 0, 0]))
     assert turned.causes == ("ik.shoulder",)
-    assert "solve them again" in str(turned)
+    assert "solve θ2 and θ3 again" in str(turned)
 
 
 def test_forgotten_length_is_named_by_all_answers():

@@ -248,7 +248,7 @@ def test_first_joints_of_all_branches_are_right_so_far():
             for k, q in enumerate(solutions.q[solutions.times > 0], start=1)]  # fmt: skip
     assert judge_branches("\n".join(rows)).figures["right"] == 4
     wrong = rows[-1].replace(rows[-1][-3:], "999")
-    with pytest.raises(ArmError, match="8x4"):
+    with pytest.raises(ArmError, match="8 rows of 4 numbers"):
         judge_branches("\n".join([*rows[:-1], wrong]))
 
 

@@ -184,8 +184,11 @@ def test_entries_of_arm_are_quoted():
     assert words["row 3, a"].endswith("82.5 mm too long (you have 2*a_3).")
     assert (report.topic, report.headline) == ("table", "mine is another arm than Panda.")
     for options, told in (
-        ({"columns": "a alpha d theta", "lengths": "m"}, "needs no 'a alpha d theta', 'm'; "),
-        ({"angles": "deg", "convention": "craig"}, "needs no 'deg', 'craig'; "),
+        (
+            {"columns": "a alpha d theta", "lengths": "m"},
+            "so 'a alpha d theta', 'm' would change nothing",
+        ),
+        ({"angles": "deg", "convention": "craig"}, "so 'deg', 'craig' would change nothing"),
     ):
         with pytest.raises(ArmError, match=told):
             compare_tables(mine, PANDA, **options)
@@ -330,8 +333,8 @@ def test_wrong_entry_is_quoted(entry, instead, words):
             "reference: 12.2958° off."]),
         ("0 pi/2 0.4 q1; 0.3 0 -0.06 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4; 0 0 0 0", ELBOWED, {}, [
             "Row 3, d: the offset along the parallel axes 2 to 3, added up, is -0.01 m in yours "
-            "and 0.05 m in the reference: it goes the other way, so a sign is wrong here or in a "
-            "row beside it."]),
+            "and 0.05 m in the reference: it has the opposite direction, so a sign is wrong here "
+            "or in a row beside it."]),
         ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 d3+0.05 0; 0 0 0.25 q4", ELBOWED, {}, [
             "Row 3, joint: the joint is prismatic in yours and revolute in the reference."]),
         ("0.1 0.4 0 0; 0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4", ELBOWED, {}, [
@@ -368,7 +371,8 @@ def test_differences_between_axes_are_described(typed, reference, options, lines
 
 
 BASE = (
-    "Your table has the axes of Ref, but your base frame stands {} on axis 1 than the reference's "
+    "Your table has the joint axes of Ref, but the base frame of your table is {} on axis 1 than "
+    "the reference's "
 )
 JOINTS = "The reference counts these joints otherwise: {}\n"
 
@@ -381,22 +385,22 @@ JOINTS = "The reference counts these joints otherwise: {}\n"
         ("0 -pi/2 0.4 q1+pi; 0.3 0 -0.05 q2; 0.2 -pi/2 0 q3; 0 0 0.25 q4", ELBOWED, {},
          [JOINTS.format("its q_1 is your q_1 + 180°; its q_2 is -(your q_2); its q_3 is "
                         "-(your q_3)"),
-          "joints stand at (180°, 0°, 0°, 0°)\n"]),
+          "joint values are (180°, 0°, 0°, 0°)\n"]),
         # A zero is seen from the tool where the tip lies on the axis, and farther out than the next
         # axis where that is the same or only slides.
         ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0.5 0.25 q4+0.3",
          ELBOWED.replace("0 0 0.25", "0 0.5 0.25"), {},
-         [JOINTS.format("its q_4 is your q_4 + 17.19°"), "theta in row 4 should be nothing"]),
+         [JOINTS.format("its q_4 is your q_4 + 17.19°"), "theta in row 4 should be 0"]),
         ("0 pi/2 0.4 q1; 0 pi/2 d2+0.1 pi/2; 0.2 0 0.1 q3",
          "0 pi/2 0.4 q1; 0 pi/2 d2 pi/2; 0.2 0 0.1 q3", {},
-         [JOINTS.format("its q_2 is your q_2 + 100 mm"), "joints stand at (0°, -100 mm, 0°)"]),
+         [JOINTS.format("its q_2 is your q_2 + 100 mm"), "joint values are (0°, -100 mm, 0°)"]),
         ("0.1 0 0.2 q1; 0.3 0 0 q2+0.3; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED,
          {"convention": "craig"}, [JOINTS.format("its q_3 is your q_2 + 17.19°")]),
         # The last frame's z axis may be reversed.
         ("0 1.5708 0.4 q1; 0.3 0.00005 0 q2; 0.2 1.57 0.05 q3; 0 -3.1416 0.25 q4+4.7124", ELBOWED,
          {},
          [JOINTS.format("its q_4 is your q_4 - 90°"),
-          "your last frame's z axis points the other way along the last joint axis",
+          "the z axis of your last frame points the other way along the last joint axis",
           "alpha in row 1, 1.5708, is taken as pi/2; write it so",
           "alpha in row 2, 0.00005, is taken as 0; write it so",
           "alpha in row 3, 1.57, is taken as pi/2; write it so",
@@ -446,11 +450,11 @@ def test_table_with_other_joint_zeros_is_right_by_map(typed, reference, options,
         (GENERIC.replace("0.1 pi/3 0.4", "0.1 4pi/3 -0.4"), GENERIC, {}, "wrong",
          "but your z_0 points the other way along axis 1, so the arm hangs from its base"),
         (ELBOWED.replace("0 0 0.25", "0 0.5 0.25"), ELBOWED, {}, "wrong",
-         "stands at 28.65° to the last joint axis in yours and at 0° in the reference (alpha in "
-         "row 4): alpha in row 4 should be nothing (you have 0.5)"),
+         "the last frame's z axis is 28.65° in yours and 0° in the reference (alpha in "
+         "row 4): alpha in row 4 should be 0 (you have 0.5)"),
         # A fixed first row turns the base about z_0, which no joint does.
         (LEANING.replace("0.3 0;", "0.3 0.5;"), LEANING, {}, "wrong",
-         "but no choice of zeros and directions of its joints takes the tip along"),
+         "but no choice of zeros and directions of its joints makes its tip move"),
     ],
 )  # fmt: skip
 def test_base_and_tip_of_the_question_are_no_choice(typed, reference, options, grade, message):
@@ -465,7 +469,8 @@ def test_fixed_pose_excludes_joint_maps():
     assert compare_tables(typed, ELBOW).grade == "right by map"
     report = compare_tables(typed, ELBOW, start_pose=[0, 0, 0])
     assert (report.grade, report.causes) == ("wrong", ("table.too much:theta:2",))
-    assert "is at q = (0, 0, 0), and there your tip is 0.99 m away, " in report.headline
+    words = "is at q = (0, 0, 0), and the tip of your table is 0.99 m away from there, "
+    assert words in report.headline
     turned = typed.replace("q2+90", "q2").replace("90", "-90")  # joints 2 and 3 count backwards
     assert compare_tables(turned, ELBOW, start_pose=[0, 0, 0]).grade == "wrong"
     assert compare_tables(ELBOW, ELBOW, start_pose=[0, 0, 0]).grade == "right"

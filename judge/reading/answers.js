@@ -360,11 +360,16 @@ function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings) {
   if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));
   refuseUnread(text, tokensOf(text, sorted[0]), what); // what broke the block, where that is known
-  const sizes = new Set(sorted.map(({ rows }) => `${rows.length}x${rows[0].length}`));
-  const found = joinList([...sizes].slice(0, 3));
+  const found = describeSize(sorted[0].rows.length, sorted[0].rows[0].length);
   const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
   return new NoFitError(formatMessage("no fit", { what, found, line, wanted }));
 }
 
-const sizeOf = ({ rows, columns }) =>
-  columns === null ? "numbers" : rows === null ? `rows of ${columns}` : `${rows}x${columns}`;
+const sizeOf = ({ rows, columns }) => (columns === null ? "numbers" : describeSize(rows, columns));
+
+// Describe a block's size; any number of rows if `rows` is null.
+function describeSize(rows, columns) {
+  if (rows === 1) return `${columns} numbers`;
+  const each = columns === 1 ? "one number" : `${columns} numbers`;
+  return `${rows === null ? "" : `${rows} `}rows of ${each}`;
+}

@@ -134,7 +134,7 @@ def test_typed_jacobian_is_judged(reader):
     answer = "[...document.querySelectorAll('.arm-judge textarea:not([readonly])')].at(-1)"
     reader.until("!document.querySelector('.arm-judge > .unscripted')")
     reader.fill(answer, ELBOW.replace("0.2866", "0.3866"))
-    reader.until(f"{told}.includes('olumn 3 (joint 3): look again at vz.')")
+    reader.until(f"{told}.includes('olumn 3 (joint 3): check vz.')")
     assert reader.ask("document.querySelectorAll('.arm-judge td.off').length") == 1
     reader.fill(answer, ELBOW)
     reader.until(f"{told}.includes('is right at this pose, to the digits you gave.')")

@@ -97,13 +97,13 @@ def test_link_restores_typed_answer(page):
     verdict(page, "The Jacobian of Elbow arm is right at this pose, to the digits you gave.")
     assert page.locator(".arm-judge td.off").count() == 0
     ask(page, ELBOW.replace("0.2866", "0.3866"))
-    verdict(page, "olumn 3 (joint 3): look again at vz.")
+    verdict(page, "olumn 3 (joint 3): check vz.")
     assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.3866"]
     page.get_by_role("button", name="Copy link").click()
     page.get_by_text("The link").first.wait_for()
     other = page.context.new_page()
     other.goto(page.url)
-    verdict(other, "look again at vz")
+    verdict(other, "check vz")
     assert other.get_by_label("Your answer", exact=True).input_value() == ELBOW.replace(
         "0.2866", "0.3866"
     )
@@ -120,10 +120,13 @@ def test_report_of_wrong_answer_is_copied(page):
     verdict(page, "is right at this pose, to the digits you gave")
     assert not button.is_visible()
     for answer, words in (
-        ("Here are\n1 2 3\n4 5 6", ["Read:\n", "row 1\t1\t2\t3\n", "Said:\nI find 2x3 numbers"]),
+        (
+            "Here are\n1 2 3\n4 5 6",
+            ["Read:\n", "row 1\t1\t2\t3\n", "Said:\nI find 2 rows of 3 numbers"],
+        ),
         (
             ELBOW.replace("0.2866", "0.3866"),
-            ["vz\t", "wrong: 0.3866", "column 3 (joint 3): look again at vz"],
+            ["vz\t", "wrong: 0.3866", "column 3 (joint 3): check vz"],
         ),
     ):
         ask(page, answer)
@@ -249,7 +252,7 @@ def test_verdict_is_announced_after_a_pause(page):
     page.wait_for_function("Boolean(window.ended)")
     assert page.evaluate("window.spoken") == 0
     page.evaluate("ended()")
-    verdict(page, "I find 1x5")
+    verdict(page, "I find 5 numbers")
     assert page.evaluate("window.spoken") == 1
 
 
@@ -321,9 +324,9 @@ def test_chapter_form_hides_given_fields(chapter):
     answer.fill(SIX_COLUMNS)
     place.locator(".verdict", has_text="The Jacobian of Stanford arm is right").wait_for()
     answer.fill(SIX_COLUMNS.replace("-0.154", "-0.254"))
-    place.locator(".verdict", has_text="olumn 1 (joint 1): look again at vx").wait_for()
+    place.locator(".verdict", has_text="olumn 1 (joint 1): check vx").wait_for()
     place.get_by_role("link", name="More room").click()
-    verdict(page, "olumn 1 (joint 1): look again at vx")
+    verdict(page, "olumn 1 (joint 1): check vx")
     assert page.get_by_label("Pose q").input_value() == "0, pi/2, 0.5, 0, 0, 0"
 
 
@@ -333,7 +336,7 @@ def test_chapter_form_hides_given_fields(chapter):
         ("01_dh_tables", 1, "0.325 0 0.4 q1\n0.225 pi 0 q2\n0 0 q3 0\n0 0 0 q4", "same arm"),
         ("03_circle_tracing", 0, "0 0 1.57 0 3.14 0\n" * 9, "does not draw the path"),
         ("04_static_torque", 0, "0 26.67931 0 -18.40765 0.696491 1.115249 -0.03068", "wrong sign"),
-        ("05_inverse_kinematics", 0, "1 2 3", "and q3 agree with no branch"),
+        ("05_inverse_kinematics", 0, "1 2 3", "and q3 belong to no branch"),
     ],
 )
 def test_chapter_form_judges_its_question(chapter, name, number, answer, words):
@@ -346,7 +349,7 @@ def test_chapter_form_judges_its_question(chapter, name, number, answer, words):
 def test_trajectory_file_is_judged(page, tmp_path):
     page.get_by_label("Question").select_option("trace")
     page.get_by_role("button", name="Show an example").click()
-    verdict(page, "the path is drawn the other way round")
+    verdict(page, "the path is drawn in the opposite direction")
     assert page.locator(".arm-judge .verdict").evaluate(LINES, "200 mm") == 1
     rows = page.get_by_label("Your answer", exact=True).input_value().split("\n")
     file = tmp_path / "run.csv"
@@ -380,7 +383,7 @@ def test_verdict_stays_above_phone_keyboard(page):
     field = page.get_by_label("Your answer", exact=True)
     field.focus()
     page.keyboard.insert_text("1, 2, 3")  # the example was chosen whole
-    verdict(page, "asked is")
+    verdict(page, "expected: ")
     assert field.input_value() == "1, 2, 3"
     box = page.locator(".arm-judge .verdict").bounding_box()
     assert box["y"] + box["height"] < 500
@@ -462,9 +465,9 @@ WRONG = ELBOW.replace("0.2866", "0.3866")
 @wide
 def test_typed_answer_survives_a_reload(page):
     ask(page, WRONG)
-    verdict(page, "look again at vz")
+    verdict(page, "check vz")
     enter(page)
-    verdict(page, "look again at vz")
+    verdict(page, "check vz")
     assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
     assert page.get_by_label("Pose q").input_value() == "0.5, 0.7, -0.4"
 
@@ -486,7 +489,7 @@ def test_clearing_forgets_answers_in_two_tabs(page):
     ask(page, WRONG)
     other = page.context.new_page()
     other.goto(PAGE.as_uri())
-    verdict(other, "look again at vz")
+    verdict(other, "check vz")
     page.get_by_role("button", name="Clear what I typed").click()
     page.get_by_text("this browser keeps none of your answers").wait_for()
     for tab in (page, other):
@@ -526,7 +529,7 @@ def test_form_works_where_storage_is_refused(browser):
     page.goto(PAGE.as_uri())
     page.locator(".arm-judge:not(:has(> .unscripted)) .verdict").wait_for()
     ask(page, WRONG)
-    verdict(page, "look again at vz")
+    verdict(page, "check vz")
     page.get_by_role("button", name="Clear what I typed").click()
     verdict(page, "An example, with a mistake in it.")
     assert troubles == []
@@ -561,7 +564,7 @@ def test_all_columns_of_the_grid_are_visible(page):
 def test_checked_path_is_drawn_beside_the_wanted_one(page):
     page.get_by_label("Question").select_option("trace")
     page.get_by_role("button", name="Show an example").click()
-    verdict(page, "the path is drawn the other way round")
+    verdict(page, "the path is drawn in the opposite direction")
     points = page.locator(".path polyline").evaluate_all("(all) => all.map((e) => e.points.length)")
     assert points == [25, 25]
     page.get_by_label("Question").select_option("jacobian")
@@ -590,7 +593,7 @@ def test_numbers_are_filled_in_one_by_one_on_phone(page):
 @both
 def test_pasted_text_shows_what_each_number_is_taken_for(page):
     ask(page, f"q = 0.5 0.7 -0.4\nJ =\n{WRONG}")
-    verdict(page, "look again at vz")
+    verdict(page, "check vz")
     marked = page.locator(".arm-judge .marked")
     marked.locator("pre button").first.wait_for()
     assert marked.locator("pre .entry").count() == 18

@@ -197,7 +197,7 @@ def test_no_work_earns_nothing(arm):
         ("p", lambda p: (1000 * p).tolist(), 0.5, "millimetres"),
         ("p", lambda p: p[:2].tolist(), 0, "Not read: 2 numbers given, expected 3; write 0 for"),
         ("p", lambda p: "a" * 8001, 0, "Not read: it has more than 8000 characters."),
-        ("p", lambda p: ["x", 1, 2], 0, "Not read: there is no value for x"),
+        ("p", lambda p: ["x", 1, 2], 0, "Not read: x has no value"),
         ("R", lambda R: R.T.tolist(), 0.5, "transposed"),
         ("J", lambda J: J[:3].tolist(), 0.5, "The angular rows are zero"),
         ("J", lambda J: J[3:].tolist(), 0.5, "The linear rows are zero"),

@@ -15,7 +15,7 @@ test("combined causes join names and messages", () => {
   assert.equal(causeName(THREE), "J.frame:3");
   const two = combineCauses(ONE, TWO);
   assert.equal(causeName(two), "J.halves + J.all signs");
-  assert.equal(causeMessage(two), `${causeMessage(ONE)}; and besides, every sign is reversed`);
+  assert.equal(causeMessage(two), `${causeMessage(ONE)}; also, every sign is reversed`);
   const signs = [1, 2, 3].map((i) => makeCause("J.column of", { i }));
   const words = signs.map(causeMessage);
   const same = "which gives the same numbers here";
