@@ -20,8 +20,8 @@ const TURN = 2 * Math.PI;
  */
 
 /**
- * Ask about degrees if a wrong answer is not explained and some angle exceeds a whole turn: nobody types
- * such an angle in radians. If the answer is right in degrees, the verdict says so.
+ * Ask about degrees if a wrong answer is not explained and some angle exceeds a whole turn:
+ * nobody types such an angle in radians. If the answer is right in degrees, the verdict says so.
  * @param {Verdict} verdict
  * @param {DegreesQuestion} question
  * @returns {Verdict}
