@@ -201,3 +201,11 @@ def test_exact_whole_degrees_are_right():
     report = checks.compare_branches(np.round(exact), found, angles="deg")
     assert exact
     assert "two more" not in report.headline
+
+
+def test_right_tip_with_wrong_orientation_misses_the_target():
+    q = np.array([0.3, -0.7, 0.9, 0.4, 0.8, 0.2])
+    found = inverse.ur(UR10E_HOMEWORK, forward_kinematics(UR10E_HOMEWORK, q))
+    q[5] += 0.5
+    report = checks.compare_branches([q], found)
+    assert "misses the target by 0 mm and 28.6°" in str(report)

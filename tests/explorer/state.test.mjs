@@ -212,3 +212,14 @@ test("an arm without joints has derived values", () => {
   assert.equal(describeRank(derived).text, "No joint moves this arm.");
   assert.deepEqual([derived.torque, derived.manipulability, findBranches(still, []).list], [[], 1, []]);
 });
+
+test("undoing the choice of an arm restores its base", () => {
+  const store = start();
+  store.dispatch({ type: "selectArm", arm: ELBOW });
+  store.dispatch({ type: "undo" });
+  assert.deepEqual([store.state.arm.name, store.state.base.name], [PANDA.name, PANDA.name]);
+});
+
+test("a joint at half a turn lists each branch once", () => {
+  assert.equal(findBranches(ELBOW, [-Math.PI, 0.4, -0.8], 60).list.length, 4);
+});
