@@ -14,6 +14,8 @@ const COARSE = 0.1;
 const FULL = 13;
 // Round-off of a program: smaller numbers are its zeros, as 6.1e-17 for cos 90°.
 const NOISE = 1e-12;
+// A smaller difference (m, rad or N m) is round-off whatever the size of the entries.
+const LEAST_DIFFERENCE = 1e-10;
 // Error of pi with seven digits or of a long sum, as a share of the largest entry.
 const SUM_ROUND_OFF = 1e-6;
 // Joint values whose last place exceeds this (rad or m) are exact: q = 0.3 does not stand for 0.26.
@@ -87,7 +89,8 @@ function literal(text) {
 export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
 const allowSumRoundOff = (truth) => SUM_ROUND_OFF * largest(truth);
 // Return the allowed round-off: little for a typed number, whose last place is allowed for anyway.
-const allowRoundOff = (unit, top) => (unit ? NOISE : SUM_ROUND_OFF) * top;
+const allowRoundOff = (unit, top) =>
+  Math.max((unit ? NOISE : SUM_ROUND_OFF) * top, LEAST_DIFFERENCE);
 
 const isShort = (x, expected) => Math.abs(x) <= Math.abs(expected) && x * expected >= 0;
 

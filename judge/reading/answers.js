@@ -3,8 +3,9 @@
 
 import { blocksIn, namesOtherQuantity, plainText } from "./blocks.js";
 import { linesOf } from "./characters.js";
-import { labelNumberedLines, withoutComments } from "./decorations.js";
+import { labelNumberedLines, withoutComments, withoutStruckText } from "./decorations.js";
 import { hasDecimals, number } from "./formula.js";
+import { unwrapFrames } from "./frames.js";
 import { headerLabels, inListedOrder, labelsOf, liesBy, ordered, transposed } from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
@@ -42,7 +43,7 @@ export function findAnswer(text, question) {
   if (text.length > LONGEST)
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
-  const pasted = new SpannedText(text);
+  const pasted = unwrapFrames(withoutStruckText(new SpannedText(text)));
   const live = withoutComments(pasted);
   if (live && /\d/.test(live.text)) {
     const answer = tryOrNull(() => findIn(live, text, question));
@@ -63,6 +64,7 @@ function findIn(pasted, text, question) {
   const { block, want } = found;
   const tokens = tokensOf(text, block);
   refuseUnread(text, tokens, what);
+  if (block.sources.every(isOld)) throw refuseOld(text, block, question);
   if (isUnlikely(block) && holdsOtherList(tokens)) throw refusal(text, question, own);
   const left = setAside(text, block, pasted);
   return { ...inListedOrder(block, want, text), left, tokens };
@@ -108,6 +110,11 @@ function isOtherQuantity({ sources }) {
 
 const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
 const isOld = ({ words, name }) => OLD.test([...textsOf(words), name].join(" "));
+
+function refuseOld(text, { from }, { what }) {
+  const line = quoteText(linesOf(text)[from] ?? "");
+  return new ArmError(formatMessage("old answer", { what, line }));
+}
 
 // The blocks that fit, those with the answer's name where there are some; of any shape the largest.
 function fitting(blocks, want, { wants, names = NONE }) {
@@ -180,9 +187,10 @@ const countsJoints = (cells) => {
 function fitted(block, want, wants, names) {
   const whole =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
+  const counted = withoutCountedHeader(block);
   const upright = [
-    ...withoutCountedHeader(block),
-    block,
+    ...counted,
+    ...(counted.length ? [] : [block]),
     ...columnOf(block, names),
     ...jointColumns(block, want),
     ...(whole ? [] : withoutLabels(block)),

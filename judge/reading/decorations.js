@@ -158,9 +158,10 @@ export function labelNumberedLines(text) {
   return text.replace(pattern, (_, blanks, ...groups) => `${blanks}${groups.find(Boolean)}: `);
 }
 
+const STRUCK = /~~[^~\n]{1,300}~~|<(s|del|strike)>[^<>\n]{1,300}<\/\1>/g;
 const COMMENTS = [
   /(?<=[\d\])°m][ ]*)#[ ]?[a-z]{2,12}(?=[ ]*(?:[\t|&;,]|$))/gm, // in a cell
-  /~~[^~\n]{1,300}~~|<(s|del|strike)>[^<>\n]{1,300}<\/\1>/g,
+  STRUCK,
   /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*(?:of|\/)[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
@@ -168,13 +169,20 @@ const COMMENTS = [
   /(?<=[\d\])},;°m*][ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t]|[\d.])).*$/gm,
 ];
 
+const blank = (comment) => comment.replace(/[^\n]/g, " ");
+
+/**
+ * Take text out that was struck through.
+ * @param {import("./spans.js").SpannedText} pasted
+ */
+export const withoutStruckText = (pasted) => pasted.replace(STRUCK, blank);
+
 /**
  * Take comments and struck text out; null where there are none.
  * @param {import("./spans.js").SpannedText} pasted
  */
 export function withoutComments(pasted) {
   const text = foldBlanks(pasted);
-  const blank = (comment) => comment.replace(/[^\n]/g, " ");
   const rest = COMMENTS.reduce((kept, pattern) => kept.replace(pattern, blank), text);
   return rest === text ? null : rest;
 }

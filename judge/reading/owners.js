@@ -63,8 +63,12 @@ class Tokens {
  */
 export function tokensOf(text, block, long = LONG) {
   const tokens = new Tokens(text);
+  const starts = new Set(block.rows.flat().map(({ from }) => from));
   block.rows.forEach((cells, row) =>
-    cells.forEach((cell, column) => tokens.claim(cell, "entry", { row, column })),
+    cells.forEach((cell, column) => {
+      const owner = lacksFactor(text, cell, starts) ? "unread" : "entry";
+      tokens.claim(cell, owner, { row, column });
+    }),
   );
   for (const cell of [...block.labels.flat(), ...block.headers]) claimWord(tokens, cell, "label");
   for (const { cells } of block.sources)
@@ -74,6 +78,15 @@ export function tokensOf(text, block, long = LONG) {
   for (const token of tokens.list)
     if (!token.owner) Object.assign(token, { owner: "context", reason: "markup or comment" });
   return tokens.list;
+}
+
+const FACTOR_BEHIND = /^([ \t]?(?:[*·×][ \t]?)?)(?:π|\\pi|pi\b|[x×][ \t]?10\^)/;
+
+// Return whether a factor stands behind an entry that was read without it, π or a power of ten; a
+// factor may begin the next entry.
+function lacksFactor(text, { to }, starts) {
+  const match = FACTOR_BEHIND.exec(text.slice(to, to + 12));
+  return match !== null && !starts.has(to + match[1].length);
 }
 
 // A label or a column's header; nothing where it may be an entry with a mistake in its spelling.

@@ -65,6 +65,27 @@ export class SpannedText {
     return new SpannedText(parts.join(""), starts, ends);
   }
 
+  /**
+   * Make a text of stretches of this one, in any order.
+   * @param {(Span | string)[]} parts stretches, and blanks that stand for nothing
+   */
+  assemble(parts) {
+    const texts = [];
+    const [starts, ends] = [[], []];
+    for (const part of parts) {
+      if (typeof part !== "string") this.#copy(part.from, part.to, texts, starts, ends);
+      else {
+        texts.push(part);
+        const at = ends.at(-1) ?? 0;
+        for (let k = 0; k < part.length; k++) {
+          starts.push(at);
+          ends.push(at);
+        }
+      }
+    }
+    return new SpannedText(texts.join(""), starts, ends);
+  }
+
   #copy(from, to, parts, starts, ends) {
     parts.push(this.text.slice(from, to));
     for (let at = from; at < to; at++) {
