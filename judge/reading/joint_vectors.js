@@ -14,6 +14,8 @@ import {
   unnamed,
 } from "./numbers.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+
 /**
  * A joint vector with the units of its last places.
  * @typedef {{ values: number[], units: number[] }} Answer
@@ -25,7 +27,7 @@ const NAMES = /^(?:q|th|θ|sol|ans$|s\d*$)/i;
  * Joint vectors with their units, however they were held, and how they were read; a square is read
  * by rows unless told. Where each row of a locked arm has a value, those of its locked joints are
  * set aside.
- * @param {any} mine @param {any} arm @param {string} angles @param {any} asked
+ * @param {any} mine @param {Arm} arm @param {string} angles @param {any} asked
  * @returns {{ answers: Answer[], taken: string[], typed: import("./numbers.js").Typed }}
  */
 export function answers(mine, arm, angles, { byColumns = false, ...asked } = {}) {

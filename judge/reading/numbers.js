@@ -17,6 +17,8 @@ import {
 } from "./formula.js";
 import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "../sentences.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
 const FIRST = /^(?:q|th|theta)0$/; // of joints counted from 0
 const SHOWN = 3; // so many values of a locked joint are shown back
@@ -227,7 +229,7 @@ export function ofMoving(typed, arm) {
 
 /**
  * A word on the locked joints, whose values are not judged.
- * @param {any} arm @param {number[]} values one for each row of the arm, pose after pose
+ * @param {Arm} arm @param {number[]} values one for each row of the arm, pose after pose
  */
 export function setAside({ rows }, values) {
   const locked = rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));

@@ -13,6 +13,8 @@ import { askAboutDegrees } from "./degrees.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
 /** @typedef {import("../verdict.js").Finding} Finding */
@@ -21,7 +23,7 @@ import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 /**
  * Judge joint vectors, a text or nested lists, for a target of an arm with a closed form: three
  * coordinates or the rows of a pose.
- * @param {string | any[]} mine @param {any} arm @param {any[]} target
+ * @param {string | any[]} mine @param {Arm} arm @param {any[]} target
  * @returns {import("../verdict.js").Verdict}
  */
 export const compareBranches = completeVerdicts(branchesCompared);

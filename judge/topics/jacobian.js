@@ -18,6 +18,8 @@ import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const ALL_ROWS = [0, 1, 2, 3, 4, 5];
 const PLANE_NAMES = ["x", "y", "z", "φ", "φ", "φ"]; // of a planar arm's rows
@@ -79,7 +81,7 @@ const halvesExchanged = (typed) => ({
 
 // Read what was typed as a matrix; all of its entries in one row or column are taken row by row. A
 // formula needs no q; `computed` are the values of a function, which count as one.
-/** @param {any} mine @param {any} known @param {any} arm @param {any} asked */
+/** @param {any} mine @param {any} known @param {Arm} arm @param {any} asked */
 function matrix(mine, known, arm, { at, which, generic = false, computed = false }) {
   const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
   const wants = [...shapes(dof, arm.rows.length), ...reducedShapes(arm, dof)];

@@ -21,6 +21,8 @@ import { judgeFirstRows } from "./table_part.js";
 import { judgeSameArm } from "./table_same.js";
 import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_words.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+
 const LENGTH = 1e-6; // m
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
@@ -62,8 +64,8 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 
 /**
  * Compare a typed table with the reference: where they differ, and why.
- * @param {any} mine text, or an arm that Python holds
- * @param {any} reference
+ * @param {string | Arm} mine text, or an arm that Python holds
+ * @param {Arm} reference
  * @param {Options} options
  * @returns {Verdict}
  */

@@ -30,6 +30,8 @@ import {
   METHOD_ERROR,
 } from "../causes/trace.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+
 const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
 const NO_INVERSE = 1e-9; // of the largest singular value: a smaller one is a zero
 const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
@@ -45,7 +47,7 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 
 /**
  * Judge joint vectors along a path, a text such as CSV or nested lists.
- * @param {string | any[]} mine @param {any} arm @param {Path} path
+ * @param {string | any[]} mine @param {Arm} arm @param {Path} path
  * @returns {import("../verdict.js").Verdict}
  */
 export function compareTrace(mine, arm, path, options = {}) {
@@ -65,7 +67,7 @@ export function readTrace(mine, arm, which = null) {
 }
 
 /**
- * @param {import("../reading/numbers.js").Typed} typed @param {any} arm @param {Path} path
+ * @param {import("../reading/numbers.js").Typed} typed @param {Arm} arm @param {Path} path
  * @returns {import("../verdict.js").Verdict}
  */
 export const judgeTrace = completeVerdicts(traceJudged);

@@ -5,6 +5,8 @@ import { columnUnits } from "../digits.js";
 import { chainFrames, flatJacobian, makeChain } from "../geometry/chains.js";
 import { dot, linkFrames, minus, norm } from "../geometry/kinematics.js";
 
+/** @typedef {import("../geometry/arm.js").Arm} Arm */
+
 /** @typedef {import("../geometry/path.js").Path} Path */
 
 const FEWEST_TRIMMED = 2; // entries of a row: a lone round one may be rounded by hand
@@ -13,7 +15,7 @@ const FEWEST_TRIMMED = 2; // entries of a row: a lone round one may be rounded b
  * Return the units of a trajectory's last digits. A program that trims zeros prints 1.1 for 1.1000.
  * A row with such entries that is right to its column's digits shows that it does; then they are
  * exact, but for a lone entry whose rounding explains its row.
- * @param {{ q: number[][], units: number[][] }} run @param {any} arm @param {Path} path
+ * @param {{ q: number[][], units: number[][] }} run @param {Arm} arm @param {Path} path
  */
 export function unitsWithoutTrimming({ q, units }, arm, path) {
   const fine = columnUnits(q, units);
