@@ -57,10 +57,10 @@ def _is_equal(actual: Any, expected: Any) -> bool:
 
 
 def _to_numbers(value: Any) -> NDArray[np.float64] | None:
-    """Convert numbers, SymPy's too, to an array of floats; anything else to None."""
+    """Convert numbers, SymPy's too, to an array of floats; all else, truth values too, to None."""
     try:
         array = np.asarray(value)
-        if array.dtype.kind in "biuf":
+        if array.dtype.kind in "iuf":
             return array.astype(float)
         known = array.dtype == object and all(map(_is_number, array.flat))
         return array.astype(float) if known else None
