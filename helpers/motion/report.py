@@ -96,7 +96,8 @@ class TraceReport:
         return ", ".join(texts) or "none"
 
     def __str__(self) -> str:
-        return "\n".join(f"{what:<46}{value}" for what, value in self.rows())
+        width = max(len(label) for label, _ in self.rows()) + 1
+        return "\n".join(f"{label:<{width}}{value}" for label, value in self.rows())
 
     __repr__ = __str__
 
