@@ -292,3 +292,8 @@ def test_page_solutions_equal_python(name):
             assert [branch["name"] for branch in branches] == list(known), (name, arm)
             theirs = np.array([branch["q"] for branch in branches])
             assert largest_difference(arm, np.array(list(known.values())), theirs).max() < 1e-7
+
+
+def test_seven_joints_are_told_to_lock_one():
+    with pytest.raises(ArmError, match=r"7 joints, more than the six .* arm.lock\(3\)"):
+        solutions(PANDA, forward_kinematics(PANDA, PANDA.home))

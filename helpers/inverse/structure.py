@@ -98,6 +98,12 @@ def find_structure(arm: Arm) -> Structure:
         return Structure(POSITION, *arguments, gap=crossing_gap(axes, size))
     elif turns == (True, True) and parallel_gap(axes) < NEARLY:
         return Structure(PLANAR_2R, *arguments, gap=parallel_gap(axes))
+    if len(axes) > 6:
+        raise ArmError(
+            f"{arm.name} has {len(axes)} joints, more than the six that a pose can fix, so"
+            " its solutions form families; lock joints until six are left, as in arm.lock(3), or use"
+            " helpers.inverse.solve, which finds one solution near a start"
+        )
     raise ArmError(
         f"{arm.name} has no structure with a closed form: its {len(axes)} joint axes neither meet"
         " nor are parallel in the right places; expected a spherical wrist or three parallel axes"
