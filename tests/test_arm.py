@@ -192,3 +192,9 @@ def test_numbers_without_headers_warn_of_guessed_order():
         Arm.from_table([[0.4, 5, 0, 0], [0.4, 0, 0, 0]])
     Arm.from_table([["q1", 5, 0, 0]])
     Arm.from_table([[0.4, 5, 0, 0]], columns="theta d a alpha")
+
+
+def test_lengths_in_millimetres_have_no_round_off():
+    typed = "a (mm) alpha (deg) d (mm) theta\n72 90 875 q1\n5.4 0 0 q2"
+    arm = Arm.from_table(typed)
+    assert [(row.a, row.d) for row in arm.rows] == [(0.072, 0.875), (0.0054, 0)]

@@ -264,9 +264,10 @@ const isQuarter = (x) =>
 
 function inUnits(table, kinds, length, angle) {
   const moving = kindsOf(table, kinds);
+  const perMetre = Math.round(1 / length); // 72 / 1000 is 0.072, 72 * 0.001 is not
   return table.rows.map(({ numbers: n, radians, metres }, k) => {
     const [alpha, theta] = ANGLES.map((c) => n[c] * (radians.has(c) ? 1 : angle));
-    const [a, d] = ["a", "d"].map((c) => n[c] * (metres.has(c) ? 1 : length));
+    const [a, d] = ["a", "d"].map((c) => n[c] / (metres.has(c) ? 1 : perMetre));
     return { kind: moving[k], a, alpha, d, theta };
   });
 }

@@ -10,7 +10,7 @@ const meaning = (words, entry) => words.split(" ").map((word) => [word, entry]);
 
 /** @type {Map<string, string>} */
 const WORDS = new Map([
-  ...meaning("theta th q jointangle angle", "theta"),
+  ...meaning("theta th q jointangle angle thetaoffset jointoffset theta0 q0", "theta"),
   ...meaning("d offset linkoffset", "d"),
   ...meaning("a r linklength length aprev", "a"),
   ...meaning("alpha twist linktwist al alphaprev", "alpha"),
@@ -22,12 +22,15 @@ const LONGEST = 80; // characters of a head
 // Find the entry that a column header names, or "i" for the rows' numbers.
 export function headOf(cell) {
   if (cell.length > LONGEST) return undefined;
-  const words = plain(withoutSubscripts(cell).replace(/-\s*1/g, "")).replaceAll("*", "");
-  const word = words
-    .replace(/\([^)]*\)|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:mm|deg)$/g, "")
-    .replace(/[\s_{}$\\^'"().]/g, "")
+  const words = plain(withoutSubscripts(cell).replace(/-\s*1/g, ""))
+    .replaceAll("*", "")
     .toLowerCase();
-  const last = words.split(/\s+/).at(-1).toLowerCase(); // "Link length a"
+  const withoutUnit = words.replace(/\([^)]*\)?|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:mm|deg)$/g, "");
+  const word = withoutUnit.replace(/[\s_{}$\\^'"().]/g, "");
+  const last = withoutUnit
+    .replace(/[\s_]+$/, "")
+    .split(/\s+/)
+    .at(-1); // "Link length a [mm]"
   return WORDS.get(word) ?? WORDS.get(word.replace(/[ijkn]$/, "")) ?? WORDS.get(last);
 }
 
