@@ -101,8 +101,8 @@ def find_structure(arm: Arm) -> Structure:
     if len(axes) > 6:
         raise ArmError(
             f"{arm.name} has {len(axes)} joints, more than the six that a pose can fix, so"
-            " its solutions form families; lock joints until six are left, as in arm.lock(3), or use"
-            " helpers.inverse.solve, which finds one solution near a start"
+            " its solutions form families; lock joints until six are left, as in arm.lock(3), or"
+            " use helpers.inverse.solve, which finds one solution near a start"
         )
     raise ArmError(
         f"{arm.name} has no structure with a closed form: its {len(axes)} joint axes neither meet"
