@@ -265,7 +265,7 @@ def test_solutions_refuses_an_arm_without_structure():
     with pytest.raises(
         ArmError, match=r"no structure with a closed form.*use helpers\.inverse\.solve"
     ):
-        solutions(PANDA, np.eye(4))
+        solutions(PANDA.lock(3), np.eye(4))
 
 
 def test_ur_keeps_joint_1_where_its_axis_meets_the_wrist():
