@@ -10,7 +10,7 @@ import { tablesIn } from "./table_blocks.js";
 import { fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
 import { few, named } from "./table_notations.js";
-import { ENTRIES, entryText, isVariable, rowOf, UNITS } from "./table_rows.js";
+import { ENTRIES, entryText, isVariable, rowOf, toMetres, UNITS } from "./table_rows.js";
 import {
   ArmError,
   joinList,
@@ -113,7 +113,7 @@ function refuseSize(text) {
 function defined(text) {
   const found = [...text.matchAll(DEFINED)].map(([, name, x, unit]) => [
     plain(name),
-    number(x) * UNITS[unit ?? "m"],
+    toMetres(number(x), UNITS[unit ?? "m"]),
   ]);
   return found.filter(([name, x]) => Number.isFinite(x) && !headOf(name) && !isVariable(name));
 }
@@ -264,10 +264,9 @@ const isQuarter = (x) =>
 
 function inUnits(table, kinds, length, angle) {
   const moving = kindsOf(table, kinds);
-  const perMetre = Math.round(1 / length); // 72 / 1000 is 0.072, 72 * 0.001 is not
   return table.rows.map(({ numbers: n, radians, metres }, k) => {
     const [alpha, theta] = ANGLES.map((c) => n[c] * (radians.has(c) ? 1 : angle));
-    const [a, d] = ["a", "d"].map((c) => n[c] / (metres.has(c) ? 1 : perMetre));
+    const [a, d] = ["a", "d"].map((c) => toMetres(n[c], metres.has(c) ? 1 : length));
     return { kind: moving[k], a, alpha, d, theta };
   });
 }

@@ -10,6 +10,9 @@ export const ENTRIES = ["a", "alpha", "d", "theta"];
 
 export const UNITS = { m: 1, cm: 1e-2, mm: 1e-3 };
 
+// Convert a length to metres without round-off: 72 / 1000 is 0.072, 72 * 0.001 is not.
+export const toMetres = (length, unit) => length / Math.round(1 / unit);
+
 // Names of joints' variables, and what stands for one where nobody named it.
 const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 
