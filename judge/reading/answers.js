@@ -64,7 +64,7 @@ function findIn(pasted, text, question) {
   const { block, want } = found;
   const tokens = tokensOf(text, block);
   refuseUnread(text, tokens, what);
-  if (block.sources.every(isOld)) throw refuseOld(text, block, question);
+  if (block.sources.every(isOld)) throw oldAnswerError(text, block, question);
   if (isUnlikely(block) && holdsOtherList(tokens)) throw refusal(text, question, own);
   const left = setAside(text, block, pasted);
   return { ...inListedOrder(block, want, text), left, tokens };
@@ -111,7 +111,8 @@ function isOtherQuantity({ sources }) {
 const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
 const isOld = ({ words, name }) => OLD.test([...textsOf(words), name].join(" "));
 
-function refuseOld(text, { from }, { what }) {
+// An error that quotes the one list that can be read, which the words before it call an old one.
+function oldAnswerError(text, { from }, { what }) {
   const line = quoteText(linesOf(text)[from] ?? "");
   return new ArmError(formatMessage("old answer", { what, line }));
 }

@@ -6,7 +6,6 @@ import { chainFrames, flatJacobian, makeChain } from "../geometry/chains.js";
 import { dot, linkFrames, minus, norm } from "../geometry/kinematics.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
-
 /** @typedef {import("../geometry/path.js").Path} Path */
 
 const FEWEST_TRIMMED = 2; // entries of a row: a lone round one may be rounded by hand
@@ -39,16 +38,19 @@ export function unitsWithoutTrimming({ q, units }, arm, path) {
 
 // Return how the tip moves (m) when joint i does, by 1 rad or 1 m.
 function positionColumn(row, i, arm) {
+  return positionRows(row, arm).map((entries) => entries[i]);
+}
+
+// Return the three position rows of the Jacobian at a row of joint values.
+function positionRows(row, arm) {
   const at = makeChain(arm, row);
   const J = flatJacobian(at, chainFrames(at));
-  return [0, 1, 2].map((k) => J[k * row.length + i]);
+  return [0, 1, 2].map((k) => J.slice(k * row.length, (k + 1) * row.length));
 }
 
 // Bound the error (m) of the tip's position from the typed digits of a row of joints.
 export function blurOf(row, units, arm) {
-  const at = makeChain(arm, row);
-  const J = flatJacobian(at, chainFrames(at));
-  const over = (i) =>
-    units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
-  return norm([0, 1, 2].map(over));
+  const bound = (entries) =>
+    units.reduce((sum, unit, k) => sum + Math.abs(entries[k]) * 0.51 * unit, 0);
+  return norm(positionRows(row, arm).map(bound));
 }
