@@ -586,7 +586,7 @@ def test_every_tab_fits_and_passes_axe(visit, theme, size):
 
 
 def test_wide_layout_shows_all_columns(visit):
-    """As JupyterLab opens it: the picture on the left, all else in a column of 530 px or more."""
+    """In a wide panel the picture is on the left and every tab fits its column of 530 px."""
     here = visit("#arm=UR10e")
     here.page.locator(INSTRUMENT).evaluate(
         "e => e.style.cssText = 'width: 1100px; max-width: none'"

@@ -38,7 +38,7 @@ MINE = Arm(
 POSES = ("forward kinematics",)
 
 
-# What students get
+# Handed-out sheets
 
 
 @pytest.fixture(scope="module")
