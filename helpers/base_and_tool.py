@@ -11,13 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, check_entry, evaluate
 from helpers.inputs import ArmError, finite_array, shorten
+from helpers.poses import rigid_poses
 from helpers.rows import cos_sin, quarter_turns
 
 Array = NDArray[np.float64]
 
 _EXPECTED = "a 4x4 pose, or (x, y, z, roll, pitch, yaw) in m and rad"
-# Largest error of the rotation in a 4x4 pose: its numbers must have six digits.
-_RIGID = 1e-6
 # Lengths (m) and sines up to this count as 0: 1000 times the round-off of a pose.
 _ROUND_OFF = 1e-12
 
@@ -83,15 +82,7 @@ def _read_pose(pose: ArrayLike, name: str) -> Array:
     if entries.shape == (6,):
         numbers = [evaluate(check_entry(entry, name), {}) for entry in entries]
         return _transform(finite_array(numbers, name, _EXPECTED, (6,)))
-    T = finite_array(pose, name, _EXPECTED, (4, 4))
-    R = T[:3, :3]
-    error = max(np.abs(R @ R.T - np.eye(3)).max(), np.abs(T[3] - [0, 0, 0, 1]).max())
-    if error > _RIGID or np.linalg.det(R) < 0:
-        raise ArmError(
-            f"{name} is no rigid pose, by {max(error, 0):.2g}; expected a rotation with six digits"
-            " or more and a position over (0, 0, 0, 1), or (x, y, z, roll, pitch, yaw)"
-        )
-    return T
+    return rigid_poses(pose, name, _EXPECTED)
 
 
 def _transform(numbers: Array) -> Array:

@@ -6,6 +6,8 @@ argument, and `expected` completes the message's "expected ...".
 """
 
 import math
+import sys
+import warnings
 from collections.abc import Iterable, Mapping
 from itertools import permutations
 from typing import Any
@@ -147,6 +149,14 @@ def broadcast_shape(name: str, *shapes: tuple[int, ...]) -> tuple[int, ...]:
     except ValueError:
         actual = " and ".join(map(str, shapes))
         raise ArmError(f"{name} have shapes {actual}; expected the same or one of one") from None
+
+
+def warn_caller(message: str) -> None:
+    """Warn at the line outside this package from which it was called."""
+    depth, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "helpers":
+        depth, frame = depth + 1, frame.f_back
+    warnings.warn(message, stacklevel=depth)
 
 
 def shorten(value: object) -> str:

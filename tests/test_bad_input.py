@@ -208,6 +208,10 @@ CALLED = {
     "arm.Body com": "centre of mass",
     **dict.fromkeys(("arm.Arm.number value", "expressions.entry_latex text"), "the entry"),
     "expressions.evaluate text": "the entry",
+    **{
+        f"inverse.{name} targets": "a target"
+        for name in ("elbow", "rod", "solutions", "solve", "spherical_wrist", "stanford", "ur")
+    },
     "robots.find_arm name": "no arm is called",
     "checks.compare_tables mine": "the table",
     "checks.compare_jacobian mine": "your Jacobian",
@@ -309,7 +313,8 @@ MADE = {
 }  # fmt: skip
 # Modules without checks of their own: the checks themselves, and internals of other modules.
 INTERNAL = {
-    "base_and_tool", "deprecated", "formulas", "inputs", "rows", "polynomials", "program", "sheets",
+    "base_and_tool", "deprecated", "formulas", "inputs", "poses", "rows", "polynomials", "program",
+    "sheets",
 }  # fmt: skip
 
 

@@ -28,6 +28,7 @@ from helpers.inputs import (
     require_type,
     tuple_of_items,
 )
+from helpers.poses import rigid_poses
 from helpers.rows import cos_sin, quarter_turns
 
 _POSE = "a rigid motion, 4x4, in m"
@@ -136,22 +137,12 @@ def _check_axes(axes: Sequence[Axis]) -> tuple[Axis, ...]:
     return items
 
 
-def _check_pose(pose: ArrayLike, name: str, expected: str) -> Array:
-    """Return a pose as an array; raise ArmError unless it is a rigid motion."""
-    T = finite_array(pose, name, expected, (4, 4))
-    R = T[:3, :3]
-    error = max(np.abs(R @ R.T - np.eye(3)).max(), np.abs(T[3] - (0, 0, 0, 1)).max())
-    if error > 1e-6 or np.linalg.det(R) < 0:
-        raise ArmError(f"{name} is no rigid transform, by {error:.2g}; expected {expected}")
-    return T
-
-
 def _tip_pose(tip: ArrayLike, last: Axis) -> Array:
     """Return the tip's pose; where only its point is given, z runs along the last axis."""
     expected = f"{_POSE}, or {POINT}"
     tip_array = float_array(tip, "tip", expected)
     if tip_array.ndim != 1:
-        return _check_pose(tip_array, "tip", expected)
+        return rigid_poses(tip_array, "tip", expected)
     pose = np.eye(4)
     pose[:3, 2], pose[:3, 3] = last.direction, finite_array(tip_array, "tip", expected, (3,))
     return pose

@@ -16,7 +16,6 @@ from helpers.inverse.solutions import (
     check_poses,
     check_positions,
     each_branch,
-    require_rigid,
 )
 from helpers.inverse.structure import (
     EXACT,
@@ -46,7 +45,7 @@ FINISHED_FROM, NEARLY_FINISHED_FROM = 1e-6, 1e-2
 TRIED = 0.55 * np.arange(1, 12)
 
 
-def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
+def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None) -> Solutions:
     """Return every joint vector that takes the tip to each target.
 
     Serves six joints with three axes that meet in a point (a spherical wrist, as KUKA, ABB, Fanuc
@@ -59,7 +58,8 @@ def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> S
     Args:
         arm: the arm; its tool, base and fixed rows may be any.
         targets: poses (..., 4, 4) in m; positions (..., 3) for an arm of two or three joints that
-            is not a planar three-link arm.
+            is not a planar three-link arm; or the text of one. Of a pose printed with 3 decimals
+            or more the nearest rotation is taken, with a warning.
         start: values that free joints keep, (..., dof), zeros unless given.
 
     Returns:
@@ -83,7 +83,6 @@ def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> S
     def kernel(arm: Arm, columns: Array, start: Array) -> BranchArrays:
         if is_position:
             return _solve(arm, structure, columns, start)
-        require_rigid(arm, columns)
         return _solve(arm, structure, columns.reshape(4, 4, -1), start)
 
     found = each_branch(arm, columns, start, choices, kernel)

@@ -18,8 +18,9 @@ from helpers.inputs import (
     whole_number,
 )
 from helpers.inverse.axes import cross, dot
-from helpers.inverse.solutions import check_poses, check_positions, require_rigid
+from helpers.inverse.solutions import check_poses, check_positions
 from helpers.kinematics import jacobian_entries, tip_entries
+from helpers.poses import numbers_of_text
 from helpers.program import RowMotion, Value, get_program, run_batch
 
 Array = NDArray[np.float64]
@@ -70,7 +71,7 @@ class NumericSolution:
 
 def solve(
     arm: Arm,
-    targets: ArrayLike,
+    targets: ArrayLike | str,
     start: ArrayLike | None = None,
     *,
     limits: bool = True,
@@ -79,7 +80,8 @@ def solve(
     restarts: int = 0,
 ) -> NumericSolution:
     """A joint vector near `start` that takes the tip to each of `targets`: poses (..., 4, 4), or
-    positions (..., 3) in m.
+    positions (..., 3) in m, or the text of one. A pose printed with few decimals is taken as by
+    `solutions`.
 
     The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda in proportion to the error e, which
     grows while steps fail: far from the target it is cautious, close to it Newton's. Metres and
@@ -269,13 +271,11 @@ def _largest_error(error: Array) -> Array:
     return np.sqrt(np.maximum(_squared_norms(error[:, :3]), _squared_norms(error[:, 3:])))
 
 
-def _read_targets(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
-    targets = float_array(
-        targets, f"{arm.name}: targets", "poses (..., 4, 4) or positions (..., 3) in m"
-    )
+def _read_targets(arm: Arm, targets: ArrayLike | str) -> tuple[Array, tuple[int, ...]]:
+    name, expected = f"{arm.name}: a target", "poses (..., 4, 4) or positions (..., 3) in m"
+    targets = float_array(numbers_of_text(targets, name, expected), name, expected)
     if targets.shape[-2:] == (4, 4):
         flat = check_poses(arm, targets)
-        require_rigid(arm, flat.reshape(-1, 16).T)
         return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]
     points = check_positions(arm, targets)
     return points[..., None, :], points.shape[:-1]

@@ -17,8 +17,9 @@ from helpers.inputs import (
     float_array,
     require_callable,
     require_type,
+    warn_caller,
 )
-from helpers.inverse.axes import cross
+from helpers.poses import numbers_of_text, rigid_poses
 
 Array = NDArray[np.float64]
 
@@ -150,9 +151,12 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
     """
     require_callable(solver, "solver", "a closed form with its arm put in, as partial(ur, UR10E)")
     path, q = [], float_array(start, "start", "joint values (dof,)")
-    wanted = float_array(targets, "targets", "positions (n, 3) or poses (n, 4, 4)")
+    expected = "positions (n, 3) or poses (n, 4, 4)"
+    wanted = float_array(targets, "targets", expected)
     if wanted.ndim not in (2, 3):
         raise ArmError(f"targets have shape {wanted.shape}; expected (n, 3) or (n, 4, 4)")
+    shape: tuple[int | None, ...] = (None, 4, 4) if wanted.ndim == 3 else (None, 3)
+    wanted = finite_array(wanted, "targets", expected, shape)
     for step, target in enumerate(wanted):
         found = solver(target.copy(), start=q.copy())
         require_type(found, Solutions, "what solver gives")
@@ -258,36 +262,41 @@ def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
     return columns.reshape(math.prod(axes), -1).T.reshape((*shape, *axes))
 
 
-def check_positions(arm: Arm, targets: ArrayLike) -> Array:
+def check_positions(arm: Arm, targets: ArrayLike | str) -> Array:
     """Return targets as positions (..., 3); raise ArmError for anything else."""
-    return finite_array(
-        targets, f"{arm.name}: targets", "(..., 3), finite positions in m", (3,), many=True
-    )
+    name, expected = f"{arm.name}: a target", "(..., 3), finite positions in m"
+    numbers = numbers_of_text(targets, name, expected)
+    points = finite_array(numbers, name, expected, (3,), many=True)
+    _warn_of_millimetres(arm, points)
+    return points
 
 
-def check_poses(arm: Arm, targets: ArrayLike) -> Array:
-    """Return target poses flattened to (..., 16); raise ArmError for another shape, NaN or
-    infinity."""
-    wanted = "(..., 4, 4), poses of finite numbers"
-    transforms = finite_array(targets, f"{arm.name}: targets", wanted, (4, 4), many=True)
-    return transforms.reshape(*transforms.shape[:-2], 16)
+def check_poses(arm: Arm, targets: ArrayLike | str) -> Array:
+    """Return target poses flattened to (..., 16); raise ArmError for anything else.
+
+    `helpers.poses.rigid_poses` mends a rotation that was printed with few decimals.
+    """
+    expected = "(..., 4, 4), poses of finite numbers"
+    poses = rigid_poses(targets, f"{arm.name}: a target", expected, many=True)
+    _warn_of_millimetres(arm, poses[..., :3, 3])
+    return poses.reshape(*poses.shape[:-2], 16)
 
 
-def require_rigid(arm: Arm, columns: Array) -> None:
-    """Raise ArmError if a transform in columns (16, batch) is not rigid."""
-    x, y, z = (columns[i:12:4] for i in range(3))
-    square = columns[:12] * columns[:12]
-    norms = square[0:3] + square[4:7] + square[8:11]
-    gaps = (cross(x, y) - z, norms - 1.0, columns[12:] - _BOTTOM)
-    error = max(float(np.abs(gap).max(initial=0.0)) for gap in gaps)
-    if error > 1e-6:
-        raise ArmError(
-            f"{arm.name}: a target is no rigid transform, by {error:.2g}; expected a rotation and"
-            " a position over (0, 0, 0, 1)"
+def _warn_of_millimetres(arm: Arm, points: Array) -> None:
+    """Warn if a target is farther from the base than ten times what the arm can reach."""
+    far = float(np.linalg.norm(points, axis=-1).max(initial=0.0))
+    if far > 10 * _longest_reach(arm):
+        warn_caller(
+            f"{arm.name}: a target is {far:.4g} m from the base, more than ten times as far as the"
+            " arm reaches; write metres"
         )
 
 
-_BOTTOM = np.array([[0.0], [0.0], [0.0], [1.0]])
+def _longest_reach(arm: Arm) -> float:
+    """Return the length of the arm stretched, in m; a slide without limits counts as 1 m."""
+    lengths = sum(math.hypot(row.a, row.d) for row in arm.numeric)
+    ends = np.abs(arm.limits).max(axis=0)[~arm.turning]
+    return lengths + float(np.where(np.isfinite(ends), ends, 1.0).sum())
 
 
 def subtract_offset(angle: Array, offset: float) -> Array:

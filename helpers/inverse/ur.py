@@ -50,7 +50,6 @@ from helpers.inverse.solutions import (
     Solutions,
     check_poses,
     each_branch,
-    require_rigid,
     subtract_offset,
     wrap_angle,
 )
@@ -87,7 +86,6 @@ def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solution
 
 def _solve_columns(arm: Arm, columns: Array, start: Array) -> BranchArrays:
     """Solve poses in columns (16, batch) for all branches."""
-    require_rigid(arm, columns)
     rows, shape, tool = arm.numeric, _read_shape(arm), remove_last_twist(arm, columns)
     plane = turn_plane_to_target(
         rows[0], shape.offset, wrist_centre(arm, tool), start[0] + rows[0].theta

@@ -30,7 +30,6 @@ from helpers.inverse.solutions import (
     Solutions,
     check_poses,
     each_branch,
-    require_rigid,
     wrap_angle,
 )
 from helpers.kinematics import tip_entries
@@ -81,7 +80,6 @@ def _solve_decoupled(
     by.must_fit(shoulder)
 
     def kernel(arm: Arm, columns: Array, start: Array) -> BranchArrays:
-        require_rigid(arm, columns)
         tool = remove_last_twist(arm, columns)
         placed = by.place(shoulder, wrist_centre(arm, tool), start[:3])
         first = np.stack(np.broadcast_arrays(*placed.q))

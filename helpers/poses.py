@@ -1,0 +1,108 @@
+"""Convert poses, typed or computed, to rigid transforms."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.inputs import ArmError, finite_array, warn_caller
+
+Array = NDArray[np.float64]
+
+# Largest error of a rotation, or of the last row, that needs no mending: 6 or more decimals.
+_RIGID = 1e-6
+# Numbers of decimals that a printed rotation may have; fewer leave its direction open by a degree.
+_DECIMALS = range(3, 8)
+_NEARLY = 0.1  # up to this error the message says how to get the nearest rotation
+_CHUNK = 4096  # poses checked at a time, so that the numbers stay in the cache
+
+
+def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = False) -> Array:
+    """Convert poses to rigid transforms; a rotation printed with few decimals is mended.
+
+    If rounding to 3 or more decimals explains why a rotation is none, the nearest rotation takes
+    its place, with a warning.
+
+    Args:
+        value: A pose, shape (4, 4), or its text; with `many` also poses (..., 4, 4).
+        name: What messages call the poses.
+        expected: What messages say was expected.
+        many: Whether a batch is allowed.
+
+    Raises:
+        ArmError: `value` is no pose of finite numbers, or its rotation is none.
+    """
+    poses = finite_array(numbers_of_text(value, name, expected), name, expected, (4, 4), many)
+    flat = poses.reshape(-1, 16)
+    errors = np.concatenate(
+        [_rigid_errors(flat[i : i + _CHUNK]) for i in range(0, max(len(flat), 1), _CHUNK)]
+    )
+    bent = np.flatnonzero(errors > _RIGID)
+    if not bent.size:
+        return poses
+    decimals = [_count_decimals(flat[i].reshape(4, 4)[:3, :3]) for i in bent]
+    rotations = _nearest_rotations(flat[bent].reshape(-1, 4, 4)[:, :3, :3])
+    mended = flat.reshape(-1, 4, 4).copy()
+    mended[bent, :3, :3] = rotations
+    moved = np.linalg.norm((flat.reshape(-1, 4, 4) - mended)[bent, :3, :3], axis=(1, 2))
+    # Nine entries of a true rotation were rounded by half a unit each at most, and the nearest
+    # rotation is at least as near as the true one.
+    explained = moved <= [1.5 * 10.0**-n + 1e-9 if n else 0.0 for n in decimals]
+    explained &= np.abs(flat[bent, 12:] - (0, 0, 0, 1)).max(axis=1) <= _RIGID
+    if not explained.all():
+        error = errors[bent][~explained].max()
+        advice = "; U, _, V = np.linalg.svd(T[:3, :3]) gives the nearest rotation, U @ V"
+        raise ArmError(
+            f"{name} is no rigid transform, by {error:.2g}; expected {expected}: a rotation, its"
+            " numbers rounded to three decimals or more, over (0, 0, 0, 1)"
+            + (advice if error < _NEARLY else "")
+        )
+    warn_caller(
+        f"{name} has only {min(filter(None, decimals))} decimals, so that its axes miss length 1 or"
+        f" a right angle by {errors[bent].max():.2g}; the nearest rotation is taken"
+    )
+    return mended.reshape(poses.shape)
+
+
+def numbers_of_text(value: Any, name: str, expected: str) -> Any:
+    """Return the numbers of a text, read as the comparisons read it; anything else unchanged."""
+    if not isinstance(value, str):
+        return value
+    # Imported here because the reader starts the judge.
+    from helpers.checks.compare import read_numbers
+
+    return read_numbers(value, name, expected).values
+
+
+def _nearest_rotations(matrices: Array) -> Array:
+    """Return the rotation nearest to each matrix, shape (..., 3, 3), by singular values."""
+    left, _, right = np.linalg.svd(matrices)
+    mirrored = np.linalg.det(left @ right) < 0
+    left[..., 2] *= np.where(mirrored, -1.0, 1.0)[..., None]
+    return left @ right
+
+
+def _rigid_errors(flat: Array) -> Array:
+    """Return by how much poses (batch, 16) fail to be rigid: the largest error of each."""
+    columns = np.ascontiguousarray(flat.T)
+    x, y, z = (columns[i:12:4] for i in range(3))
+    square = columns[:12] * columns[:12]
+    norms = square[0:3] + square[4:7] + square[8:11]
+    normal = np.stack(
+        [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+    )
+    gaps = (
+        normal - z,
+        norms - 1.0,
+        (x * y).sum(axis=0)[None],
+        columns[12:] - [[0.0], [0.0], [0.0], [1.0]],
+    )
+    return np.max([np.abs(gap).max(axis=0) for gap in gaps], axis=0)
+
+
+def _count_decimals(numbers: Array) -> int:
+    """Return how many decimals numbers have, or 0 where they are not rounded to 3 to 7."""
+    for count in _DECIMALS:
+        if np.abs(numbers - numbers.round(count)).max() < 1e-12:
+            return count
+    return 0
