@@ -2,8 +2,9 @@
 
 `python -m tests.faults` clones the committed state, plants a fault of tests/faults.json there and
 runs the tests of its file, which stand in the same list. `--only WORD` chooses the faults that have
-this word in their file or their reason, `--part 2/5` the second fifth of the list. With `--all`,
-where those tests pass, it also runs all tests that need no built book. `--list FILE` takes other
+this word in their file or their reason, `--part 2/5` the second fifth of the list. The tests of a
+fault are stopped after `--seconds`, and the fault then counts as not caught. With `--all`, where
+those tests pass, it also runs all tests that need no built book. `--list FILE` takes other
 faults: a JSON list of {"file", "old", "new", "why"}. The command needs Node.js and takes half an
 hour of processor time. It does not show that the code is right.
 """
@@ -29,6 +30,7 @@ def main() -> None:
     parser.add_argument(
         "--all", action="store_true", help="run all tests where those of the file pass"
     )
+    parser.add_argument("--seconds", type=float, default=600, help="time limit of a fault's tests")
     options = parser.parse_args()
     data = json.loads(LIST.read_text(encoding="utf-8"))
     faults = json.loads(options.list.read_text(encoding="utf-8"))
@@ -37,7 +39,8 @@ def main() -> None:
     chosen = [fault for fault in faults if options.only in f"{fault['file']} {fault['why']}"]
     missed = 0
     for fault in chosen[part - 1 :: count]:
-        failed = find_failing_test(fault, tests_of(fault["file"], data["tests"]), options.all)
+        tests = tests_of(fault["file"], data["tests"])
+        failed = find_failing_test(fault, tests, options.all, options.seconds)
         missed += not failed
         print(f"{fault['file']}: {fault['why']}: {failed or 'NOT CAUGHT'}", flush=True)
     sys.exit(bool(missed))
@@ -48,7 +51,7 @@ def tests_of(file: str, tests: dict[str, list[str]]) -> list[str]:
     return tests[max((start for start in tests if file.startswith(start)), key=len)]
 
 
-def find_failing_test(fault: dict, nearby_tests: list[str], try_all: bool) -> str:
+def find_failing_test(fault: dict, nearby_tests: list[str], try_all: bool, seconds: float) -> str:
     """Return the first test that fails with a fault planted, or "" if none does."""
     with TemporaryDirectory() as folder:
         copy = Path(folder, "copy")
@@ -61,7 +64,8 @@ def find_failing_test(fault: dict, nearby_tests: list[str], try_all: bool) -> st
         nearby = [copy / "tests" / name for name in nearby_tests]
         nearby = [path if path.is_dir() else path.with_suffix(".py") for path in nearby]
         everything = [copy / "tests", *(f"--ignore=tests/{name}" for name in BUILT)]
-        return first_failure(copy, nearby) or (first_failure(copy, everything) if try_all else "")
+        failed = first_failure(copy, nearby, seconds)
+        return failed or (first_failure(copy, everything, seconds) if try_all else "")
 
 
 def plant_fault(copy: Path, fault: dict) -> None:
@@ -73,10 +77,16 @@ def plant_fault(copy: Path, fault: dict) -> None:
     file.write_text(text.replace(fault["old"], fault["new"]), encoding="utf-8")
 
 
-def first_failure(copy: Path, tests: list) -> str:
-    """Return the first test that fails in a copy, or "" if all pass."""
+def first_failure(copy: Path, tests: list, seconds: float) -> str:
+    """Return the first test that fails in a copy, or "" if none does within the time."""
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
-    done = subprocess.run(command, cwd=copy, capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(
+            command, cwd=copy, capture_output=True, text=True, check=False, timeout=seconds
+        )
+    except subprocess.TimeoutExpired:
+        print(f"stopped after {seconds:.0f} s", flush=True)
+        return ""
     if done.returncode not in (0, 1, 2):
         sys.exit(done.stdout + done.stderr)
     failed = [line for line in done.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
