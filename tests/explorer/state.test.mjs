@@ -219,7 +219,3 @@ test("undoing the choice of an arm restores its base", () => {
   store.dispatch({ type: "undo" });
   assert.deepEqual([store.state.arm.name, store.state.base.name], [PANDA.name, PANDA.name]);
 });
-
-test("a joint at half a turn lists each branch once", () => {
-  assert.equal(findBranches(ELBOW, [-Math.PI, 0.4, -0.8], 60).list.length, 4);
-});

@@ -1,0 +1,193 @@
+"""Test the structure of the project: which file imports which, and what each folder is for."""
+
+import ast
+import json
+import re
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+# The Python rooms that each room may import.
+ALLOWED_ROOMS = {
+    "helpers": set(),
+    "answers": {"helpers"},
+    "course": {"helpers", "answers"},
+    "tools": {"helpers", "answers"},
+    "benchmarks": {"helpers", "tools"},
+}
+# The folders that each folder of judge/ may import. judge/ itself holds the entry points and what
+# all folders share, such as sentences.js.
+ALLOWED_FOLDERS = {
+    "judge/geometry": {"judge"},
+    "judge/reading": {"judge", "judge/geometry"},
+    "judge/causes": {"judge", "judge/geometry", "judge/reading"},
+    "judge/topics": {"judge", "judge/geometry", "judge/reading", "judge/causes"},
+    "judge": {"judge/geometry", "judge/reading", "judge/causes", "judge/topics"},
+}
+# An arm asks the judge to read a pasted table or an entry such as "−90°", and the judge's answer
+# holds arms. Both imports are made when a text needs them.
+LATE_UPWARD_IMPORTS = {
+    ("helpers.arm", "helpers.checks.tables"),
+    ("helpers.expressions", "helpers.checks.engine"),
+}
+OLD_NAMES = {"helpers.sheets"}  # renamed modules, which import their new place
+
+
+def find_python_modules() -> dict[str, Path]:
+    """Return the file of each Python module by its dotted name."""
+    paths = [path for room in ALLOWED_ROOMS for path in (ROOT / room).rglob("*.py")]
+    names = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in paths]
+    return {name.removesuffix(".__init__"): path for name, path in zip(names, paths, strict=True)}
+
+
+def find_imports(node: ast.AST, is_late: bool = False) -> Iterator[tuple[str, bool]]:
+    """Yield the names that a syntax tree imports, and whether a function does it when called."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Import):
+            yield from ((alias.name, is_late) for alias in child.names)
+        elif isinstance(child, ast.ImportFrom):
+            yield from ((f"{child.module}.{alias.name}", is_late) for alias in child.names)
+        else:
+            is_function = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef)
+            yield from find_imports(child, is_late or is_function)
+
+
+@cache
+def read_python_imports() -> tuple[dict[str, set[str]], set[tuple[str, str]]]:
+    """Return the modules that each module imports at its start, and all imports in functions."""
+    modules = find_python_modules()
+    at_start, late = {name: set() for name in modules}, set()
+    for name, path in modules.items():
+        for imported, is_late in find_imports(ast.parse(path.read_text("utf-8"))):
+            target = imported if imported in modules else imported.rpartition(".")[0]
+            if target not in modules or target == name:
+                continue
+            if is_late:
+                late.add((name, target))
+            else:
+                at_start[name].add(target)
+    return at_start, late
+
+
+@cache
+def read_javascript_imports() -> dict[str, set[str]]:
+    """Return the files that each file of judge/ and page/ imports, as paths below the root."""
+    imports = {}
+    for path in [file for room in ("judge", "page") for file in (ROOT / room).rglob("*.js")]:
+        code = re.sub(
+            r"/\*.*?\*/|^\s*//[^\n]*", "", path.read_text("utf-8"), flags=re.DOTALL | re.M
+        )
+        statements = re.findall(
+            r'^(?:import|export) [^;"()]*"(\.[^"]+\.js)"|import\("(\.[^"]+\.js)"\)', code, re.M
+        )
+        targets = [(path.parent / "".join(names)).resolve() for names in statements]
+        imports[path.relative_to(ROOT).as_posix()] = {
+            target.relative_to(ROOT).as_posix() for target in targets
+        }
+    return imports
+
+
+def find_circle(imports: dict[str, set[str]]) -> list[str]:
+    """Return files that import each other in a circle, or [] if there are none."""
+    finished: set[str] = set()
+
+    def visit(name: str, path: list[str]) -> list[str]:
+        if name in path:
+            return path[path.index(name) :]
+        if name in finished:
+            return []
+        for target in sorted(imports.get(name, ())):
+            if circle := visit(target, [*path, name]):
+                return circle
+        finished.add(name)
+        return []
+
+    return next((circle for name in imports if (circle := visit(name, []))), [])
+
+
+def is_reachable(imports: dict[str, set[str]], start: str, end: str) -> bool:
+    """Return whether `start` imports `end`, directly or through other files."""
+    seen, waiting = set(), [start]
+    while waiting:
+        name = waiting.pop()
+        if name == end:
+            return True
+        if name not in seen:
+            seen.add(name)
+            waiting.extend(imports.get(name, ()))
+    return False
+
+
+def test_find_circle_finds_a_circle():
+    assert find_circle({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
+    assert find_circle({"a": {"b", "c"}, "b": {"c"}, "c": set()}) == []
+
+
+def test_python_imports_have_no_circle():
+    assert find_circle(read_python_imports()[0]) == []
+
+
+def test_javascript_imports_have_no_circle():
+    imports = read_javascript_imports()
+    assert len(imports) > 100
+    assert set().union(*imports.values()) <= set(imports)
+    assert find_circle(imports) == []
+
+
+def test_python_rooms_import_only_rooms_below():
+    at_start, late = read_python_imports()
+    pairs = {(name, target) for name, targets in at_start.items() for target in targets} | late
+    upward = {
+        (name, target)
+        for name, target in pairs
+        if (room := name.partition(".")[0]) != (other := target.partition(".")[0])
+        and other not in ALLOWED_ROOMS[room]
+        and name not in OLD_NAMES
+    }
+    assert upward == set()
+
+
+def test_only_known_late_imports_would_close_a_circle():
+    at_start, late = read_python_imports()
+    upward = {(name, target) for name, target in late if is_reachable(at_start, target, name)}
+    assert upward == LATE_UPWARD_IMPORTS
+
+
+def test_judge_folders_import_only_folders_below():
+    for name, targets in read_javascript_imports().items():
+        if name.startswith("judge/"):
+            folder = Path(name).parent.as_posix()
+            others = {Path(target).parent.as_posix() for target in targets} - {folder}
+            assert others <= ALLOWED_FOLDERS[folder], name
+
+
+# The file whose first lines say what a folder is for.
+INTRODUCTIONS = [
+    "helpers/README.md", "answers/__init__.py", "course/__init__.py", "judge/README.md",
+    "judge/reading/README.md", "page/README.md", "tools/README.md", "tests/README.md",
+    "benchmarks/README.md", "book/_toc.yml",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("introduction", INTRODUCTIONS)
+def test_paths_in_the_introduction_of_a_folder_exist(introduction):
+    path = ROOT / introduction
+    text = path.read_text("utf-8")
+    assert len(text.split()) > 20
+    if path.suffix == ".md":
+        named = re.findall(r"(?<!make )`([\w/.-]+(?:/|\.(?:py|js|json)))`", text)
+        missing = [x for x in named if not (path.parent / x).exists() and not (ROOT / x).exists()]
+        assert missing == []
+
+
+def test_text_of_each_planted_fault_occurs_once():
+    """A fault of `python -m tests.faults` whose text has gone would plant nothing."""
+    faults = json.loads((ROOT / "tests/faults.json").read_text("utf-8"))["faults"]
+    counts = {
+        fault["old"]: (ROOT / fault["file"]).read_text("utf-8").count(fault["old"])
+        for fault in faults
+    }
+    assert {text: count for text, count in counts.items() if count != 1} == {}
