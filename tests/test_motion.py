@@ -131,6 +131,17 @@ def test_plain_inverse_raises_exactly_when_singular(cutoff):
                 plain_inverse(cutoff).inverses(np.array([np.eye(6), one]))
 
 
+def test_regularity_check_refuses_singular_neighbour():
+    """The check sees only the known inverse; it may refuse more than the singular, never less."""
+    known = np.array([np.eye(6)])
+    nearby = np.array([np.diag([1.0, 1, 1, 1, 1, 0.9])])
+    plain_inverse(0.05).require_regular_near(nearby, known, known)
+    for smallest, cutoff in ((0.0, 1e-9), (0.9, 0.3)):
+        nearby[0, 5, 5] = smallest
+        with pytest.raises(SingularError):
+            plain_inverse(cutoff).require_regular_near(nearby, known, known)
+
+
 def test_levenberg_damping_grows_with_error():
     J, error = np.diag([1.0, 2, 3, 1, 1, 0.3]), np.array([0, 0, 0, 0, 0, 0.5])
     np.testing.assert_allclose(levenberg(0.2)(J, error, None)[5], 0.3 * 0.5 / (0.3**2 + 0.1))
@@ -227,6 +238,11 @@ def test_vectorized_trace_matches_stepwise_trace(name, method, monkeypatch):
     fast = trace(arm, start, path, method=method)
     np.testing.assert_allclose(fast.q, slow.q, atol=3e-12)
     np.testing.assert_allclose(fast.q_dot, slow.q_dot, atol=1e-9)
+
+
+def test_homework_circle_is_traced_without_the_loop(monkeypatch):
+    monkeypatch.delattr(tracing, "_steps_in_turn")
+    trace(HOMEWORK, HOMEWORK.home, panda_circle(1000))
 
 
 def test_vectorized_trace_fails_like_stepwise_trace():

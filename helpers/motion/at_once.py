@@ -6,7 +6,8 @@ residual. With the plain inverse, a residual displaces the tip by the same amoun
 the path. So the residuals are summed up as displacements of the tip, and each joint vector is moved
 back by its sum. A handful of such sweeps leaves only round-off. They are Newton's method for all
 steps together, which is multiple shooting for an initial value; source: Bellen and Zennaro (1989),
-Journal of Computational and Applied Mathematics 25, for difference equations in general.
+Journal of Computational and Applied Mathematics 25, for difference equations in general. The later
+sweeps move the joints so little that they keep the inverse Jacobians of an earlier one.
 
 Doubtful cases, such as a nearly singular pose, are left to the loop in `tracing`, which has the
 messages for them.
@@ -25,6 +26,7 @@ Array = NDArray[np.floating]
 
 _LONG_STEPS = 20
 _SWEEPS = 20
+_SMALL_MOVE = 1e-3  # in rad or m; J changes by about as much, so its inverse can be kept
 _BRANCH_TOLERANCE = 0.25  # how far a step may miss its prediction by the Jacobian, as a fraction
 
 
@@ -36,19 +38,19 @@ def all_steps(
         return None
     solve = _solve_exact if method == "exact" else _solve_rule
     try:
-        return solve(arm, _first_guess(arm, start, samples, rates), samples, method, rates)
+        return solve(arm, _first_guess(arm, start, samples), samples, method, rates)
     except (np.linalg.LinAlgError, ArmError):
         return None
 
 
-def _first_guess(arm: Arm, start: Array, samples: PathSamples, rates: PlainInverse) -> Array:
+def _first_guess(arm: Arm, start: Array, samples: PathSamples) -> Array:
     """Guess q (steps + 1, dof) by a few long Adams-Bashforth steps, with straight lines between."""
     marks = np.linspace(0, len(samples.h), _LONG_STEPS + 1).round().astype(int)
     times, twists = samples.times[marks], samples.twists[0.0][marks[:-1]]
     q, steps, before = np.empty((len(marks), arm.dof)), np.diff(times), None
     q[0] = start
     for k, (step, twist) in enumerate(zip(steps, twists, strict=True)):
-        rate = rates(jacobian(arm, q[k]), twist, q[k])
+        rate = np.linalg.solve(jacobian(arm, q[k]), twist)
         rate_change = 0.0 if before is None else (rate - before) / steps[k - 1]
         q[k + 1] = q[k] + step * (rate + step / 2 * rate_change)
         before = rate
@@ -59,25 +61,31 @@ def _solve_rule(
     arm: Arm, q: Array, samples: PathSamples, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
     """Sweep until every step obeys the rule of "euler" or "rk4" to round-off."""
+    twists = samples.twists[0.0]
 
     def slope(fraction: float, q: Array) -> Array:
         return _multiply_each(rates.inverses(jacobian(arm, q)), samples.twists[fraction])
 
-    round_off, before = 1e-15 * max(1.0, np.abs(q).max()), np.inf
+    round_off, before, moved = 1e-15 * max(1.0, np.abs(q).max()), np.inf, np.inf
+    rate = np.zeros_like(twists)
     for sweep in range(_SWEEPS):
         J = jacobian(arm, q[:-1])
-        inverse = rates.inverses(J)
-        rate = _multiply_each(inverse, samples.twists[0.0])
+        if moved > _SMALL_MOVE:
+            inverted, inverse = J, rates.inverses(J)
+        for _ in range(2):  # with a kept inverse, each pass only reduces the rates' error
+            rate = rate + _multiply_each(inverse, twists - _multiply_each(J, rate))
         residual = RULES[method](slope, samples.h, q[:-1], rate) - q[1:]
         size = np.abs(residual).max()
         if _diverges(sweep, size, before):
             return None
-        q[1:] += _multiply_each(inverse, np.cumsum(_multiply_each(J, residual), axis=0))
+        correction = _multiply_each(inverse, np.cumsum(_multiply_each(J, residual), axis=0))
+        q[1:] += correction
         # The next residual, if this sweep reduces it by the same factor as the last one did.
         expected = size * size / before
         if sweep and min(size, 10 * expected) < round_off:
+            rates.require_regular_near(J, inverted, inverse)
             return q, rate
-        before = size
+        before, moved = size, np.abs(correction).max()
     return None
 
 

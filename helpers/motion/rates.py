@@ -55,18 +55,33 @@ class PlainInverse:
         """
         X = np.linalg.inv(J)
         if not self._is_regular(J, X):
-            raise SingularError(
-                "a Jacobian is so nearly singular that its singular values must be seen"
-            )
+            raise SingularError(_DOUBT)
         return X
+
+    def require_regular_near(self, J: Array, inverted: Array, inverse: Array) -> None:
+        """Check Jacobians by the known inverses of others near them, (steps, 6, 6) each.
+
+        No singular value of J is further from that of `inverted` than the norm of their difference.
+
+        Raises:
+            SingularError: A Jacobian may be singular.
+        """
+        smallest = 1 / np.sqrt(_squared_norm(inverse)) - np.sqrt(_squared_norm(J - inverted))
+        if not (smallest > self._least_ratio * np.sqrt(_squared_norm(J))).all():
+            raise SingularError(_DOUBT)
+
+    @property
+    def _least_ratio(self) -> float:
+        """Ratio of singular values that the norms must prove."""
+        return 2 * max(self.cutoff, _TRUSTED)
 
     def _is_regular(self, J: Array, inverse: Array) -> bool:
         """Return whether the norms prove that no J is singular."""
-        least = 2 * max(self.cutoff, _TRUSTED)
-        return bool((least**2 * _squared_norm(J) * _squared_norm(inverse) < 1.0).all())
+        return bool((self._least_ratio**2 * _squared_norm(J) * _squared_norm(inverse) < 1.0).all())
 
 
 _TRUSTED = 1e-12  # below this ratio of singular values, round-off spoils the inverse's norm
+_DOUBT = "a Jacobian is so nearly singular that its singular values must be seen"
 
 
 def _squared_norm(J: Array) -> Array:
