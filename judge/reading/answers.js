@@ -128,7 +128,7 @@ function fitting(blocks, want, { wants, names = NONE }) {
 
 const count = ({ rows }) => rows.flat().length;
 const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slice(0, 1);
-const bareName = (name) => name.replace(/^[^\p{L}]+/u, "");
+const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, ""); // T of T_(Nm)
 const textsOf = (cells) => cells.map(({ text }) => text);
 
 // The block that is meant: the last of equal ones; of several that differ the one that was chosen.
@@ -237,7 +237,7 @@ function columnOf(block, names) {
   const isAnswer = ({ text }) => names.test(bareName(text));
   const at = extra < 0 || rows[0].length < 2 ? -1 : headers.findLastIndex(isAnswer);
   if (at < Math.max(extra, 0) || at - extra >= rows[0].length || headerLabels(block)) return [];
-  const labels = rows.map((row, i) => [...block.labels[i], row[0]]);
+  const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, at - extra)]);
   return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, headers: [] }];
 }
 
@@ -301,7 +301,7 @@ function isSeries(texts) {
   const values = texts.map(Number);
   if (isCount(texts)) return true;
   const step = (values.at(-1) - values[0]) / (values.length - 1);
-  const unit = Math.max(...texts.map((text) => 10 ** -(text.split(".")[1]?.length ?? 0)));
+  const unit = 10 ** -Math.max(...texts.map((text) => text.split(".")[1]?.length ?? 0));
   return (
     values.length > 3 &&
     step > 0 &&

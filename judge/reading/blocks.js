@@ -1,7 +1,7 @@
 // Every rectangular block of entries in a text, with the words beside it.
 
 import { RAD } from "../geometry/angles.js";
-import { foldBlanks, plainCharacters } from "./characters.js";
+import { foldBlanks, foldDashes, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
@@ -34,7 +34,8 @@ const PARTINGS = [false, true].flatMap((gaps) =>
  * Take decorations off a text and make its characters plain.
  * @param {import("./spans.js").SpannedText} pasted
  */
-export const plainText = (pasted) => plainCharacters(withoutDecorations(foldBlanks(pasted)));
+export const plainText = (pasted) =>
+  plainCharacters(withoutDecorations(foldDashes(foldBlanks(pasted))));
 
 /**
  * Return a function for each way to part the text, which makes its blocks but for those that the
@@ -48,7 +49,8 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
   const known = new Map();
   const isPadded = COMMA_BEFORE_ZERO.test(text.text) ? (cell) => PADDED.test(cell) : () => false;
   const entry = (cell) => {
-    if (!known.has(cell)) known.set(cell, !isPadded(cell) && isEntry(cell));
+    if (!known.has(cell))
+      known.set(cell, !isPadded(cell) && !ENUMERATOR.test(cell) && isEntry(cell));
     return known.get(cell);
   };
   const partings = PARTINGS.filter(({ decimal }) => !decimal || /\d,\d/.test(text.text));
@@ -57,6 +59,7 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
   );
 }
 
+const ENUMERATOR = /^\(\d{1,2}\)$/; // (1) numbers a row
 const COMMA_BEFORE_ZERO = /(?:^|[\d\s|&;-]),0\d/;
 const PADDED = /^[-+]?0\d/; // the decimals of 1,0365 where a comma parts cells
 
@@ -113,7 +116,7 @@ function followingRows(rows, names) {
         (!row.name ||
           !stretch[0].name ||
           isNamed(row.name, names) === isNamed(stretch[0].name, names)) &&
-        !strays(row, before) &&
+        (width > 1 || isAlike(row, before)) &&
         (row.cells.length < 2 || namesOtherQuantity(row) === namesOtherQuantity(before));
       if (follows) stretch.push(row);
       else found.push((stretch = [row]));
@@ -136,15 +139,15 @@ export function namesOtherQuantity({ name, words }) {
   return OTHER_NAMES.test(name) || OTHER_WORDS.test([...last, name].join(" "));
 }
 
-// Return whether one of two rows is numbered and the other is named, or has words before it.
-function strays(row, other) {
-  const [isFirst, isSecond] = [row, other].map(isNumbered);
-  return isFirst !== isSecond && [row, other].some(isNamedApart);
+// Return whether two values of a column are named alike: both or neither assigned to a name, on one
+// line; on two lines both or neither with a label, and in a sentence. In a list the first value may
+// have the list's name.
+function isAlike(row, other) {
+  if (row.line === other.line) return !row.name === !other.name;
+  return (row.listed || isLabelled(row) === isLabelled(other)) && row.tail > 1 === other.tail > 1;
 }
 
-const isNumbered = ({ name }) => /^\d{1,3}$/.test(name);
-const isNamedApart = ({ name, words }) =>
-  name ? !/^\d{1,3}$/.test(name) : words.some(({ text }) => /\p{L}/u.test(text));
+const isLabelled = ({ name, words }) => /^\d{1,3}$/.test(name) || labelIn(words) !== null;
 
 const scaled = ({ cells, scale }) =>
   scale ? cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` })) : cells;

@@ -6,9 +6,11 @@ export const CONTINUED = "\v"; // a blank: MATLAB's line continues in the next o
 
 /** @returns {[string, string][]} */
 export const mapEach = (characters, instead) => [...characters].map((one) => [one, instead]);
+const DASH_CHARACTERS = "−–—‐‑‒﹣－";
+const DASHES = new RegExp(`[${DASH_CHARACTERS}]`, "g");
 /** @type {Map<string, string>} */
 const SAME = new Map([
-  ...mapEach("−–—‐‑‒﹣－", "-"),
+  ...mapEach(DASH_CHARACTERS, "-"),
   ...mapEach("\u00a0\u2002\u2003\u2007\u2009\u200a\u202f\u3000", " "),
   ...mapEach("\u200b\ufeff\u2061\u2062", ""),
   ...mapEach("“”„‟`‘’‚", '"'),
@@ -27,6 +29,11 @@ const BLANKS = /[\u00a0\u2002\u2003\u2007\u200a\u3000]|[\u2009\u202f](?!\d{1,3}(
  * @param {import("./spans.js").SpannedText} text
  */
 export const foldBlanks = (text) => text.replace(BLANKS, " ");
+/**
+ * Replace all dashes by one minus.
+ * @param {import("./spans.js").SpannedText} text
+ */
+export const foldDashes = (text) => text.replace(DASHES, "-");
 export const foldCharacter = (one) => SAME.get(one);
 // LaTeX's, which only set a formula out; a ~ before a number may be a minus.
 export const SPACING =

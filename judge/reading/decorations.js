@@ -47,11 +47,14 @@ const UNCERTAIN =
 const BEHIND_VALUE =
   String.raw`(?<![\p{L}_]\d{1,2}[ ]?)(?<=(?:[.,]\d{0,22}|(?<![\d.])0)` +
   String.raw`(?:e[-+]?\d{1,2})?[ ]?(?:π|pi)?)`;
-const STARRED = String.raw`(?<=\d[.,]\d{1,18}(?:e[-+]?\d{1,2})?)\*`;
+// A star, an exclamation mark or an arrow behind a value, at the end of its cell or before its unit.
+const MARK_BEHIND =
+  String.raw`(?<=[\d\])}°mπ]|pi|rad|deg)(?:[*!]|[ ]*(?:<-+|←))` +
+  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]?(?:k?N|rad|deg|°))`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
-  [/(?<=10)<sup>\s*([-+−]?\d{1,2})\s*<\/sup>/gi, "^$1"],
+  [/(?<=10)<sup>\s*([-+]?\d{1,2})\s*<\/sup>/gi, "^$1"],
   [/<sup>\s*[\w*†‡]\s*<\/sup>/gi, ""],
   [/<\/?(?:b|i|u|em|strong|code|span|mark|font|sup|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
   [/^(?:[ \t]*>(?!>)[ \t]?)+/gm, ""], // a quotation
@@ -74,30 +77,22 @@ const DECORATIONS = [
     (_, power) => `e${[...power].map((one) => "-+0123456789"[SUPERSCRIPTS.indexOf(one)]).join("")}`,
   ],
   [/(?<=\d\.\d{3})[\u2009\u202f](?=\d{1,3}(?!\d))/g, ""], // 0.123 456
-  [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+−]?(?:[\d.π]|pi|\\pi))/g, " "],
+  [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+]?(?:[\d.π]|pi|\\pi))/g, " "],
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
-  [/(?<=[\w°π)}])[ ]*[✓✔✅☑](?!\w)/g, ""],
-  [/(?<=\d)(?:[ ]*[†‡§]|\[\^\w{1,3}\]|\^\{?\(?[a-d]\)?\}?(?!\w)|\^\{\(\d\)\})/g, ""],
-  [/(?<=[\w}*])\^\{\*\}/g, ""],
-  [/(?<=[\d)][ \t]+)[-–—](?=[ \t]*$)/gm, ""], // an empty cell at a row's end
-  [/(?<=[\d\])°m][ ]*)(?:<-+|←|!)(?=[ ]*(?:$|[,;\t|&]))/gm, ""], // an arrow that points at a number
+  [/(?<=[\w°π)}*])(?:[ ]*[✓✔✅☑†‡§](?!\w)|\[\^\w{1,3}\]|\^\{\*\})/g, ""],
+  [/(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})/g, ""],
+  [/(?<=[\d)][ \t]+)-(?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "gm"), "$2"],
-  // A star behind a number.
-  [new RegExp(String.raw`${STARRED}(?=[ ]?(?:N|rad|deg|°)|\s*(?:$|[|&;,"\]]))`, "gm"), ""],
-  [new RegExp(String.raw`${STARRED}(?=[ \t]{2,}(?:[-+−.\d]|%|#|\/\/))`, "gm"), ""],
-  [/(?<=\d[ ]?N\*m|rad|deg)\*(?=[ ]*(?:$|[|&;,"\]]))/gm, ""],
   [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
+  [new RegExp(MARK_BEHIND, "gm"), ""],
   [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
-  [
-    new RegExp(String.raw`(?<![\w.])[-+−]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+−]?[\d.])`, "g"),
-    "",
-  ], // corrected
-  [new RegExp(`<(${NUMBER.replace("[-+]", "[-+−]")})>`, "g"), "$1"],
+  [new RegExp(String.raw`(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.])`, "g"), ""], // corrected
+  [new RegExp(`<(${NUMBER})>`, "g"), "$1"],
   [new RegExp(String.raw`${BEHIND_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
   [
-    new RegExp(String.raw`(?<=[\p{L}\p{N})}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
+    new RegExp(String.raw`(?<=[\p{L}\p{N})\]}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
     (_, unit) => `_(${unit.replace(/[-\s·*.⋅]/g, "")})`,
   ],
   [/=[ \t]*\d{1,2}[×x]\d{1,2}(?:[ \t]+\w+)?[ \t]*$/gm, "="], // MATLAB's size
@@ -122,11 +117,11 @@ function withoutSameUncertainty(text) {
   return all.length > 2 && new Set(all).size === 1 ? text.replace(UNCERTAINTY, "") : text;
 }
 
-const NEGATIVE = /(?:^|[\s|&,;:=[({~])[-−]\s?[\d.]/m;
+const NEGATIVE = /(?:^|[\s|&,;:=[({~])-\s?[\d.]/m;
 
 // ~ before numbers says that they are rounded, if others show that a minus is typed as a minus.
 const withoutTildes = (text) =>
-  NEGATIVE.test(text.text) ? text.replace(/~[ ]?(?=[-+−]?[\d.])/g, " ") : text;
+  NEGATIVE.test(text.text) ? text.replace(/~[ ]?(?=[-+]?[\d.])/g, " ") : text;
 
 const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|\t|[ \t]{2,}|$)[ \t]*/;
 
@@ -140,7 +135,7 @@ function withoutLineNumbers(text) {
 
 const NUMBERED = new RegExp(
   String.raw`^([ \t]*)(?:\((\d{1,2})\)|\[(\d{1,2})\]|(\d{1,2})[).]|#(\d{1,2})[.:)]?)` +
-    String.raw`[ \t]+(?=[-+−(["'\d.]|np\.)`,
+    String.raw`[ \t]+(?=[-+(["'\d.]|np\.)`,
 );
 
 /**

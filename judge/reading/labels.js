@@ -1,12 +1,12 @@
 // The labels beside numbers: names of joints, of rows, and plain counts, which order an answer;
 // and what is said of its units.
 
-import { plain } from "./formula.js";
+import { hasDecimals, plain } from "./formula.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
 const JOINT =
-  /^(?:q|d|th(?:eta)?|tau|τ|[tgjalc]|(?:panda)?joint|link|column|angle|torque|axis|motor)$/;
+  /^(?:q|d|th(?:eta)?|tau|τ|[tgjalc]|\p{L}*joint|link|column|angle|torque|axis|motor)$/u;
 const ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh"];
 // As the driver of a UR10e and its pendant call them.
 const UR = new Map(
@@ -26,6 +26,7 @@ const UR = new Map(
  * @returns {{ kind: string, at: number } | null}
  */
 function labelOf(text) {
+  if (hasDecimals(text)) return null;
   const word = simple(text);
   const row = ROWS.indexOf(word.replace("omega", "w"));
   if (row >= 0) return { kind: "row", at: row };

@@ -370,11 +370,15 @@ function putCell(cell, line, state) {
     state.name = "";
   }
   state.row.cells.push(cell);
+  state.row.tail = 0;
   state.row.last = state.line;
 }
 
 function putWord(typed, state) {
-  if (state.row && !/[\p{L}\d]/u.test(typed.text)) return;
+  if (state.row && !/[\p{L}\d]/u.test(typed.text)) {
+    state.row.tail++; // an empty cell, as - or ✓
+    return;
+  }
   if (!/[\p{L}\d#<>]/u.test(typed.text)) return;
   const cell = { ...typed, line: state.line };
   state.words.push(cell);
