@@ -3,9 +3,15 @@
 
 import { blocksIn, namesOtherQuantity, plainText } from "./blocks.js";
 import { linesOf } from "./characters.js";
-import { labelNumberedLines, withoutComments, withoutStruckText } from "./decorations.js";
+import {
+  labelNumberedLines,
+  withoutComments,
+  withoutMargins,
+  withoutStruckText,
+} from "./decorations.js";
 import { hasDecimals, number } from "./formula.js";
 import { unwrapFrames } from "./frames.js";
+import { labelIn } from "./labels.js";
 import { headerLabels, inListedOrder, labelsOf, liesBy, ordered, transposed } from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
@@ -43,7 +49,7 @@ export function findAnswer(text, question) {
   if (text.length > LONGEST)
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
-  const pasted = unwrapFrames(withoutStruckText(new SpannedText(text)));
+  const pasted = unwrapFrames(withoutMargins(withoutStruckText(new SpannedText(text))));
   const live = withoutComments(pasted);
   if (live && /\d/.test(live.text)) {
     const answer = tryOrNull(() => findIn(live, text, question));
@@ -197,9 +203,10 @@ function fitted(block, want, wants, names) {
     ...(whole ? [] : withoutLabels(block)),
   ];
   const lying = want.by ? upright.filter((one) => liesBy(one, want)).map(transposed) : [];
-  const fits = ({ rows }) =>
+  const fits = ({ rows, headers }) =>
     (want.rows === null || rows.length === want.rows) &&
-    (want.columns === null || rows[0].length === want.columns);
+    (want.columns === null || rows[0].length === want.columns) &&
+    (want.by !== "joint" || namesColumns(headers, rows[0].length));
   const found = lying.find(fits) ?? upright.find(fits);
   if (!found) return [];
   const one = ordered(found, want);
@@ -259,6 +266,15 @@ function jointColumns(block, { by, columns }) {
   const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, from)]);
   const select = (list) => list.slice(from, from + columns);
   return [{ ...block, rows: rows.map(select), labels, headers: own }];
+}
+
+// Return whether as many headers name joints as there are columns, or fewer than two.
+function namesColumns(headers, width) {
+  if (width < 2) return true;
+  const words = headers.flatMap(({ text }) => text.split(" ")).map((text) => ({ text }));
+  const labels = words.map((_, k) => labelIn(words.slice(Math.max(0, k - 1), k + 1)));
+  const joints = new Set(labels.flatMap((label) => (label?.kind === "joint" ? [label.at] : [])));
+  return joints.size < 2 || joints.size === width || 2 * joints.size < words.length;
 }
 
 const isJointHeader = (header) => labelsOf([[header]])?.kind === "joint";

@@ -100,31 +100,34 @@ const isNamed = (name, names) => (name ? names.test(name.replace(/^"|\W$/g, ""))
 
 /** Rows of one length that follow each other; a line of numbers of other lengths parts them. */
 function followingRows(rows, names) {
-  const found = [];
+  const stretches = [];
   for (const width of new Set(rows.map(({ cells }) => cells.length))) {
     let stretch = [];
     let last = -1;
     rows.forEach((row, k) => {
       if (row.cells.length !== width) return;
-      const before = rows[last];
       const between = rows.slice(last + 1, k);
-      const follows =
-        before &&
-        before.part === row.part &&
-        before.listed === row.listed &&
-        between.every(({ line }) => line === before.line || line === row.line) &&
-        (!row.name ||
-          !stretch[0].name ||
-          isNamed(row.name, names) === isNamed(stretch[0].name, names)) &&
-        (width > 1 || isAlike(row, before)) &&
-        (row.cells.length < 2 || namesOtherQuantity(row) === namesOtherQuantity(before));
-      if (follows) stretch.push(row);
-      else found.push((stretch = [row]));
+      if (last >= 0 && follows(row, rows[last], between) && sharesName(row, stretch[0], names))
+        stretch.push(row);
+      else stretches.push((stretch = [row]));
       last = k;
     });
   }
-  return [...found.map(blockOf), ...joinParts(found)];
+  return [...stretches.map(blockOf), ...joinParts(stretches)];
 }
+
+// Return whether a row goes on the row before it, with only numbers of their lines between them.
+const follows = (row, before, between) =>
+  before.part === row.part &&
+  before.listed === row.listed &&
+  between.every(({ line }) => line === before.line || line === row.line) &&
+  (row.cells.length > 1
+    ? namesOtherQuantity(row) === namesOtherQuantity(before)
+    : isAlike(row, before));
+
+// Return whether both or neither of two rows have a name of the answer, if both have a name.
+const sharesName = (row, other, names) =>
+  !row.name || !other.name || isNamed(row.name, names) === isNamed(other.name, names);
 
 const OTHER_NAMES = /^(?:m|mass(?:es)?|F|f|F_?ext|force|w|wrench|g|p|[dalLhrm]_?\{?\d\}?|l_?pen)$/;
 const OTHER_WORDS = /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F)\b/i;
@@ -139,12 +142,12 @@ export function namesOtherQuantity({ name, words }) {
   return OTHER_NAMES.test(name) || OTHER_WORDS.test([...last, name].join(" "));
 }
 
-// Return whether two values of a column are named alike: both or neither assigned to a name, on one
-// line; on two lines both or neither with a label, and in a sentence. In a list the first value may
-// have the list's name.
+// Return whether two values of a column are named alike: on one line both or neither with =, on two
+// lines both or neither with a label, and in a sentence. A list has one name for all its values.
 function isAlike(row, other) {
+  if (row.listed) return true;
   if (row.line === other.line) return !row.name === !other.name;
-  return (row.listed || isLabelled(row) === isLabelled(other)) && row.tail > 1 === other.tail > 1;
+  return isLabelled(row) === isLabelled(other) && row.tail > 1 === other.tail > 1;
 }
 
 const isLabelled = ({ name, words }) => /^\d{1,3}$/.test(name) || labelIn(words) !== null;

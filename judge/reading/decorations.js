@@ -47,7 +47,7 @@ const UNCERTAIN =
 const BEHIND_VALUE =
   String.raw`(?<![\p{L}_]\d{1,2}[ ]?)(?<=(?:[.,]\d{0,22}|(?<![\d.])0)` +
   String.raw`(?:e[-+]?\d{1,2})?[ ]?(?:π|pi)?)`;
-// A star, an exclamation mark or an arrow behind a value, at the end of its cell or before its unit.
+// A star, an exclamation mark or an arrow behind a value, at its cell's end or before its unit.
 const MARK_BEHIND =
   String.raw`(?<=[\d\])}°mπ]|pi|rad|deg)(?:[*!]|[ ]*(?:<-+|←))` +
   String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]?(?:k?N|rad|deg|°))`;
@@ -57,7 +57,6 @@ const DECORATIONS = [
   [/(?<=10)<sup>\s*([-+]?\d{1,2})\s*<\/sup>/gi, "^$1"],
   [/<sup>\s*[\w*†‡]\s*<\/sup>/gi, ""],
   [/<\/?(?:b|i|u|em|strong|code|span|mark|font|sup|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
-  [/^(?:[ \t]*>(?!>)[ \t]?)+/gm, ""], // a quotation
   [/\\(?:phantom|hspace|vspace|cancel|sout)\{[^{}\n]*\}/g, " "],
   [new RegExp(String.raw`\\textcolor\{\w+\}${BRACED}`, "g"), "$1"],
   [/\{\\color\{\w+\}\s*([^{}\n]*)\}/g, "$1"],
@@ -81,13 +80,14 @@ const DECORATIONS = [
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
   [/(?<=[\w°π)}*])(?:[ ]*[✓✔✅☑†‡§](?!\w)|\[\^\w{1,3}\]|\^\{\*\})/g, ""],
+  [new RegExp(String.raw`(?<=\d[ ]?(?:${UNIT}))\(\d\)`, "g"), ""], // a footnote's number
   [/(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})/g, ""],
   [/(?<=[\d)][ \t]+)-(?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "gm"), "$2"],
   [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
   [new RegExp(MARK_BEHIND, "gm"), ""],
   [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
-  [new RegExp(String.raw`(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.])`, "g"), ""], // corrected
+  [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.])/g, ""], // a corrected value
   [new RegExp(`<(${NUMBER})>`, "g"), "$1"],
   [new RegExp(String.raw`${BEHIND_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
@@ -105,8 +105,7 @@ const DECORATIONS = [
 export function withoutDecorations(text) {
   const once = (decorated) =>
     DECORATIONS.reduce((rest, [pattern, instead]) => rest.replace(pattern, instead), decorated);
-  const numbered = withoutTildes(withoutLineNumbers(withoutSameUncertainty(text)));
-  return once(once(numbered)); // twice: one within another
+  return once(once(withoutTildes(withoutSameUncertainty(text)))); // twice: one within another
 }
 
 const UNCERTAINTY = /\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)/g;
@@ -122,6 +121,14 @@ const NEGATIVE = /(?:^|[\s|&,;:=[({~])-\s?[\d.]/m;
 // ~ before numbers says that they are rounded, if others show that a minus is typed as a minus.
 const withoutTildes = (text) =>
   NEGATIVE.test(text.text) ? text.replace(/~[ ]?(?=[-+]?[\d.])/g, " ") : text;
+
+const QUOTATION = /^(?:[ \t]*>(?!>)[ \t]?)+/gm; // > before each line
+
+/**
+ * Take off what stands before each line: the marks of a quotation, line numbers.
+ * @param {import("./spans.js").SpannedText} pasted
+ */
+export const withoutMargins = (pasted) => withoutLineNumbers(pasted.replace(QUOTATION, ""));
 
 const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|\t|[ \t]{2,}|$)[ \t]*/;
 

@@ -42,7 +42,7 @@ function labelOf(text) {
 const simple = (text) =>
   plain([...text].map((sign) => DOTTED[sign] ?? sign).join(""))
     .toLowerCase()
-    .replace(/\(t\)|[([](?:deg|rad|nm|m)[^)\]]*[)\]]|\/(?:s|rad)$/g, "")
+    .replace(/\(t\)|[([](?:deg|rad|nm|m)[^)\]]*[)\]]|(?:\bm{0,2})?\/(?:s|rad)$/g, "")
     .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
     .replace(/deg$/, "");
 

@@ -64,10 +64,11 @@ class Tokens {
 export function tokensOf(text, block, long = LONG) {
   const tokens = new Tokens(text);
   const starts = new Set(block.rows.flat().map(({ from }) => from));
+  const strayRows = unlabelledRows(block);
   block.rows.forEach((cells, row) =>
     cells.forEach((cell, column) => {
-      const owner = lacksFactor(text, cell, starts) ? "unread" : "entry";
-      tokens.claim(cell, owner, { row, column });
+      const unread = strayRows.has(row) || lacksFactor(text, cell, starts);
+      tokens.claim(cell, unread ? "unread" : "entry", { row, column });
     }),
   );
   for (const cell of [...block.labels.flat(), ...block.headers]) claimWord(tokens, cell, "label");
@@ -79,6 +80,16 @@ export function tokensOf(text, block, long = LONG) {
     if (!token.owner) Object.assign(token, { owner: "context", reason: "markup or comment" });
   return tokens.list;
 }
+
+// The rows without a label, of a block whose other rows are named after those of a Jacobian.
+function unlabelledRows({ labels }) {
+  if (labels.length > MOST_LABELLED) return new Set();
+  const isNamed = labels.map((words) => labelIn(words)?.kind === "row");
+  const unlabelled = isNamed.flatMap((named, row) => (named ? [] : [row]));
+  return new Set(isNamed.includes(true) ? unlabelled : []);
+}
+
+const MOST_LABELLED = 6; // rows of a Jacobian
 
 const FACTOR_BEHIND = /^([ \t]?(?:[*·×][ \t]?)?)(?:π|\\pi|pi\b|[x×][ \t]?10\^)/;
 
@@ -125,12 +136,16 @@ function linesBeside(text, { from, to }) {
 
 const isParted = (line) => (line.match(/[&|\t;]/g) ?? []).length > 2 && /\d/.test(line);
 
-// Return whether a line has cells, or numbers with decimals and neither a name nor a sentence.
+// Return whether a line has cells, or two numbers or more and neither a name nor a sentence.
 function mayBeRow(line) {
   if (isParted(line)) return true;
   if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
-  return (line.match(/\p{L}{3,}/gu) ?? []).length < 2 && hasDecimals(line);
+  const words = line.replace(UNITS, " ").match(/\p{L}{3,}/gu) ?? [];
+  return words.length < 2 && (hasDecimals(line) || TWO_NUMBERS.test(line));
 }
+
+const UNITS = /\b(?:rad(?:ians?)?|deg(?:rees?)?|pi|Newton-met(?:er|re)s?)\b/g;
+const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+(?:\s|$)/;
 
 // The words and rows that are no part of the block.
 function claimRest(tokens, block, beside, long) {
@@ -189,7 +204,7 @@ function holdsValues({ cells }) {
 function ownerOutside(row, { width, beside, isLong }) {
   const least = Math.max(1, Math.min(2, width - 1));
   const { length } = row.cells;
-  const isRow = beside.get(row.line) ? holdsValues(row) : withDecimals(row) && length >= least;
+  const isRow = holdsValues(row) || (!beside.get(row.line) && withDecimals(row) && length >= least);
   const torn = beside.has(row.line) && isRow && !row.name;
   const alike = isLong && width > 2 && row.cells.length === width && !row.name && withDecimals(row);
   return torn || alike ? "unread" : "context";

@@ -5,6 +5,7 @@ import { blocksIn, plainText } from "./blocks.js";
 import { setAside } from "./answers.js";
 import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
 import { linesOf, ROW_END } from "./characters.js";
+import { withoutMargins } from "./decorations.js";
 import { SpannedText } from "./spans.js";
 import { headOf } from "./table_columns.js";
 import { ENTRIES, entryText, VARIABLE } from "./table_rows.js";
@@ -27,7 +28,7 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
  * @returns {TableBlock[]}
  */
 export function tablesIn(text, known, pasted = new SpannedText(text)) {
-  const plain = plainText(pasted).replace(DEFINITIONS, "");
+  const plain = plainText(withoutMargins(pasted)).replace(DEFINITIONS, "");
   const all = markColumnHeaders(withoutStars(plain));
   const ways = blocksIn(all.plain, { isEntry: entryIn(known) });
   const blocks = ways.flatMap((way) => way().reverse());
