@@ -4,6 +4,7 @@
 
 import { DEG, RAD } from "../geometry/angles.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
+import { combinations } from "../geometry/walk.js";
 import { makersCause } from "./joints.js";
 import { makeCause } from "./ranking.js";
 
@@ -47,15 +48,14 @@ function* otherLengths({ penless, alike = [], robots = [] }) {
 }
 
 /**
- * Two neighbouring lengths of a column exchanged, each row keeping its sign. Handed in.
+ * Two lengths of a column exchanged, each row keeping its sign. Handed in.
  * @param {Arm} arm @returns {Generator<ChainMistake>}
  */
 function* exchangedLengths({ rows }) {
   for (const column of ["a", "d"]) {
     const links = rows.flatMap((row, i) => (row[column] ? [i] : []));
-    for (const [n, i] of links.entries()) {
-      const j = links[n + 1];
-      if (j === undefined || Math.abs(rows[i][column]) === Math.abs(rows[j][column])) continue;
+    for (const [i, j] of combinations(links, 2)) {
+      if (Math.abs(rows[i][column]) === Math.abs(rows[j][column])) continue;
       const lengths = { [i]: rows[j][column], [j]: rows[i][column] };
       const exchange = changeRows((row, k) =>
         k in lengths ? { [column]: Math.sign(row[column]) * Math.abs(lengths[k]) } : {},

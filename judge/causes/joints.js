@@ -76,8 +76,11 @@ function* mistakesInOneJoint(arm) {
  */
 export function exchangedDigits(arm, { values, units }) {
   return jointNames(arm).flatMap((joint, k) => {
-    const digits = String(Math.round(Math.abs(values[k]) / units[k]));
-    if (!units[k] || !/^\d+$/.test(digits)) return [];
+    if (!units[k]) return [];
+    const decimals = Math.max(0, Math.round(-Math.log10(units[k])));
+    // The zero before and behind the decimal point may be one of the digits: 0.082 for 0.802.
+    const digits = String(Math.round(Math.abs(values[k]) / units[k])).padStart(decimals + 1, "0");
+    if (!/^\d+$/.test(digits)) return [];
     return [...digits.slice(1)].flatMap((digit, i) => {
       if (digit === digits[i]) return [];
       const exchanged = digits.slice(0, i) + digit + digits[i] + digits.slice(i + 2);

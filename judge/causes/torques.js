@@ -303,7 +303,7 @@ function* masses(arm, load, put) {
   }
 }
 
-function* centres(arm, { centres: all }, put) {
+function* centres(arm, { centres: all, masses }, put) {
   const set = (key, list, fields = {}) => put(key, (at) => ({ ...at, centres: list }), fields);
   if (arm.paper) yield set("tau.paper centres", arm.paper); // slip 7
   const origins = all.map(() => [0, 0, 0]);
@@ -312,6 +312,13 @@ function* centres(arm, { centres: all }, put) {
     cause: makeCause("tau.centres one frame off"), // handed in: in the frame before the link's own
     weight: (at) => weightOf({ ...at, centres: inFrameBefore(at) }),
   };
+  // The same in g = dP/dq: the joint behind that frame turns nothing.
+  const origin = [0, 0, 0];
+  const bodiesBefore = {
+    masses: masses.map((_, k) => masses[k + 1] ?? 0),
+    centres: all.map((_, k) => all[k + 1] ?? origin),
+  };
+  yield put("tau.centres one frame off", (at) => ({ ...at, ...bodiesBefore }));
   for (const { name, other, rows } of arm.alike ?? []) {
     // handed in: a centre in the paper's frame less the other length
     const shifted = all.map(([x, y, z], i) => [x + arm.rows[i].a - rows[i].a, y, z]);
