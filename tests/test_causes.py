@@ -16,6 +16,7 @@ from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.corpus.arms import KNOWN
 from tests.corpus.torques import PANDA as LINKS
 from tests.corpus.torques import weight
+from tests.corpus.traces import Task, point, turn_off
 
 H = math.pi / 2
 BENT = np.array([0.3127, -0.7214, 0.9053, 0.4128, 0.8061, 0.2093])
@@ -209,3 +210,88 @@ def test_right_tip_with_wrong_orientation_misses_the_target():
     q[5] += 0.5
     report = checks.compare_branches([q], found)
     assert "misses the target by 0 mm and 28.6°" in str(report)
+
+
+# Trajectories whose table or joint values hold one mistake
+
+UR_TASK = Task(UR, [0.3, -1.2, 1.4, -0.7, -1.2, 0.4], "xz", 0.1, 5.0, 20)
+STANFORD_TASK = Task(KNOWN["STANFORD"], [0.3, 0.8, 0.5, 0.4, 0.9, 0.2], "xz", 0.08, 5.0, 20)
+
+
+def causes_of_trace(task, rows, arm):
+    """Return the grade and causes of a trajectory on the task's circle."""
+    verdict = checks.compare_trace(rows.round(5), arm, motion.circle(**task.path()))
+    return verdict.grade, verdict.causes
+
+
+def test_forgotten_pen_in_trajectory_is_named():
+    """The joints of an arm without the pen, whose own tip is on the circle."""
+    rows = [list(row) for row in UR.rows]
+    rows[-1][3] -= 0.1
+    penless = UR.with_rows(rows)
+    first, trajectory, q = UR_TASK.first, [], UR_TASK.start
+    for t in 0.25 * np.arange(21):
+        target = first[:3, 3] + point("xz", t, 0.1, 5.0)
+        for _ in range(40):
+            T = penless.tip(q)
+            error = [*(target - T[:3, 3]), *turn_off(T[:3, :3], first[:3, :3])]
+            q = q + np.linalg.solve(penless.jacobian(q), error)
+        trajectory.append(q)
+    expected = ("wrong", ("table.pen",))
+    assert causes_of_trace(UR_TASK, np.array(trajectory), UR10E) == expected
+
+
+@pytest.mark.parametrize(
+    ("task", "arm", "joint", "factor", "cause"),
+    [
+        (UR_TASK, UR10E, 4, 180 / math.pi, "ik.joint degrees:q_5"),
+        (UR_TASK, UR10E, 5, -1, "ik.sign:q_6"),
+        (STANFORD_TASK, STANFORD, 2, 1000, "ik.joint millimetres:q_3"),
+    ],
+)
+def test_one_mistaken_joint_of_trajectory_is_named(task, arm, joint, factor, cause):
+    rows = task.run(method="rk4")
+    rows[:, joint] *= factor
+    assert causes_of_trace(task, rows, arm) == ("wrong", (cause,))
+
+
+def test_exchanged_joints_of_trajectory_are_named():
+    rows = UR_TASK.run(method="rk4")[:, [0, 2, 1, 3, 4, 5]]
+    assert causes_of_trace(UR_TASK, rows, UR10E) == ("wrong", ("ik.exchanged:q_2:q_3",))
+
+
+def test_wrong_trajectory_from_a_round_start_is_not_called_drift():
+    """Each joint of the start has one decimal, so that half a unit moves the tip by 0.1 m."""
+    task = Task(KNOWN["PANDA"], [0.1, -0.3, 0.2, 1.2, 0.1, 2.0, 0.1], "yz", 0.1, 5.0, 100)
+    rows = task.run(method="rk4")
+    rows[:, 4] *= -1
+    assert causes_of_trace(task, rows, PANDA)[0] == "wrong"
+
+
+# Single mistakes of a table, of digits and of centres of mass
+
+
+def test_lengths_exchanged_between_distant_rows_are_named():
+    rows = [list(row) for row in UR.rows]
+    rows[0][3], rows[5][3] = rows[5][3], rows[0][3]
+    verdict = checks.compare_jacobian(UR.with_rows(rows).jacobian(BENT).round(4), UR10E, BENT)
+    assert verdict.causes == ("table.d exchanged:1:6",)
+
+
+def test_zero_exchanged_with_a_digit_is_named():
+    target = KNOWN["ELBOW"].tip([0.708, 0.412, -0.653]).round(4)
+    assert checks.compare_pose("0.078, 0.412, -0.653", ELBOW, target).causes == ("ik.digits:q_1",)
+
+
+def test_centres_placed_in_the_frame_before_are_named():
+    """The centre of link i at T_{i-1} in P, whose gradient is the torque."""
+    m = KNOWN["PANDA"]
+
+    def potential(q):
+        frames = m.frames(q)
+        return sum(9.81 * k * (frames[i] @ [*c, 1])[2] for i, (k, *c) in enumerate(LINKS))
+
+    steps = 1e-6 * np.eye(7)
+    tau = [(potential(SEVEN + h) - potential(SEVEN - h)) / 2e-6 for h in steps]
+    verdict = checks.compare_torques(np.round(tau, 4), PANDA, SEVEN)
+    assert verdict.causes == ("tau.centres one frame off",)

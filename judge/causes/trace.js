@@ -1,10 +1,11 @@
 // Finds the mistake that explains a wrong trajectory: in its path, or in the loop that computed it.
 
 import { DEG } from "../geometry/angles.js";
-import { minus, norm, scaled } from "../geometry/kinematics.js";
+import { linkFrames, minus, norm, rotationBetween, scaled } from "../geometry/kinematics.js";
 import { subtractEach, nullSpace } from "../geometry/linear.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { jacobianRecipes } from "./jacobian.js";
+import { jointMistakes } from "./joints.js";
 import { tableMistakes } from "./chain.js";
 import { makeCause } from "./ranking.js";
 import {
@@ -30,14 +31,14 @@ const FINE = 1e-5; // of what the joints turn: numbers in a program have digits 
  * @property {(t: number, dt: number) => number[]} [v]
  */
 /**
- * A trajectory: joint values, units of their last places, and the chain and frames at row k, which
- * may lie half way between two rows.
- * @typedef {{ q: number[][], units: number[][], arm: any, path: Path,
+ * A trajectory: joint values, those that were typed before jumps by whole turns were removed, units
+ * of their last places, and the chain and frames at row k, which may lie half way between two rows.
+ * @typedef {{ q: number[][], typedRows: number[][], units: number[][], arm: any, path: Path,
  *   at: (k: number) => [any, any[]] }} Run
  */
 
 /** @returns {Run} */
-export function makeTrace(q, units, arm, path) {
+export function makeTrace(q, units, arm, path, typedRows = q) {
   const made = new Map();
   const at = (k) => {
     if (!made.has(k)) {
@@ -48,37 +49,63 @@ export function makeTrace(q, units, arm, path) {
     }
     return made.get(k);
   };
-  return { q, units, arm, path, at };
+  return { q, typedRows, units, arm, path, at };
 }
 
 /**
  * Explain a wrong trajectory, or return null.
  *
- * Causes in this order: another start; if the tip is `off`, the path that was drawn; the rule of
- * the loop, to the digits or, if a mistake is `shown`, to the error of a right program; two
- * mistakes in the path.
+ * Causes in this order: coordinates of the centre left out; if the tip is `off`, a mistake in the
+ * table or the path; a mistake in the joint values; any other shift; the rule of the loop, to the
+ * digits or, if a mistake is `shown`, to the error of a right program; two mistakes in the path.
  * @param {Run} run @param {number[][]} tip @param {number[]} allowed
  * @param {{ off: boolean, shown: boolean }} seen
  */
 export function findTraceCause(run, tip, allowed, { off, shown }) {
   const { path } = run;
   if (off && !isPathKnown(path)) return null;
-  const [moved, others] = off
+  const [shifted, others] = off
     ? [displacedPaths(path, tip[0], allowed[0]), pathsWithOneMistake(path)]
     : [[], []];
-  if (right(run)) return moved[0]?.one ?? null;
+  const named = shifted.filter(({ one }) => one.keys[0] !== "trace.displaced");
+  if (right(run)) return shiftCause(run, named, shifted, allowed);
   return (
-    wrongPathCause(run, [...others, ...moved], tip, allowed, off) ??
+    wrongPathCause(run, [...others, ...named], tip, allowed, off) ??
+    jointCause(run, allowed) ??
+    pathCause(shifted, path, tip, allowed) ??
     loopCause(run, [...speeds(path), ...others.map(ledBy), ...matrices(run)]) ??
     (shown ? loopCause(run, matrices(run), [METHOD_ERROR, METHOD_TILT]) : null) ??
     (off ? pathCause(pathsWithTwoMistakes(path), path, tip, allowed) : null)
   );
 }
 
+// Explain a trajectory that follows the right rule from another start; null if it begins right.
+function shiftCause(run, named, shifted, allowed) {
+  const [shift] = shifted;
+  if (!shift) return null;
+  return named[0]?.one ?? tableCause(run, allowed) ?? jointCause(run, allowed) ?? shift.one;
+}
+
 // Find a table mistake or another path that explains the tip's path; null if the tip is not off.
 function wrongPathCause(run, others, tip, allowed, off) {
   if (!off) return null;
   return tableCause(run, allowed) ?? pathCause(others, run.path, tip, allowed);
+}
+
+// Find a mistake in the joint values, such as one joint in degrees, without which the tip would
+// follow the path and the tool keep its orientation.
+function jointCause({ typedRows, arm, path }, allowed) {
+  const isHeld = typedRows[0].length >= 6;
+  const isRight = (undo) => {
+    const toolAt = (row) => linkFrames(arm, undo(row)).at(-1);
+    const first = toolAt(typedRows[0]);
+    return typedRows.every((row, k) => {
+      const tool = toolAt(row);
+      const isNear = norm(minus(tool.o, path.position(path.times[k]))) <= allowed[k];
+      return isNear && (!isHeld || rotationBetween(first, tool) <= METHOD_TILT);
+    });
+  };
+  return jointMistakes(arm).find(([, undo]) => isRight(undo))?.[0] ?? null;
 }
 
 // Find a table mistake, as a forgotten pen, with which the tip would follow the path.

@@ -20,7 +20,7 @@ import { jointShapes, numbers, asDegrees, rowsOf, setAside } from "../reading/nu
 import { roundHalfToEven } from "../geometry/planar.js";
 import { formatMillimetres } from "../matching.js";
 import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
-import { blurOf, unitsWithoutTrimming } from "./trace_units.js";
+import { blurOf, isDriftOfEuler, unitsWithoutTrimming } from "./trace_units.js";
 import { joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import {
   followsPathByEuler,
@@ -204,21 +204,20 @@ function judged(run, arm, path, allowed, given) {
   ];
   const symptoms = [...amiss, ...oneMore(run)];
   const seen = { off, shown: amiss.length > 0 };
-  const why = () => findTraceCause(makeTrace(q, run.units, arm, path), tip, allowed, seen);
+  const trace = makeTrace(q, run.units, arm, path, run.q);
+  const why = () => findTraceCause(trace, tip, allowed, seen);
   const named = stuck ?? (symptoms.length || !given ? why() : null);
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
   if (named) return explained(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
-  const mayDrift = isOffOnly(off && !given, jump, errors[0] <= allowed[0]);
+  const mayDrift = off && !given && !jump.length;
   return unnamed({ ...run, q }, path, { arm, symptoms, errors, mayDrift, rest });
 }
 
-const isOffOnly = (isOff, jump, startsRight) => isOff && !jump.length && startsRight;
-
 // Return the verdict without a known mistake: Euler's drift, symptoms only, or nothing wrong.
 function unnamed(run, path, { arm, symptoms, errors, mayDrift, rest }) {
-  if (mayDrift && !run.extra && followsPathByEuler(makeTrace(run.q, run.units, arm, path)))
+  if (mayDrift && !run.extra && isDriftOfEuler(run, arm, path, errors[0]))
     return rightByEuler(arm, errors, run.taken, rest);
   if (symptoms.length) return unexplained(arm, symptoms, run.taken, rest);
   return reported(arm, RIGHT, "", run.taken, rest);
@@ -235,9 +234,9 @@ function rightByEuler(arm, errors, taken, rest) {
 const oneMore = ({ extra }) =>
   extra ? [finding("trace.one more", formatMessage("trace.one more"))] : [];
 
-// Do not report jumps if all steps are too long.
-const withoutJumps = (named, symptoms, jump) =>
-  causeName(named) === "trace.millimetres"
+// Do not report jumps if all steps are too long, or if a mistake in the joint values makes them.
+const withoutJumps = (cause, symptoms, jump) =>
+  causeName(cause) === "trace.millimetres" || cause.keys[0].startsWith("ik.")
     ? symptoms.filter((one) => !jump.includes(one))
     : symptoms;
 

@@ -1,6 +1,6 @@
 // Units of the last digits of a trajectory, whose printer may have trimmed zeros.
 
-import { METHOD_ERROR } from "../causes/trace.js";
+import { followsPathByEuler, makeTrace, METHOD_ERROR } from "../causes/trace.js";
 import { columnUnits } from "../digits.js";
 import { chainFrames, flatJacobian, makeChain } from "../geometry/chains.js";
 import { dot, linkFrames, minus, norm } from "../geometry/kinematics.js";
@@ -34,6 +34,18 @@ export function unitsWithoutTrimming({ q, units }, arm, path) {
     return Math.abs(change) <= 0.51 * units[k][i] && isRight(k, rest);
   };
   return units.map((row, k) => (!isRight(k) && count(k) === 1 && isExplained(k) ? row : fine[k]));
+}
+
+/**
+ * Return whether a trajectory begins right and follows Euler's method, to the finest digits of each
+ * column: a start that was typed in a few digits would let any motion pass.
+ * @param {{ q: number[][], units: number[][] }} run @param {Arm} arm @param {Path} path
+ * @param {number} startError distance of the first point from the path (m)
+ */
+export function isDriftOfEuler({ q, units }, arm, path, startError) {
+  const fine = columnUnits(q, units);
+  if (startError > METHOD_ERROR + blurOf(q[0], fine[0], arm)) return false;
+  return followsPathByEuler(makeTrace(q, fine, arm, path));
 }
 
 // Return how the tip moves (m) when joint i does, by 1 rad or 1 m.
