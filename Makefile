@@ -118,7 +118,7 @@ lite: ## JupyterLite with the notebooks, in book/_build/lite/site; it runs once 
 	find book/_build/lite/content -name __pycache__ -type d -prune -exec rm -r {} +
 	cd book/_build/lite && ../../../.venv-lite/bin/jupyter lite build --contents content --output-dir site
 
-bench: ## time the helpers against their peers, in an environment of its own
+bench: ## time the helpers against their peers and write the page of it (3 minutes, an environment of its own)
 	test -d .venv-bench || $(PYTHON) -m venv .venv-bench
 	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
 	.venv-bench/bin/python benchmarks/bench.py
