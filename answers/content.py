@@ -13,6 +13,8 @@ from helpers import kinematics, statics, symbolic
 from helpers.arm import Arm
 from helpers.formulas import short, short_names
 from helpers.inputs import ArmError, require_type
+from helpers.polynomials import is_long
+from helpers.stepwise import StepwiseFormulas, stepwise_formulas
 
 Array = NDArray[np.float64]
 
@@ -25,7 +27,7 @@ _RESERVED = frozenset(
         "G", "P", "J", "g", "cos", "sin", "sqrt", "q", "Matrix", "symbols", "Rational",
     )
 )  # fmt: skip
-_SHEET_NAMES = re.compile(r"[cs]_[\dmp]+|[AToz]_\d+|[mq]_\d+|[xyz]_c\d+")
+_SHEET_NAMES = re.compile(r"[cs]_[\dmp]+|[AToz]_\d+|[mq]_\d+|[xyz]_c\d+|[xyzop]_\d+[xyz]")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,62}")
 
 
@@ -37,7 +39,8 @@ class Answer:
         name: its name in programs, such as ``T_03``, ``J`` or ``det_J``.
         value: its entries in short symbols; a vector has one column, a number one entry.
         home: its entries at the arm's home pose, in numbers.
-        definitions: what its short symbols mean, such as cos(q_2 + q_3) for c_23.
+        definitions: what its short symbols mean, such as cos(q_2 + q_3) for c_23, each before the
+            definitions that use it.
     """
 
     name: str
@@ -53,6 +56,9 @@ class Answer:
 
 class AnswerSheet:
     """All answers for an arm, with numbers at its home pose.
+
+    Formulas that would be too long (`helpers.polynomials.is_long`) are written in named steps,
+    without the determinant.
 
     Raises:
         ArmError: `arm` is not an Arm or has no joints, or one of its symbols has a name that a
@@ -97,17 +103,26 @@ class AnswerSheet:
 
     @cached_property
     def _frames(self) -> list[sp.ImmutableMatrix]:
-        return symbolic.link_frames(self.arm)
+        return self.steps.frames if self.steps else symbolic.link_frames(self.arm)
+
+    @cached_property
+    def steps(self) -> StepwiseFormulas | None:
+        """Formulas in named steps, if written-out ones are too long."""
+        return stepwise_formulas(self.arm) if is_long(self.arm) else None
 
     @cached_property
     def jacobian(self) -> Answer:
         """J, 6 x dof."""
-        return self._make_answer("J", symbolic.jacobian(self.arm))
+        J = self.steps.jacobian if self.steps else symbolic.jacobian(self.arm)
+        return self._make_answer("J", J)
 
     @cached_property
     def determinant(self) -> Answer | None:
-        """det J of a six-joint arm, or of the first three rows of J for three joints; else None."""
-        if "det_J" not in self.home:
+        """det J of a six-joint arm, or of the first three rows of J for three joints; else None.
+
+        An arm whose formulas are in named steps has none.
+        """
+        if "det_J" not in self.home or self.steps:
             return None
         return self._make_answer("det_J", sp.ImmutableMatrix([[symbolic.determinant(self.arm)]]))
 
@@ -118,10 +133,14 @@ class AnswerSheet:
         """
         if not self.arm.bodies:
             return []
-        energy = sp.ImmutableMatrix([[symbolic.potential_energy(self.arm)]])
+        if self.steps:
+            energy, torque = self.steps.energy, self.steps.torque
+        else:
+            energy = symbolic.potential_energy(self.arm)
+            torque = symbolic.gravity_torque(self.arm)
         return [
-            self._make_answer("P", energy),
-            self._make_answer("G", symbolic.gravity_torque(self.arm)),
+            self._make_answer("P", sp.ImmutableMatrix([[energy]])),
+            self._make_answer("G", torque),
         ]
 
     @cached_property
@@ -136,12 +155,35 @@ class AnswerSheet:
         Decimal fractions become decimals. Coordinates of a centre of mass are called x_c1, since
         z_1 is an axis on the sheet.
         """
-        fractions = (number for number in value.atoms(sp.Rational) if number.q > 1)
-        decimals = {number: sp.Float(number) for number in fractions if 10**9 % number.q == 0}
-        value = value.xreplace({**self._centres, **decimals})
-        pairs = [(letter, function) for function, letter in short_names(value).items()]
+        value = self._with_decimals(value)
+        steps = self._steps_of(value)
+        names = {
+            f: n for formula in (value, *steps.values()) for f, n in short_names(formula).items()
+        }
+        pairs = [(letter, function) for function, letter in names.items()]
         definitions = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
+        definitions |= {step: short(formula) for step, formula in steps.items()}
         return Answer(name, short(value), self.home[name], definitions)
+
+    def _with_decimals(self, formula):
+        """Replace decimal fractions by decimals, and z_1 of a centre of mass by z_c1."""
+        fractions = (number for number in formula.atoms(sp.Rational) if number.q > 1)
+        decimals = {number: sp.Float(number) for number in fractions if 10**9 % number.q == 0}
+        return formula.xreplace({**self._centres, **decimals})
+
+    def _steps_of(self, value: sp.ImmutableMatrix) -> dict[sp.Symbol, sp.Expr]:
+        """Return the named steps that a value needs, in their order."""
+        needed, steps = value.free_symbols, {}
+        for name, formula in reversed(self._steps_in_decimals.items()):
+            if name in needed:
+                needed = needed | formula.free_symbols
+                steps[name] = formula
+        return dict(reversed(steps.items()))
+
+    @cached_property
+    def _steps_in_decimals(self) -> dict[sp.Symbol, sp.Expr]:
+        definitions = self.steps.definitions if self.steps else {}
+        return {name: self._with_decimals(formula) for name, formula in definitions.items()}
 
     # Meaning of the symbols
 

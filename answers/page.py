@@ -159,6 +159,8 @@ def _introduction(sheet: AnswerSheet, others: list[AnswerSheet]) -> str:
         parts.append(f"What is 0, here {', '.join(zero)}, is left out of the formulas.")
     parts.append(f"Numbers are given at {home} (rad; m where a joint slides), rounded.")
     parts.append(f"Short names: {_legend(sheet)}.")
+    if sheet.steps:
+        parts.append(_STEPS_NOTE)
     parts += [_mass_table(s) for s in (sheet, *others) if s.arm.bodies]
     return "\n\n".join(parts)
 
@@ -210,6 +212,13 @@ def _ask_determinant(sheet: AnswerSheet, det: Answer) -> str:
     return f"{asked} For this arm it does not fall into factors." if det.value[0].is_Add else asked
 
 
+_STEPS_NOTE = (
+    "Written out, the formulas of this arm would be too long. Each frame is therefore given in the"
+    " entries of the frame before: $x_{3y}$ is the $y$ entry of the axis $x_3$, $o_{3y}$ that of"
+    " the origin $o_3$, and $p_{3y}$ that of link 3's centre of mass. Copied programs hold every"
+    " step. The determinant is left out; `kinematics.manipulability` finds singular poses in"
+    " numbers."
+)
 _STATIC = Path(__file__).parent / "static"
 # Disabled buttons keep the space for those of the script, so that the page does not move.
 _BUTTON = '<button type="button" disabled'

@@ -72,7 +72,8 @@ class _Language(NamedTuple):
 
     def format_values(self, sheet: AnswerSheet, item: Answer) -> list[str]:
         """Return the lines that assign a number to every symbol of an answer."""
-        free = {symbol.name for symbol in item.value.xreplace(item.definitions).free_symbols}
+        formulas = (item.value, *item.definitions.values())
+        free = {symbol.name for formula in formulas for symbol in formula.free_symbols}
         home = zip(sheet.arm.variables, sheet.arm.home, strict=True)
         numbers = {name: angle(value) for name, value in home}
         numbers |= {name: sp.Float(value) for name, value in sheet.values.items()}

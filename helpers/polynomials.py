@@ -84,6 +84,30 @@ def group_angles(arm: Arm, add_parallel: bool = True) -> list[GroupAngle]:
     return angles
 
 
+# Measured on sheets: five joints about skew axes, 2^9 by `expansion_factor`, take 0.8 to 1.6 MB;
+# Kinova's Gen3, of seven joints about axes at right angles, has 2^6 and takes 0.36 MB.
+_LONGEST_READ = 2**8
+_LONGEST_COMPUTED = 2**14  # seven joints about skew axes, 2^13, take 13 s; eight over 100 s
+
+
+def expansion_factor(arm: Arm) -> int:
+    """Estimate the factor by which the arm's last frame grows where it is written out.
+
+    Each group of parallel axes doubles the number of terms, and so does each constant angle that is
+    no multiple of a quarter turn.
+    """
+    skew = 0
+    for row in arm.rows:
+        constant = [row.alpha] if row.joint.kind == "revolute" else [row.alpha, row.theta]
+        skew += sum(bool(exact_angle(arm, entry)[0]) for entry in constant)
+    return 2 ** (skew + sum(angle.starts_group for angle in group_angles(arm)))
+
+
+def is_long(arm: Arm) -> bool:
+    """Return whether the arm's written-out formulas are too long to read."""
+    return expansion_factor(arm) > _LONGEST_READ
+
+
 class Ring:
     """Polynomials in an arm's lengths and the cosines and sines of its angles, in a unique form.
 
@@ -97,6 +121,11 @@ class Ring:
         self, arm: Arm, add_parallel: bool = True, extra: Sequence[sp.Symbol] = ()
     ) -> None:
         require_type(arm, Arm, "arm")
+        if expansion_factor(arm) > _LONGEST_COMPUTED:
+            raise ArmError(
+                f"{arm.name} has too many joints about skew axes to write its formulas out;"
+                " expected fewer, or stepwise.stepwise_formulas, which gives them in named steps"
+            )
         self.group_angles = group_angles(arm, add_parallel)
         formulas = {angle.angle[0] for angle in self.group_angles}
         formulas |= {exact_angle(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}

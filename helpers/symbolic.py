@@ -20,6 +20,7 @@ from helpers.polynomials import (
     SymbolicFrame,
     cross_product,
     exact_formula,
+    is_long,
     symbolic_frames,
     transpose,
 )
@@ -157,7 +158,8 @@ def determinant(arm: Arm) -> sp.Expr:
     entries are short.
 
     Raises:
-        ArmError: The arm has another number of joints.
+        ArmError: The arm has another number of joints, or so many about skew axes that the
+            determinant would be too long to read.
 
     Example:
         >>> from helpers.robots import ELBOW
@@ -170,6 +172,11 @@ def determinant(arm: Arm) -> sp.Expr:
     if arm.dof not in (3, 6):
         raise ArmError(
             f"{arm.name} has {arm.dof} joints; a determinant needs 3 (position only) or 6"
+        )
+    if is_long(arm):
+        raise ArmError(
+            f"{arm.name} has too many joints about skew axes to write its determinant out; expected"
+            " fewer, or kinematics.manipulability, which gives it in numbers"
         )
     ring = Ring(arm, add_parallel=False)
     frames = symbolic_frames(arm, ring)
