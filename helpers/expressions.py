@@ -30,6 +30,11 @@ _LONGEST = 200  # characters; a longer formula could be nested deeper than Pytho
 _PLAIN_CHARACTERS = re.compile(r"[A-Za-z0-9_+\-*/(). ]+")
 # Python would read these as numbers, or as symbols, which they are not meant to be.
 _NOT_PLAIN = re.compile(r"\b\d+_|\b0[xob]|\b(?:deg|rad)\b", re.IGNORECASE)
+# Greek letters by the names that LaTeX has for them.
+_GREEK = (
+    "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
+    "|upsilon|phi|chi|psi|omega"
+)
 _UNIT_KINDS = {"alpha": ["angle"], "theta": ["angle"], "a": ["length"], "d": ["length"]}
 
 
@@ -131,7 +136,7 @@ def entry_latex(text: Entry) -> str:
     text = check_entry(text, "the entry")
     if not isinstance(text, str):
         return f"{text:g}"
-    text = re.sub(r"\bpi\b", r"\\pi", text)
+    text = re.sub(rf"\b({_GREEK})(?![A-Za-z0-9])", r"\\\1", text)
     text = re.sub(r"_(\w+)", r"_{\1}", text)
     return text.replace("*", r"\,")
 
