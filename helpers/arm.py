@@ -27,8 +27,10 @@ from helpers.inputs import (
     require_type,
     shorten,
     tuple_of_items,
+    warn_caller,
 )
 from helpers.rows import (
+    MANY_TURNS,
     Body,
     Joint,
     NumericRow,
@@ -40,16 +42,12 @@ from helpers.rows import (
     prismatic,
     real_number,
     revolute,
-    warn_of_degrees,
+    warn_of_units,
 )
 
 __all__ = ["Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"]
 
 Array = NDArray[np.float64]
-
-# Joint angles (rad) above this give a warning: four turns, far beyond any maker's range and
-# below 30, the smallest angle in degrees that is common.
-_MANY_TURNS = 8 * math.pi
 
 
 class JointValues(NDArrayOperatorsMixin, tuple):
@@ -233,7 +231,10 @@ class Arm:
         """Read a table as text, rows, parallel lists, ``Link(...)`` lines or 4 x 4 matrices.
 
         Options that are not given are guessed, and the arm's `source` says how the table was read.
-        Numbers without column headers and joint variables give a warning.
+        A warning says where a guess may be wrong: numbers without column headers and joint
+        variables, angles such as 1.57 that are taken as right angles, a table that may follow
+        Craig's convention. A warning also names joints that have other numbers in the table than
+        here: the arm numbers a joint by its row, and fixed rows count.
 
         Args:
             source: LaTeX, Markdown, MATLAB, CSV or Python text, or lists; the joint's variable may
@@ -260,7 +261,7 @@ class Arm:
         from helpers.checks.tables import read_table
 
         require_type(name, str, "an arm's name")
-        rows, notes = read_table(
+        table = read_table(
             source,
             columns=columns,
             lengths=lengths,
@@ -268,9 +269,11 @@ class Arm:
             convention=convention,
             values=values,
         )
-        if columns is None:
-            _warn_of_a_guessed_order(source, notes)
-        return cls(name, rows, source="; ".join(notes))
+        if columns is None and table.has_guessed_order:
+            _warn_of_a_guessed_order(source, table.reading)
+        for warning in table.warnings:
+            warn_caller(f"{name}: {warning}")
+        return cls(name, table.rows, source=table.reading)
 
     # Changed copies
 
@@ -303,7 +306,8 @@ class Arm:
                 and `effort` of the joint, or a new `mass` of the row's link.
 
         Raises:
-            ArmError: The arm has no such row, or a row has no such entry.
+            ArmError: The arm has no such row, the row has no such entry, or it is fixed and has no
+                limits.
 
         Example:
             >>> from helpers.robots import PANDA
@@ -316,7 +320,14 @@ class Arm:
         known = ("a", "alpha", "d", "theta", "limits", "speed", "effort", *mass)
         if unknown := sorted(set(changes) - set(known)):
             raise ArmError(f"{self.name}: a row has no {unknown[0]}; expected {', '.join(known)}")
-        warn_of_degrees(changes.get("alpha", 0), changes.get("theta", 0))
+        of_joint = [name for name in ("limits", "speed", "effort") if name in changes]
+        if of_joint and number not in self.joints:
+            listing = ", ".join(map(str, self.joints))
+            raise ArmError(
+                f"{self.name}: row {number} is fixed and has no {of_joint[0]}; expected one of the"
+                f" rows with joints, {listing}"
+            )
+        warn_of_units(*(changes.get(name, 0) for name in ("a", "alpha", "d", "theta")))
         entries = {name: changes.get(name, old) for name, old in _entries_by_name(row).items()}
         rows, bodies = [*self.rows], [*self.bodies]
         rows[number - 1] = Row(**entries, joint=change_joint(row.joint, changes))
@@ -406,7 +417,7 @@ class Arm:
         """Return the arm with one joint locked at a value; its row becomes a fixed one.
 
         Args:
-            joint: Number of the joint, counted from 1.
+            joint: Number of the joint, which is that of its row; see `variables`.
             at: Value at which it is locked, in rad or m; a number or a formula.
 
         Returns:
@@ -492,7 +503,7 @@ class Arm:
         shape = f"numbers (..., {self.dof})" if many else f"one pose, numbers ({self.dof},)"
         expected = f"{shape}, one value for each of {', '.join(self.variables)}"
         values = finite_array(q, f"{self.name}: {name}", expected, (self.dof,), many)
-        if values.size and np.abs(values).max() > _MANY_TURNS:
+        if values.size and np.abs(values).max() > MANY_TURNS:
             self._warn_of_degrees_in(values, name)
         return values
 
@@ -502,7 +513,7 @@ class Arm:
         An iteration that diverges passes large angles too, but not round ones.
         """
         angles = np.abs(q[..., self.turning])
-        large = angles[angles > _MANY_TURNS]
+        large = angles[angles > MANY_TURNS]
         if large.size and (2 * large == np.round(2 * large)).all():
             warnings.warn(
                 f"{self.name}: {name} has an angle of {angles.max():g} rad, more than four turns;"
@@ -552,17 +563,15 @@ def require_joints(arm: object) -> None:
         raise ArmError(f"{arm.name} has no joints; expected an arm with one joint or more")
 
 
-def _warn_of_a_guessed_order(source: object, notes: Sequence[str]) -> None:
+def _warn_of_a_guessed_order(source: object, reading: str) -> None:
     """Warn where a table of numbers alone has no headers, so that its columns are a guess."""
     from helpers.checks.tables import format_table
 
-    guesses = [note for note in notes if note.startswith("columns ")]
-    if guesses and not re.search(r"[qθϑ]|th", format_table(source).lower()):
-        warnings.warn(
-            f"the table has no column headers and no joint variables, so a guess reads its"
-            f" {guesses[0]}, in the standard convention; say columns='theta d a alpha' or your"
-            " order, and convention='standard' or 'craig'",
-            stacklevel=3,
+    if not re.search(r"[qθϑ]|th", format_table(source).lower()):
+        warn_caller(
+            "the table has no column headers and no joint variables, so a guess reads it as:"
+            f" {reading}; say columns='theta d a alpha' or your order, and convention='standard'"
+            " or 'craig'"
         )
 
 

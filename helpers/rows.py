@@ -1,7 +1,6 @@
 """Define the parts of an arm: rows, joints, bodies, and the values of its symbols."""
 
 import math
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from numbers import Real
@@ -15,10 +14,16 @@ from helpers.inputs import (
     require_choice,
     shorten,
     tuple_of_items,
+    warn_caller,
 )
 
 Kind = Literal["revolute", "prismatic", "fixed"]
 KINDS = ("revolute", "prismatic", "fixed")
+
+# Joint angles (rad) above this give a warning: four turns, far beyond any maker's range and
+# below 30, the smallest angle in degrees that is common.
+MANY_TURNS = 8 * math.pi
+_LONG = 10.0  # m: lengths from here on give a warning, as the reader of tables takes them as mm
 
 
 @dataclass(frozen=True)
@@ -104,7 +109,8 @@ def revolute(
 ) -> Row:
     """Return a row whose joint turns: the angle about z is q + `theta`.
 
-    A number above 2 pi for an angle gives a warning, since it may be meant in degrees.
+    An angle above 2 pi, given as a number, gives a warning, since it may be meant in degrees; so
+    does a length of 10 m or more.
 
     Args:
         a: Length along x, in m; a number, or a formula such as ``"a_3"``.
@@ -119,7 +125,7 @@ def revolute(
         >>> revolute(a="a_3", alpha="-pi/2", limits=(-2.9, 2.9)).entries
         ('a_3', '-pi/2', 0, 0)
     """
-    warn_of_degrees(alpha, theta)
+    warn_of_units(a, alpha, d, theta)
     return Row(a, alpha, d, theta, _joint("revolute", limits, speed, effort))
 
 
@@ -135,7 +141,8 @@ def prismatic(
 ) -> Row:
     """Return a row whose joint slides: the length along z is q + `d`.
 
-    A number above 2 pi for an angle gives a warning, since it may be meant in degrees.
+    An angle above 2 pi, given as a number, gives a warning, since it may be meant in degrees; so
+    does a length of 10 m or more.
 
     Args:
         a: Length along x, in m; a number, or a formula such as ``"a_3"``.
@@ -150,7 +157,7 @@ def prismatic(
         >>> prismatic(alpha="pi/2", limits=(0.1, 1.0)).joint.upper
         1.0
     """
-    warn_of_degrees(alpha, theta)
+    warn_of_units(a, alpha, d, theta)
     return Row(a, alpha, d, theta, _joint("prismatic", limits, speed, effort))
 
 
@@ -166,13 +173,27 @@ def change_joint(joint: Joint, changes: Mapping[str, Any]) -> Joint:
         if len(tuple_of_items(changes["limits"], "joint limits", expected)) != 2:
             raise ArmError(f"joint limits are {shorten(changes['limits'])}; expected {expected}")
         fields["lower"], fields["upper"] = changes["limits"]
-    return replace(joint, **fields)
+    changed = replace(joint, **fields)
+    if "limits" in changes:
+        _warn_of_limits(changed)
+    return changed
+
+
+def _warn_of_limits(joint: Joint) -> None:
+    """Warn of limits that look like degrees or millimetres."""
+    ends = [abs(x) for x in (joint.lower, joint.upper) if math.isfinite(x)]
+    limits = f"limits are ({joint.lower:g}, {joint.upper:g})"
+    if joint.kind == "revolute" and max(ends, default=0) > MANY_TURNS:
+        warn_caller(f"{limits} in radians, more than four turns; for degrees write np.radians(...)")
+    if joint.kind == "prismatic" and max(ends, default=0) >= _LONG:
+        warn_caller(f"{limits} in metres; for millimetres divide by 1000")
 
 
 def fixed(a: Entry = 0, alpha: Entry = 0, d: Entry = 0, theta: Entry = 0) -> Row:
     """Return a row that does not move: a tool, a bracket or a locked joint.
 
-    A number above 2 pi for an angle gives a warning, since it may be meant in degrees.
+    An angle above 2 pi, given as a number, gives a warning, since it may be meant in degrees; so
+    does a length of 10 m or more.
 
     Args:
         a: Length along x, in m; a number, or a formula such as ``"l_tool"``.
@@ -184,18 +205,18 @@ def fixed(a: Entry = 0, alpha: Entry = 0, d: Entry = 0, theta: Entry = 0) -> Row
         >>> fixed(d=0.1).joint.kind
         'fixed'
     """
-    warn_of_degrees(alpha, theta)
+    warn_of_units(a, alpha, d, theta)
     return Row(a, alpha, d, theta, Joint("fixed"))
 
 
-def warn_of_degrees(*angles: Entry) -> None:
-    """Warn the caller's caller of each angle, given as a number, that is above 2 pi."""
-    for angle in angles:
+def warn_of_units(a: Entry, alpha: Entry, d: Entry, theta: Entry) -> None:
+    """Warn of numbers that look like degrees (angles above 2 pi) or millimetres."""
+    for angle in (alpha, theta):
         if isinstance(angle, Real) and 2 * math.pi < abs(angle) <= LARGEST:
-            warnings.warn(
-                f"an angle is {angle:g}, in radians; for degrees write '{angle:g} deg'",
-                stacklevel=3,
-            )
+            warn_caller(f"an angle is {angle:g}, in radians; for degrees write '{angle:g} deg'")
+    for length in (a, d):
+        if isinstance(length, Real) and _LONG <= abs(length) <= LARGEST:
+            warn_caller(f"a length is {length:g} m; for millimetres write '{length:g} mm'")
 
 
 @dataclass(frozen=True)

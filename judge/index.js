@@ -2,11 +2,11 @@
 
 import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
-import { meant, read } from "./reading/table.js";
 import { ENTRIES } from "./reading/table_rows.js";
 import { numbers, pose } from "./reading/numbers.js";
 import { evaluateFormulas, findTableMistake, listMistakes } from "./mistakes.js";
 import { ArmError, formatMessage } from "./sentences.js";
+import { readArmTable } from "./topics/arm_table.js";
 import { compareBranches } from "./topics/branches.js";
 import { compareJacobian } from "./topics/jacobian.js";
 import { comparePose } from "./topics/pose.js";
@@ -35,7 +35,7 @@ const TOPICS = {
   joints: ({ q, arm, angles }) => pose(q, arm, angles),
   poses: ({ q, arm, angles }) => readPoses(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
-  rows: ({ mine, options }) => meant(read(mine, options, options.values)[0], []),
+  rows: ({ mine, options }) => readArmTable(mine, options),
   entry: ({ text, kinds }) => formulaOf(text, kinds),
   mistakes: (question) => listMistakes(/** @type {any} */ (question)),
   formulas: (question) => evaluateFormulas(/** @type {any} */ (question)),

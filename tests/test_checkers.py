@@ -88,7 +88,9 @@ def test_jacobian_is_read_from_any_type(mine):
 
 def test_table_source_records_units_and_conversions():
     arm = Arm.from_table("0 -90 128 q1\n612.7 180 0 q2-90", columns="a alpha d theta")
-    assert arm.source == "lengths in millimetres; angles in degrees"
+    assert (
+        arm.source == "columns a α d θ; the standard convention; lengths in mm; angles in degrees"
+    )
     assert arm.rows[1].theta == "-pi/2"
     slide = Arm.from_table("q1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0", values={"d3": 0.2})
     assert [r.joint.kind for r in slide.rows] == ["revolute", "revolute", "prismatic"]

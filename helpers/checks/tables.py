@@ -2,13 +2,29 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 from helpers.checks.engine import ask_judge, format_sentence
 from helpers.inputs import ArmError, numbers_by_name, require_choice, shorten, tuple_of_items
 from helpers.rows import Joint, Row
 
 _FORMULAS: dict[int, float | str] = {-2: "-pi", -1: "-pi/2", 0: 0, 1: "pi/2", 2: "pi"}
+
+
+class TableReading(NamedTuple):
+    """A table as it was read.
+
+    Attributes:
+        rows: The rows of the arm.
+        reading: How the table was read, in words.
+        has_guessed_order: Whether the order of the columns is a guess.
+        warnings: What the reader must know, a sentence each.
+    """
+
+    rows: tuple[Row, ...]
+    reading: str
+    has_guessed_order: bool
+    warnings: list[str]
 
 
 def read_table(
@@ -19,8 +35,8 @@ def read_table(
     angles: Any,
     convention: Any,
     values: Mapping[str, float] | None,
-) -> tuple[tuple[Row, ...], list[str]]:
-    """Return the rows of an arm and sentences on how the table was read.
+) -> TableReading:
+    """Read a table as the rows of an arm.
 
     Multiples of a right angle become formulas, such as "pi/2". Raises ArmError if `source` is not
     a table, or holds a symbol without a value.
@@ -32,7 +48,7 @@ def read_table(
         Row(r["a"], _right_angle(r["alpha"]), r["d"], _right_angle(r["theta"]), Joint(r["kind"]))
         for r in answer["rows"]
     )
-    return rows, answer["said"]
+    return TableReading(rows, answer["reading"], answer["guessed"], answer["warnings"])
 
 
 def _right_angle(angle: float) -> float | str:

@@ -333,7 +333,7 @@ export function ownRows(text, unit, values = [], length = null) {
 
 // Say how a table was read: the order of its columns, its convention and units, and the rest that
 // was guessed. A unit is left out where every entry has one of its own.
-function describeReading(table, { said, length, angle }) {
+export function describeReading(table, { said, length, angle }) {
   const { rows, order = [], convention } = table;
   const columns = order.map((name) => COLUMN_SYMBOLS[name]).join(" ");
   const unit = Object.keys(UNITS).find((name) => UNITS[name] === length);

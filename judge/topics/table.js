@@ -185,7 +185,7 @@ function shown(typed, { lengthScale, angleScale }, findings) {
 // What was typed
 
 /** @returns {Table} */
-function tableOf(typed, found) {
+export function tableOf(typed, found) {
   const texts = typed.rows.map((row) => row.texts);
   const modified = typed.convention === "craig";
   const { a, alpha } = typed.rows[0].numbers;
@@ -243,7 +243,7 @@ function wholeUnit(typed, scale) {
 
 // The rows with angles that were cut to two decimals or more taken as the right angles that they
 // are near: 1.57 is meant as pi/2.
-const meantRows = (table) =>
+export const meantRows = (table) =>
   table.rows.map((row, k) => {
     const [alpha, theta] = ["alpha", "theta"].map((c) =>
       snapAngle(row[c], entryUnit(table, k + 1, c)),

@@ -255,13 +255,14 @@ const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
 
 const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
 
-// A note on each angle that was taken as a multiple of a right angle though it is not quite one.
+// A note on each angle that was taken as a multiple of a right angle though it differs from one by
+// more than `tolerance` (rad).
 /** @param {Table} table */
-const noteRightAngles = (table) =>
+export const noteRightAngles = (table, tolerance = 1e-9) =>
   table.rows.flatMap((row, k) =>
     ["alpha", "theta"].flatMap((column) => {
       const right = snapAngle(row[column], entryUnit(table, k + 1, column));
-      if (Math.abs(row[column] - right) <= 1e-9) return [];
+      if (Math.abs(row[column] - right) <= tolerance) return [];
       const turns = Math.round(right / (Math.PI / 2));
       const fields = {
         column,

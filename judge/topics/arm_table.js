@@ -1,0 +1,77 @@
+// Reads a table as an arm for Python's Arm.from_table, and says how it was read.
+
+import { ANGLE_TOLERANCE } from "../geometry/rows.js";
+import { describeReading, meant, read } from "../reading/table.js";
+import { withoutOtherColumns } from "../reading/table_other_columns.js";
+import { formatMessage, joinList } from "../sentences.js";
+import { meantRows, tableOf } from "./table.js";
+import { noteRightAngles } from "./table_same.js";
+
+/** @typedef {import("../geometry/arm.js").TableRow} TableRow */
+/** @typedef {import("../reading/table.js").TypedTable} TypedTable */
+
+/**
+ * Read a table.
+ * @param {string} text
+ * @param {{ columns?: string, lengths?: string, angles?: string, convention?: string,
+ *   values: [string, number][] }} options
+ * @returns {{ rows: TableRow[], reading: string, guessed: boolean, warnings: string[] }} standard
+ *   rows in m and rad, how the text was read, whether the order of the columns is a guess, and what
+ *   the reader of the arm must know
+ */
+export function readArmTable(text, options) {
+  const whole = withoutOtherColumns(text);
+  const typed = read(whole.text, options, options.values)[0];
+  const taken = meant(typed, []);
+  const table = tableOf(typed, taken);
+  const rows = meantRows(table);
+  const renumbered = noteRenumberedJoints(typed, table, rows);
+  const others = whole.others.length
+    ? [formatMessage("left out: columns", { columns: joinList(whole.others) })]
+    : [];
+  const parts = [
+    describeReading(typed, taken),
+    ...others,
+    ...renumbered,
+    ...noteRightAngles(table),
+  ];
+  const warnings = [
+    ...renumbered,
+    ...noteLikelyCraig(typed, text, rows),
+    ...noteRightAngles(table, ANGLE_TOLERANCE),
+  ];
+  return { rows, reading: parts.join("; "), guessed: Boolean(typed.guessed), warnings };
+}
+
+// The joints of an arm are numbered by its rows: name those that the table numbers otherwise.
+/** @param {TypedTable} typed */
+function noteRenumberedJoints(typed, { added }, rows) {
+  const pairs = typed.rows.flatMap(({ joint }, k) => {
+    const number = k + 1 + added;
+    return joint && joint.number !== number ? [{ name: joint.name, number }] : [];
+  });
+  if (!pairs.length) return [];
+  const before = rows
+    .slice(0, pairs[0].number - 1)
+    .flatMap(({ kind }, k) => (kind === "fixed" ? [k + 1] : []));
+  const key = before.length ? "joints renumbered by fixed rows" : "joints renumbered";
+  const names = joinRange(pairs.map(({ name }) => name));
+  const numbers = joinRange(pairs.map(({ number }) => `q_${number}`));
+  const is = formatMessage(pairs.length === 1 ? "is one" : "are many");
+  return [formatMessage(key, { names, numbers, is, rows: joinList(before) })];
+}
+
+const joinRange = (names) =>
+  names.length > 2 ? `${names[0]} to ${names.at(-1)}` : joinList(names);
+
+// In the standard convention a first row without a and alpha gives joints 1 and 2 one axis; in
+// Craig's it is usual, since its a and alpha are those of the base.
+/** @param {TypedTable} typed */
+function noteLikelyCraig({ convention }, text, rows) {
+  if (convention || /standard|spong|distal/i.test(text) || rows.length < 2) return [];
+  const [first, second] = rows;
+  const isBare = first.kind !== "fixed" && !first.a && !first.alpha;
+  const last = rows.at(-1);
+  const isLikely = first.kind === second.kind || last.a || last.alpha;
+  return isBare && isLikely ? [formatMessage("likely craig")] : [];
+}
