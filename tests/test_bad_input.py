@@ -309,7 +309,7 @@ MADE = {
     "inverse.NumericSolution", "inverse.Solutions", "motion.TraceReport",
     "motion.TraceReport.rows", "motion.SingularError", "motion.Trace",
     "motion.UnreachableError",
-    "show.MarkdownOutput", "slips.Census", "slips.TableSlip",
+    "show.MarkdownOutput", "slips.Census", "slips.TableSlip", "stepwise.StepwiseFormulas",
 }  # fmt: skip
 # Modules without checks of their own: the checks themselves, and internals of other modules.
 INTERNAL = {
