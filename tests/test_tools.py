@@ -11,6 +11,7 @@ import pytest
 import yaml
 from playwright.sync_api import Error
 
+import helpers
 from tools import pdf
 from tools.refresh import refresh
 
@@ -103,4 +104,13 @@ def test_repository_url_agrees_in_all_files():
     citation = yaml.safe_load((pdf.ROOT / "CITATION.cff").read_text("utf-8"))
     project = tomllib.loads((pdf.ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     assert citation.get("repository-code", "") == project.get("urls", {}).get("Source", "") == url
-    assert citation["version"] == project["version"]
+
+
+def test_version_agrees_in_all_files():
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
+    changelog = (ROOT / "CHANGELOG.md").read_text("utf-8")
+    assert citation["version"] == helpers.__version__
+    assert f"## {helpers.__version__} - {citation['date-released']}" in changelog
+    config = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+    assert config["project"]["dynamic"] == ["version"]
+    assert config["tool"]["setuptools"]["dynamic"]["version"] == {"attr": "helpers.__version__"}
