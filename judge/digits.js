@@ -45,9 +45,14 @@ export function units(texts, slacks = []) {
   });
   const whole = found.every((one) => one?.bare) && found.some((one) => one.size);
   const finest = placed.length || whole ? Math.min(1, ...placed) : 0;
-  const unit = (one, i) => (one ? (one.bare ? finest : one.unit) : 2 * (slacks[i] ?? 0));
+  const finestOfLarge = Math.min(1, ...found.flatMap((one) => (isLarge(one) ? [one.unit] : [])));
+  const bareUnit = ({ size }) => (size && placed.length ? Math.max(finest, finestOfLarge) : finest);
+  const unit = (one, i) => (one ? (one.bare ? bareUnit(one) : one.unit) : 2 * (slacks[i] ?? 0));
   return found.map(unit);
 }
+
+// Return whether a number has about the size of a bare 1 and a unit of its own.
+const isLarge = (one) => one && !one.bare && one.size >= 0.1;
 
 /**
  * Return the units that a program's numbers have if it trims zeros: those of the column's finest

@@ -1,7 +1,7 @@
 // Every rectangular block of entries in a text, with the words beside it.
 
 import { RAD } from "../geometry/angles.js";
-import { foldBlanks, foldDashes, plainCharacters } from "./characters.js";
+import { foldBlanks, foldSigns, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
@@ -35,7 +35,7 @@ const PARTINGS = [false, true].flatMap((gaps) =>
  * @param {import("./spans.js").SpannedText} pasted
  */
 export const plainText = (pasted) =>
-  plainCharacters(withoutDecorations(foldDashes(foldBlanks(pasted))));
+  plainCharacters(withoutDecorations(foldSigns(foldBlanks(pasted))));
 
 /**
  * Return a function for each way to part the text, which makes its blocks but for those that the
@@ -119,7 +119,7 @@ function followingRows(rows, names) {
 // Return whether a row goes on the row before it, with only numbers of their lines between them.
 const follows = (row, before, between) =>
   before.part === row.part &&
-  before.listed === row.listed &&
+  before.depth === row.depth &&
   between.every(({ line }) => line === before.line || line === row.line) &&
   (row.cells.length > 1
     ? namesOtherQuantity(row) === namesOtherQuantity(before)
@@ -143,14 +143,15 @@ export function namesOtherQuantity({ name, words }) {
 }
 
 // Return whether two values of a column are named alike: on one line both or neither with =, on two
-// lines both or neither with a label, and in a sentence. A list has one name for all its values.
+// lines both with labels of one kind or without, and in a sentence. A list has one name for all.
 function isAlike(row, other) {
-  if (row.listed) return true;
+  if (row.depth) return true;
   if (row.line === other.line) return !row.name === !other.name;
-  return isLabelled(row) === isLabelled(other) && row.tail > 1 === other.tail > 1;
+  return labelKind(row) === labelKind(other) && row.tail > 1 === other.tail > 1;
 }
 
-const isLabelled = ({ name, words }) => /^\d{1,3}$/.test(name) || labelIn(words) !== null;
+const labelKind = ({ name, words }) =>
+  /^\(?\d{1,3}\)?$/.test(name) ? "count" : (labelIn(words)?.kind ?? "");
 
 const scaled = ({ cells, scale }) =>
   scale ? cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` })) : cells;
@@ -255,13 +256,30 @@ function joinCellLines(rows, words) {
     {
       rows: values.map(({ cells }) => cells),
       labels: values.map(({ label }) => [label]),
-      headers: [],
+      headers: headersAbove(
+        lines,
+        lines.findIndex(({ cell }) => cell === values[0].label),
+        width,
+      ),
       name: "",
       from: sources[0].line,
       to: sources.at(-1).last,
       sources,
     },
   ];
+}
+
+// The words of the lines directly above a line, at most one more than a row has cells.
+function headersAbove(lines, end, width) {
+  let first = end;
+  while (
+    end - first <= width &&
+    first > 0 &&
+    !lines[first - 1].row &&
+    lines[first - 1].line === lines[first].line - 1
+  )
+    first--;
+  return lines.slice(first, end).map(({ cell }) => cell);
 }
 
 // Lines that hold a single cell, an entry or a word, in order.

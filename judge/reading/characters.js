@@ -30,10 +30,10 @@ const BLANKS = /[\u00a0\u2002\u2003\u2007\u200a\u3000]|[\u2009\u202f](?!\d{1,3}(
  */
 export const foldBlanks = (text) => text.replace(BLANKS, " ");
 /**
- * Replace all dashes by one minus.
+ * Write each dash as a minus and each degree sign as °.
  * @param {import("./spans.js").SpannedText} text
  */
-export const foldDashes = (text) => text.replace(DASHES, "-");
+export const foldSigns = (text) => text.replace(DASHES, "-").replace(/[º˚]/g, "°");
 export const foldCharacter = (one) => SAME.get(one);
 // LaTeX's, which only set a formula out; a ~ before a number may be a minus.
 export const SPACING =

@@ -50,7 +50,7 @@ const BEHIND_VALUE =
 // A star, an exclamation mark or an arrow behind a value, at its cell's end or before its unit.
 const MARK_BEHIND =
   String.raw`(?<=[\d\])}°mπ]|pi|rad|deg)(?:[*!]|[ ]*(?:<-+|←))` +
-  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]?(?:k?N|rad|deg|°))`;
+  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?(?:k?N|rad|deg|°))`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
@@ -76,7 +76,7 @@ const DECORATIONS = [
     (_, power) => `e${[...power].map((one) => "-+0123456789"[SUPERSCRIPTS.indexOf(one)]).join("")}`,
   ],
   [/(?<=\d\.\d{3})[\u2009\u202f](?=\d{1,3}(?!\d))/g, ""], // 0.123 456
-  [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+]?(?:[\d.π]|pi|\\pi))/g, " "],
+  [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+]?[\p{L}\d.\\])/gu, " "],
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
   [/(?<=[\w°π)}*])(?:[ ]*[✓✔✅☑†‡§](?!\w)|\[\^\w{1,3}\]|\^\{\*\})/g, ""],

@@ -11,10 +11,10 @@ import { CONTINUED, ROW_END } from "./characters.js";
  */
 /**
  * Entries of one row; the words before them since the row before on the line, and of the line
- * above; the name that they are assigned to; whether they are the whole of a list. `break` counts
+ * above; the name that they are assigned to; in how many lists they stand. `break` counts
  * the rows' ends before them; `tail` the words behind them on the line.
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
- *   scale: string, part: number, above: Cell[], listed: boolean, tail: number }} Row
+ *   scale: string, part: number, above: Cell[], depth: number, tail: number }} Row
  */
 /**
  * How a text is parted: whether the innermost lists are taken for one row each, whether commas
@@ -227,6 +227,7 @@ const isStamp = (text) => STAMPS.some((pattern) => pattern.test(text));
 const UNITS = new Map(
   Object.entries({
     ...{ m: "", N: "", Nm: "", rad: "", radians: "", deg: " deg", degrees: " deg", "°": " deg" },
+    ...{ Newtonmeters: "", Newtonmetres: "" },
     ...{ mm: "*1e-3", cm: "*1e-2", Nmm: "*1e-3", mNm: "*1e-3", kNm: "*1e3", kN: "*1e3" },
   }),
 );
@@ -362,9 +363,8 @@ function putCell(cell, line, state) {
     return;
   }
   if (!state.row) {
-    const { words, name, scale, part, above } = state;
-    const listed = state.depth > 0;
-    state.row = { cells: [], words, name, line, last: line, scale, part, above, listed, tail: 0 };
+    const { words, name, scale, part, above, depth } = state;
+    state.row = { cells: [], words, name, line, last: line, scale, part, above, depth, tail: 0 };
     state.rows.push(state.row);
     state.words = [];
     state.name = "";
