@@ -261,6 +261,9 @@ function* bodies(arm, load) {
     if (g && Math.abs(g - other) > 1e-9)
       yield put("tau.gravity", (at) => ({ ...at, ...withGravity(other) }), fields);
   }
+  // masses in kilograms taken for forces
+  if (g)
+    yield put("tau.no g", (at) => ({ ...at, ...withGravity(1) }), { _here: formatNumber(g, 4) });
   yield* masses(arm, load, put);
   yield* centres(arm, load, put);
   if (arm.lumped) {
