@@ -53,6 +53,7 @@ const SAME = new Map([
 const LATEX = [
   [/\\(?:math(?:rm|bf|it)|text(?:bf|it|rm)?|boldsymbol)\s*\{([^{}]*)\}/g, "$1"],
   [/\^\s*\{?\s*\\circ\s*\}?|\\degree(?![A-Za-z])/g, " deg"],
+  [/(?<=[\d.)]\s*)deg(?:rees?|s|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
   [/\\(?:cdot|times)(?![A-Za-z])/g, "*"],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
   [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
