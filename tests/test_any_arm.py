@@ -8,6 +8,7 @@ import os
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from helpers.arm import Arm, fixed, prismatic, revolute
 from helpers.checks.arms import arm_data
@@ -238,6 +239,21 @@ def test_solutions_out_of_reach_are_no_error():
     reach = 1.25 + np.hypot(1.5, 0.054)
     assert found.distance == pytest.approx(np.hypot(9 - 0.35, 0.75 + 0.303) - reach, abs=1e-9)
     assert "m out of reach" in repr(found)
+
+
+@pytest.mark.parametrize("name", ["SCARA RRPR", "SCARA RRRP", "planar RRR"])
+@pytest.mark.parametrize("degrees", [37, 180])
+def test_tilted_target_of_a_scara_is_reported_as_such(name, degrees):
+    rng = np.random.default_rng(3)
+    arm = random_arm(rng, *STRUCTURES[name])
+    T = forward_kinematics(arm, random_q(arm, 1, rng)[0])
+    # All axes are parallel to z_0. Tilt the tool about the base's x axis, at the same point.
+    T[:3, :3] = Rotation.from_euler("x", degrees, degrees=True).as_matrix() @ T[:3, :3]
+    found = solutions(arm, T)
+    assert not found.valid.any()
+    assert np.isnan(found.distance)
+    assert f"no solution, the target tilts the tool by {degrees}°" in repr(found)
+    assert "out of reach" not in repr(found)
 
 
 @pytest.mark.parametrize(

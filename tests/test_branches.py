@@ -160,9 +160,9 @@ def test_distance_out_of_reach_is_known_for_every_arm():
 
 def test_solutions_are_read_as_a_student_asks():
     one = inverse.elbow(ELBOW, (0.5, 0.0, 0.5))
-    assert repr(one).splitlines()[0] == "Elbow arm, way, q_1, q_2, q_3:"
+    assert repr(one).splitlines()[0] == "Elbow arm, solution, q_1, q_2, q_3:"
     assert repr(one).splitlines()[1].startswith("  front, elbow up, 0.0000, 0.")
-    assert one._repr_markdown_().startswith("| way | $q_1$ | $q_2$ | $q_3$ |\n| :-- | --: ")
+    assert one._repr_markdown_().startswith("| solution | $q_1$ | $q_2$ | $q_3$ |\n| :-- | --: ")
     assert "any" in repr(inverse.elbow(ELBOW, (0.0, 0.0, 0.95)))
     assert repr(inverse.elbow(ELBOW, (1.0, 0.0, 0.5))).endswith("is 0.3 m out of reach")
     many = inverse.elbow(ELBOW, [(0.5, 0.0, 0.5), (1.0, 0.0, 0.5)])
@@ -172,5 +172,5 @@ def test_solutions_are_read_as_a_student_asks():
     )
     assert repr(inverse.solve(ELBOW, (0.5, 0.0, 0.5))).startswith("reached in ")
     found = inverse.solve(ELBOW, (0.5, 0.0, 0.5))._repr_markdown_().splitlines()
-    assert found[:2] == ["| way | $q_1$ | $q_2$ | $q_3$ |", "| :-- | --: | --: | --: |"]
+    assert found[:2] == ["| result | $q_1$ | $q_2$ | $q_3$ |", "| :-- | --: | --: | --: |"]
     assert found[2].startswith("| reached in ")

@@ -11,6 +11,7 @@ from helpers.inverse.by_structure import candidates
 from helpers.inverse.reach import distance_of_targets
 from helpers.inverse.shoulder import elbow, has_rod, is_elbow_arm, rod
 from helpers.inverse.solutions import (
+    TILTED,
     BranchArrays,
     Solutions,
     check_poses,
@@ -21,7 +22,9 @@ from helpers.inverse.structure import (
     EXACT,
     PARALLEL,
     PLANAR_2R,
+    PLANAR_3R,
     POSITION,
+    SCARA,
     Structure,
     find_structure,
 )
@@ -51,9 +54,10 @@ def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None
     Serves six joints with three axes that meet in a point (a spherical wrist, as KUKA, ABB, Fanuc
     or PUMA have) or with three parallel axes (as Universal Robots), SCARA and planar arms, and
     positions of arms of three joints. `Solutions.structure` says which it is; branches are named by
-    the choices shoulder, elbow, rod and wrist. Where the axes meet a structure nearly (within 1e-4,
-    as in calibrated arms), each branch is finished by Newton's method, and next to the boundary of
-    the workspace a branch may be missing.
+    the choices shoulder, elbow, rod and wrist, each with + and - for the two roots of its equation;
+    arms with the table of a chapter have the chapter's names, such as front and elbow up. Where the
+    axes meet a structure nearly (within 1e-4, as in calibrated arms), each branch is finished by
+    Newton's method, and next to the boundary of the workspace a branch may be missing.
 
     Args:
         arm: the arm; its tool, base and fixed rows may be any.
@@ -86,7 +90,20 @@ def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None
         return _solve(arm, structure, columns.reshape(4, 4, -1), start)
 
     found = each_branch(arm, columns, start, choices, kernel)
+    if structure.kind in (PLANAR_3R, SCARA):
+        tilt = _tilt_of_targets(structure, columns.reshape(*columns.shape[:-1], 4, 4))
+        tilt = np.broadcast_to(tilt, found.distance.shape)
+        distance = np.where(tilt > TILTED, np.nan, found.distance)
+        found = replace(found, tilt=tilt, distance=distance)
     return replace(found, structure=structure.description)
+
+
+def _tilt_of_targets(structure: Structure, targets: Array) -> Array:
+    """Return by how much targets (..., 4, 4) tilt the axes of a planar or SCARA arm, in rad."""
+    axis = structure.axes[-1].direction[:, 0, 0]
+    turn = targets[..., :3, :3] @ structure.tip[:3, :3].T
+    turned = turn @ axis
+    return np.arctan2(np.linalg.norm(np.cross(turned, axis), axis=-1), turned @ axis)
 
 
 # The closed forms that the chapters teach; they are faster and know distances and free families.

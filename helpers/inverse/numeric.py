@@ -66,7 +66,7 @@ class NumericSolution:
         how, _, _ = repr(self).partition(": q = ")
         heads = "".join(f" $q_{i}$ |" for i in range(1, self.q.size + 1))
         joints = "".join(f" {x:.4f} |" for x in self.q.round(4) + 0.0)
-        return f"| way |{heads}\n| :-- |{' --: |' * self.q.size}\n| {how} |{joints}"
+        return f"| result |{heads}\n| :-- |{' --: |' * self.q.size}\n| {how} |{joints}"
 
 
 def solve(

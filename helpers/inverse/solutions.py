@@ -27,6 +27,10 @@ Array = NDArray[np.float64]
 _CHUNK = 4096
 
 
+# rad: a planar arm's target that is tilted by more has no solution. Poses have six decimals.
+TILTED = 1e-6
+
+
 @dataclass(frozen=True, repr=False)
 class Solutions:
     """Every joint vector that takes the tip to a target, for a batch of targets.
@@ -46,9 +50,12 @@ class Solutions:
             reach, shape (...), in m; 0 where it is reached. For `ur` the way that is sure to be
             enough: across the arm's plane, and in it until the links reach, orientation kept.
             NaN where a target is out of reach of an arm with three parallel axes that is solved
-            by its structure alone.
+            by its structure alone, and where `tilt` is not 0.
         structure: the structure that gave the closed form, as "spherical wrist (axes 4, 5 and 6
             meet)"; empty where a closed form was called by its name.
+        tilt: for a planar or SCARA arm the angle between its last axis and where a target wants it,
+            shape (...), in rad: such an arm only turns its tool about its parallel axes. None for
+            other arms.
     """
 
     arm: Arm
@@ -59,6 +66,7 @@ class Solutions:
     free: NDArray[np.bool_]
     distance: Array
     structure: str = ""
+    tilt: Array | None = None
 
     @property
     def times(self) -> NDArray[np.int_]:
@@ -82,16 +90,27 @@ class Solutions:
             reached = self.valid.any(axis=-1)
             return f"{self.arm.name}: {reached.sum()} of {reached.size} targets within reach"
         if not self.ways:
-            if np.isnan(self.distance):
-                return f"{self.arm.name}: no way, the target is out of reach"
-            return f"{self.arm.name}: no way, the target is {self.distance:.4g} m out of reach"
+            return f"{self.arm.name}: no solution, {self._reason_of_failure()}"
         lines = [f"  {', '.join(cells)}" for cells in self._cells()]
-        return "\n".join([f"{self.arm.name}, {', '.join(('way', *self.arm.variables))}:", *lines])
+        return "\n".join(
+            [f"{self.arm.name}, {', '.join(('solution', *self.arm.variables))}:", *lines]
+        )
+
+    def _reason_of_failure(self) -> str:
+        """Say why one target has no solution."""
+        if self.tilt is not None and self.tilt > TILTED:
+            return (
+                f"the target tilts the tool by {np.degrees(self.tilt):.4g}°, and the arm cannot"
+                " tilt it: it turns its tool about its parallel axes alone"
+            )
+        if np.isnan(self.distance):
+            return "the target is out of reach"
+        return f"the target is {self.distance:.4g} m out of reach"
 
     def _repr_markdown_(self) -> str:
         if self.q.ndim != 2 or not self.ways:
             return repr(self)
-        heads = ("way", *(f"${name}$" for name in self.arm.variables))
+        heads = ("solution", *(f"${name}$" for name in self.arm.variables))
         rows = [heads, (":--", *["--:"] * self.arm.dof), *self._cells()]
         return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
