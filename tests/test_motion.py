@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.arm import ArmError
-from helpers.inverse import follow, ur
+from helpers.inverse import elbow, follow, ur
 from helpers.kinematics import forward_kinematics, jacobian, tip
 from helpers.motion import (
     Path,
@@ -21,6 +21,7 @@ from helpers.motion import (
     circle_below,
     damped,
     levenberg,
+    line,
     plain_inverse,
     pseudo_inverse,
     rest_to_rest,
@@ -441,3 +442,23 @@ def test_report_says_if_no_limits_are_known():
     assert told["joints beyond their speed"] == "no limit is known"
     assert told["joints beyond their range"] == "none", "the slide has a range"
     assert repr(run).startswith("Stanford arm, 20 steps in 5 s\nlargest position error")
+
+
+def test_report_says_how_far_a_line_leads_out_of_reach():
+    start = np.array([0.2, 0.6, -1.0])
+    first = tip(ELBOW, start)
+    end = first + 0.8 * np.array([np.cos(0.2), np.sin(0.2), 0])
+    path = line(first, end, period=2, steps=100)
+    report = trace(ELBOW, start, path, rates=pseudo_inverse()).report
+    assert report.out_of_reach == pytest.approx(elbow(ELBOW, end).distance, abs=1e-4)
+    assert "the path leads 711 mm out of the arm's reach" in str(report)
+
+
+def test_report_of_a_path_within_reach_gives_no_reason():
+    start = np.array([0.2, 0.6, -1.0])
+    first = tip(ELBOW, start)
+    path = line(first, first - [0.2, 0, 0], period=2, steps=3)
+    report = trace(ELBOW, start, path, rates=pseudo_inverse()).report
+    assert report.position_error > 1e-3
+    assert report.out_of_reach == 0
+    assert "reason" not in str(report)

@@ -148,6 +148,8 @@ def circle_below(
 ) -> Path:
     """Define the circle that begins at an arm's tip and hangs below it.
 
+    The circle is upright. For a level one, as for a SCARA, use `circle` with the plane "xy".
+
     Args:
         arm: The arm.
         start: Joint values at the start, shape (dof,).
@@ -169,7 +171,8 @@ def circle_below(
     top = tip(arm, arm.joint_vector(start, "start", many=False))
     if 2 not in parse_plane(plane):
         raise ArmError(
-            f"plane is {plane!r}; expected one with z, such as 'zy', to be below the tip"
+            f"plane is {plane!r}; expected one with z, such as 'zy', to be below the tip;"
+            " for a level circle use motion.circle"
         )
     centre = top - [0, 0, finite_number(radius, "radius", "a finite length > 0 in m", above=0)]
     phase = 0.0 if plane[0] == "z" else np.pi / 2

@@ -6,11 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
+from helpers.inverse.numeric import solve
 from helpers.kinematics import jacobian
 from helpers.motion.paths import Path
 from helpers.motion.rates import format_size
 
 Array = NDArray[np.floating]
+
+_LARGE_ERROR = 1e-3  # m: from here on the report looks whether the path is within reach
 
 
 @dataclass(frozen=True)
@@ -36,6 +39,9 @@ class TraceReport:
         sliding: Joints whose excess is in m or m/s.
         ranges: Whether the arm's table has any range.
         speeds: Whether the arm's table has any speed limit.
+        out_of_reach: How far the path leads out of reach: the distance that
+            `helpers.inverse.solve` leaves at the point of the largest error; 0 where it reaches
+            the point, or where no error is above 1 mm.
     """
 
     arm: str
@@ -55,6 +61,7 @@ class TraceReport:
     sliding: tuple[int, ...] = ()
     ranges: bool = True
     speeds: bool = True
+    out_of_reach: float = 0.0
 
     @property
     def executable(self) -> bool:
@@ -72,8 +79,10 @@ class TraceReport:
         beyond_speed = self._list_joints(self.beyond_speed, "/s")
         acceleration = format_size(self.largest_acceleration)
         start_speed = format_size(self.speed_from_rest)
+        reach = f"the path leads {_format_length(self.out_of_reach)} out of the arm's reach"
         return [
             ("largest position error", _format_length(self.position_error)),
+            *([("reason of the error", reach)] if self.out_of_reach else []),
             ("largest distance off the wall", _format_length(self.off_wall)),
             ("largest tilt of the pen", _format_angle(self.pen_tilt)),
             ("gap between the tip's start and end", _format_length(self.closing_gap)),
@@ -139,7 +148,21 @@ def report_trace(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> 
         sliding=tuple(arm.joints[k] for k in np.flatnonzero(~arm.turning)),
         ranges=bool(np.isfinite([lower, upper]).any()),
         speeds=bool(np.isfinite(arm.speed_limits).any()),
+        out_of_reach=_distance_out_of_reach(arm, path, q, error),
     )
+
+
+def _distance_out_of_reach(arm: Arm, path: Path, q: Array, error: Array) -> float:
+    """Return how far the point of the largest error is out of the arm's reach, in m.
+
+    Limits do not count, since a trace exceeds them too.
+    """
+    worst = int(np.linalg.norm(error, axis=1).argmax())
+    if np.linalg.norm(error[worst]) < _LARGE_ERROR:
+        return 0.0
+    nearest = solve(arm, path.positions[worst], start=q[worst], limits=False, restarts=8)
+    distance = float(nearest.position_error)
+    return distance if distance > _LARGE_ERROR / 10 else 0.0
 
 
 def _angles_between(axes: Array, axis: Array) -> Array:
