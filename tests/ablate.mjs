@@ -112,7 +112,7 @@ function instrument(file, code) {
     for (const child of visitorKeys[type].flatMap((key) => node[key] ?? [])) if (child) visit(child, node);
   };
   visit(ast, null);
-  return [...code, ""].map((character, k) => (closes[k] ?? []).join("") + (opens[k] ?? []).join("") + character).join("");
+  return [...code.split(""), ""].map((character, k) => (closes[k] ?? []).join("") + (opens[k] ?? []).join("") + character).join("");
 }
 
 // Copy the project to a folder, with calls in the modules whose path begins so; return runs of the texts.
