@@ -8,7 +8,7 @@ const UNITS_BEHIND = String.raw`[kmM]?N ?[-·*]?m{0,2}|rad|deg|°|\$\^\\circ\$|�
 const QUANTITY = String.raw`${NUMBER}(?: ?(?:${UNITS_BEHIND}))?`;
 const BEFORE = String.raw`(?<=^|[\s|&,;:=[({>$])`;
 const AFTER = String.raw`(?=$|[\s|&,;:.\])}<$])`;
-const EMPHASIS = "\\*{1,3}|_{1,2}|==|`|'";
+const EMPHASIS = "\\*{1,3}|_{1,2}|`|'";
 
 const UNIT =
   String.raw`[kmM]?N\s?[-·*.⋅]?\s?m{0,2}|rad(?:ians?)?|deg(?:rees?)?|` +
@@ -19,7 +19,7 @@ const TIMES_TEN = String.raw`(?<=\d)[ \t]*(?:\\times|\\cdot|[×·⋅∙*x])[ \t]
 
 function shortUnit(unit) {
   const letters = unit.replace(/\\([a-z]+)/g, (all, word) => SIUNITX[word] ?? all);
-  return letters.replace(/\\cdot|[.\s\\~]/g, "");
+  return letters.replace(/[.\s\\~]/g, "");
 }
 
 // x ± u, where u is small or a few of x's last places; another ± stands for two numbers, as in
@@ -32,51 +32,47 @@ function withoutUncertainty(all, x, unit = "", uncertainty) {
 
 const SMALL = 0.001; // rad or N m: no two solutions lie as near
 
-const FACES = "math(?:bf|sf|it|tt|rm)|bm|boldsymbol|text(?:bf|it|sf|tt)|boxed|underline|num";
+const FACES = "math(?:bf|it|rm)|boldsymbol|text(?:bf|it)|boxed|underline|num";
 
-// Matches text in braces, with braces inside it up to two deep.
-const BRACED = String.raw`\{((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,40}\}){0,60}\}){0,80})\}`;
+// Text in braces, which may hold braces.
+const BRACED = String.raw`\{((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
 // (corrected), (was 2.075), but (rad)
-const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi|PI)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ ]?[*/^+-])`;
+const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ ]?[*/^+-])`;
 
 const UNCERTAIN =
-  String.raw`(?<![\d.,])(\d{1,9}(?:[.,]\d{0,20})?|[.,]\d{1,20})([ ]?(?:${UNIT}|π|pi))?` +
+  String.raw`(?<![\d.,])(\d{1,9}(?:[.,]\d{0,20})?)([ ]?(?:${UNIT}|π))?` +
   String.raw`\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*[.,]\d+)`;
 
 // Behind a value, but not behind "1", which may be a name.
 const BEHIND_VALUE =
   String.raw`(?<![\p{L}_]\d{1,2}[ ]?)(?<=(?:[.,]\d{0,22}|(?<![\d.])0)` +
-  String.raw`(?:e[-+]?\d{1,2})?[ ]?(?:π|pi)?)`;
+  String.raw`(?:e[-+]?\d{1,2})?[ ]?π?)`;
 // A star, an exclamation mark or an arrow behind a value, at its cell's end or before its unit.
 const MARK_BEHIND =
-  String.raw`(?<=[\d\])}°mπ]|pi|rad|deg)(?:[*!]|[ ]*(?:<-+|←))` +
-  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?(?:k?N|rad|deg|°))`;
+  String.raw`(?<=[\d\])}°mπ])(?:[*!]|[ ]*<-+)` +
+  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?(?:k?N|rad))`;
 
 /** @type {any[][]} */
 const DECORATIONS = [
   [/(?<=10)<sup>\s*([-+]?\d{1,2})\s*<\/sup>/gi, "^$1"],
   [/<sup>\s*[\w*†‡]\s*<\/sup>/gi, ""],
-  [/<\/?(?:b|i|u|em|strong|code|span|mark|font|sup|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
-  [/\\(?:phantom|hspace|vspace|cancel|sout)\{[^{}\n]*\}/g, " "],
+  [/<\/?(?:b|i|u|em|strong|code|span|mark|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
+  [/\\(?:phantom|cancel)\{[^{}\n]*\}/g, " "],
   [new RegExp(String.raw`\\textcolor\{\w+\}${BRACED}`, "g"), "$1"],
   [/\{\\color\{\w+\}\s*([^{}\n]*)\}/g, "$1"],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, (_, x, unit) => `${x} ${shortUnit(unit)}`],
-  [/\\,\s*\\(?:mathrm|text|si|unit)\{([^{}\n]*)\}/g, (_, unit) => ` ${shortUnit(unit)}`],
+  [/\\,\s*\\mathrm\{([^{}\n]*)\}/g, (_, unit) => ` ${shortUnit(unit)}`],
   [new RegExp(String.raw`\\(?:${FACES})${BRACED}`, "g"), "$1"],
   [new RegExp(String.raw`\\text\{\s*(${UNIT})\s*\}`, "g"), " $1"],
   [
-    new RegExp(
-      String.raw`${TIMES_TEN}(?:\^|\*\*)\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?![\d.])`,
-      "g",
-    ),
+    new RegExp(String.raw`${TIMES_TEN}\^\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?![\d.])`, "g"),
     "e$1",
   ],
   [
     new RegExp(`${TIMES_TEN}([${SUPERSCRIPTS}]{1,3})`, "g"),
     (_, power) => `e${[...power].map((one) => "-+0123456789"[SUPERSCRIPTS.indexOf(one)]).join("")}`,
   ],
-  [/(?<=\d\.\d{3})[\u2009\u202f](?=\d{1,3}(?!\d))/g, ""], // 0.123 456
-  [/(?:≈|≃|≅|\\approx(?![a-z])|\\simeq(?![a-z]))\s*(?=[-+]?[\p{L}\d.\\])/gu, " "],
+  [/(?:≈|≅|\\approx(?![a-z]))\s*(?=[-+]?[\p{L}\d.\\])/gu, " "],
   [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
   [/(?<=[\w°π)}*])(?:[ ]*[✓✔✅☑†‡§](?!\w)|\[\^\w{1,3}\]|\^\{\*\})/g, ""],
@@ -88,7 +84,6 @@ const DECORATIONS = [
   [new RegExp(MARK_BEHIND, "gm"), ""],
   [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
   [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.])/g, ""], // a corrected value
-  [new RegExp(`<(${NUMBER})>`, "g"), "$1"],
   [new RegExp(String.raw`${BEHIND_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
   [
@@ -142,7 +137,7 @@ function withoutLineNumbers(text) {
 
 const NUMBERED = new RegExp(
   String.raw`^([ \t]*)(?:\((\d{1,2})\)|\[(\d{1,2})\]|(\d{1,2})[).]|#(\d{1,2})[.:)]?)` +
-    String.raw`[ \t]+(?=[-+(["'\d.]|np\.)`,
+    String.raw`[ \t]+(?=[-+(["'\d.])`,
 );
 
 /**
@@ -160,11 +155,11 @@ export function labelNumberedLines(text) {
   return text.replace(pattern, (_, blanks, ...groups) => `${blanks}${groups.find(Boolean)}: `);
 }
 
-const STRUCK = /~~[^~\n]{1,300}~~|<(s|del|strike)>[^<>\n]{1,300}<\/\1>/g;
+const STRUCK = /~~[^~\n]{1,300}~~|<s>[^<>\n]{1,300}<\/s>/g;
 const COMMENTS = [
   /(?<=[\d\])°m][ ]*)#[ ]?[a-z]{2,12}(?=[ ]*(?:[\t|&;,]|$))/gm, // in a cell
   STRUCK,
-  /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*(?:of|\/)[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
+  /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*of[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
