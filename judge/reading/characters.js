@@ -21,8 +21,7 @@ const SAME = new Map([
   ...[..."０１２３４５６７８９"].flatMap((one, i) => mapEach(one, `${i}`)), // among Chinese characters
 ]);
 export const FOLDED = new RegExp(`[${[...SAME.keys()].join("")}]`, "g");
-// Thin blanks part digits in threes, 0.123 456.
-const BLANKS = /[\u00a0\u2002\u2003\u2007\u200a\u3000]|[\u2009\u202f](?!\d{1,3}(?!\d))/g;
+const BLANKS = /[\u00a0\u2002\u2003\u2007\u2009\u200a\u202f\u3000]/g;
 
 /**
  * Replace wide and narrow blanks.
@@ -46,12 +45,11 @@ export const withoutSpacing = (text) => text.replace(SPACING, " ");
 // Characters that a page's source names.
 const ENTITIES = {
   ...{ pi: "π", theta: "θ", alpha: "α", tau: "τ", omega: "ω", deg: "°" },
-  ...{ minus: "-", nbsp: " ", times: "*", plusmn: "±", asymp: "" },
+  ...{ minus: "-", nbsp: " ", times: "*", plusmn: "±" },
 };
 
 const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
-const NOUNS =
-  "wrist|joint|step|point|column|link|angle|torque|axis|motor|branch|sol(?:ution)?|lösung";
+const NOUNS = "wrist|joint|step|column|link|angle|torque|axis|branch|sol(?:ution)?|lösung";
 // A noun and its number in one word.
 const joinedNoun = (noun) => `${noun.trim()}_`;
 
@@ -78,7 +76,7 @@ export const MATRIX_CHARACTERS = [
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
   [/<\/t[dh]>\s*<t[dh][^<>\n]{0,60}>/gi, " | "], // a page's table
-  [/&(pi|theta|alpha|tau|deg|minus|nbsp|times|plusmn|asymp|omega);/g, (_, name) => ENTITIES[name]],
+  [/&(pi|theta|alpha|tau|deg|minus|nbsp|times|plusmn|omega);/g, (_, name) => ENTITIES[name]],
   [/<\/?(?:table|tr|t[dh])\b[^<>\n]{0,60}>/gi, " "],
   [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
   [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
