@@ -53,10 +53,9 @@ class TracedPattern extends RegExp {
     const end = this.lastIndex;
     for (const change of this.changes) {
       if (change !== active && (textIndex < 0 || change.texts.has(textIndex))) continue;
-      const changed = new RegExp(change.source, this.flags);
-      changed.lastIndex = start;
-      const other = changed.exec(string);
-      if (change === active) this.lastIndex = changed.lastIndex;
+      change.pattern.lastIndex = start;
+      const other = change.pattern.exec(string);
+      if (change === active) this.lastIndex = change.pattern.lastIndex;
       if (change === active) return other;
       if (JSON.stringify([other, other?.index]) !== JSON.stringify([match, match?.index])) note(change);
     }
@@ -66,8 +65,9 @@ class TracedPattern extends RegExp {
 }
 
 globalThis.trace = (id, pattern) => {
-  const variants = [["never matches", "(?!)"], ...dropAlternatives(pattern.source)];
-  sites[id][`:${pattern}`] ??= variants.map(([what, source]) => addChange(sites[id], `${pattern} ${what}`, { source }));
+  const variants = () => [["never matches", "(?!)"], ...dropAlternatives(pattern.source)];
+  const asChange = ([what, source]) => addChange(sites[id], `${pattern} ${what}`, { pattern: new RegExp(source, pattern.flags) });
+  sites[id][`:${pattern}`] ??= variants().map(asChange);
   return new TracedPattern(pattern, pattern.flags, sites[id][`:${pattern}`]);
 };
 
