@@ -49,6 +49,12 @@ export const joinList = (items, conjunction = "and") =>
     ? items.join("")
     : `${items.slice(0, -1).join(", ")} ${conjunction} ${items.at(-1)}`;
 
+/** Name rows of a table, as "row 2" or "rows 2 and 3". @param {number[]} rows */
+export const formatRowNumbers = (rows) =>
+  rows.length === 1
+    ? formatMessage("row", { row: rows[0] })
+    : formatMessage("rows", { rows: joinList(rows) });
+
 /** Begin a text with a capital. @param {string} text */
 export const capitalize = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 

@@ -404,18 +404,18 @@ JOINTS = "The reference counts these joints otherwise: {}\n"
          {},
          [JOINTS.format("its q_4 is your q_4 - 90°"),
           "the z axis of your last frame points the other way along the last joint axis",
-          "alpha in row 1, 1.5708, is taken as pi/2; write it so",
-          "alpha in row 2, 0.00005, is taken as 0; write it so",
-          "alpha in row 3, 1.57, is taken as pi/2; write it so",
-          "alpha in row 4, -3.1416, is taken as -pi; write it so",
-          "theta in row 4, q4+4.7124, is taken as 3 pi/2; write it so"]),
+          "alpha in row 1, 1.5708, is taken as pi/2; alpha in row 2, 0.00005, is taken as 0; "
+          "alpha in row 3, 1.57, is taken as pi/2; alpha in row 4, -3.1416, is taken as -pi; "
+          "theta in row 4, q4+4.7124, is taken as 3 pi/2; write them so"]),
         ("0 0 0.4 q1; 0 1.57 0 q2; 0.3 0 0 q3; 0.2 -4.71 0.05 q4+3.14; 0 0 0 0",
          "0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0 q3; 0 0 0.05 q4",
          {"convention": "craig"},
          [JOINTS.format("its q_4 is your q_4 + 180°"),
-          "theta in row 4, q4+3.14, is taken as pi; write it so",
-          "alpha in row 2, 1.57, is taken as pi/2; write it so",
-          "alpha in row 4, -4.71, is taken as -3 pi/2; write it so"]),
+          "alpha in row 2, 1.57, is taken as pi/2; alpha in row 4, -4.71, is taken as -3 pi/2; "
+          "theta in row 4, q4+3.14, is taken as pi; write them so"]),
+        # Equal angles of a column are named together.
+        ("0 1.5708 0.4 q1; 0.3 0 0 q2; 0.2 1.5708 0.05 q3; 0 0 0.25 q4+0.3", ELBOWED, {},
+         ["alpha in rows 1 and 3, 1.5708, is taken as pi/2; write them so"]),
         # Rounded angles beside whole lengths.
         ("20 1.1 -20 -q1+1.871; 30 0.7 -20 3.542; -20 0 50 q3",
          "-0.2 -1.1 -0.2 q1-pi/2; 0.3 0.7 -0.2 0.4; -0.2 0 0.5 q3", {"lengths": "cm"},

@@ -2,7 +2,7 @@
 // dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
 
 import { RAD } from "../geometry/angles.js";
-import { withoutComments } from "./decorations.js";
+import { withoutComments, withoutStruckText } from "./decorations.js";
 import { hasDecimals, number, plain, simple } from "./formula.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
@@ -13,8 +13,8 @@ import { few, named } from "./table_notations.js";
 import { ENTRIES, entryText, isVariable, rowOf, toMetres, UNITS } from "./table_rows.js";
 import {
   ArmError,
-  joinList,
   formatMessage,
+  formatRowNumbers,
   quoteText,
   formatNumber,
   tryOrNull,
@@ -61,12 +61,12 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  */
 export function read(text, { columns, ...options } = {}, values = []) {
   refuseSize(text);
-  const own = defined(text);
+  const pasted = withoutStruckText(new SpannedText(text));
+  const own = defined(pasted.text);
   const known = new Map([...values, ...own].map(([name, x]) => [simple(name), x]));
-  const live = withoutComments(new SpannedText(text));
-  const found = (live && named(live.text)) ?? named(text);
+  const live = withoutComments(pasted);
+  const found = (live && named(live.text)) ?? named(pasted.text);
   if (found) return tablesOf(found, { columns, options, known });
-  const pasted = new SpannedText(text);
   const tables =
     live &&
     tryOrNull(() => tablesOfBlocks(text, tablesIn(text, known, live), { columns, options, known }));
@@ -278,12 +278,7 @@ const fixedRows = ({ rows }, kinds) =>
   kinds.length && rows.every(unknown) ? numbersOf(rows, (_, k) => k >= kinds.length) : [];
 
 const saidOfRows = (key, rows) =>
-  rows.length ? [formatMessage(key, { rows: namedRows(rows) })] : [];
-
-const namedRows = (rows) =>
-  rows.length === 1
-    ? formatMessage("row", { row: rows[0] })
-    : formatMessage("rows", { rows: joinList(rows.map(String)) });
+  rows.length ? [formatMessage(key, { rows: formatRowNumbers(rows) })] : [];
 
 const unknown = ({ kind }) => kind === "unknown";
 

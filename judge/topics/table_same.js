@@ -10,7 +10,7 @@ import { findJointMap, formatJointValue, listMappedJoints, wrap } from "../geome
 import { linkFrames, minus, norm, rotationBetween } from "../geometry/kinematics.js";
 import { expressInOwnJoints, formatRows, toOwnJoints } from "../geometry/own_joints.js";
 import { ANGLE_TOLERANCE, snapAngle } from "../geometry/rows.js";
-import { formatMessage, formatNumber, uncapitalize } from "../sentences.js";
+import { formatMessage, formatNumber, uncapitalize, formatRowNumbers } from "../sentences.js";
 import { makeVerdict } from "../verdict.js";
 import {
   describeEntry,
@@ -255,21 +255,40 @@ const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
 
 const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
 
-// A note on each angle that was taken as a multiple of a right angle though it differs from one by
-// more than `tolerance` (rad).
+// Note the angles that were taken as multiples of a right angle though they differ from one by
+// more than `tolerance` (rad): one note for the table, with equal angles of a column together.
 /** @param {Table} table */
-export const noteRightAngles = (table, tolerance = 1e-9) =>
+export function noteRightAngles(table, tolerance = 1e-9) {
+  const groups = new Map();
+  for (const { column, typed, wanted, row } of listNearRightAngles(table, tolerance)) {
+    const key = `${column} ${typed}`;
+    const group = groups.get(key) ?? { column, typed, wanted, rows: [] };
+    groups.set(key, group);
+    group.rows.push(row);
+  }
+  if (!groups.size) return [];
+  const angles = [...groups.values()].map(({ rows, ...fields }) =>
+    formatMessage("right angle", { ...fields, rows: formatRowNumbers(rows) }),
+  );
+  const count = [...groups.values()].flatMap(({ rows }) => rows).length;
+  const key = count > 1 ? "write right angles" : "write right angle";
+  return [formatMessage(key, { angles: angles.join("; ") })];
+}
+
+/** @param {Table} table @param {number} tolerance */
+const listNearRightAngles = (table, tolerance) =>
   table.rows.flatMap((row, k) =>
     ["alpha", "theta"].flatMap((column) => {
       const right = snapAngle(row[column], entryUnit(table, k + 1, column));
       if (Math.abs(row[column] - right) <= tolerance) return [];
       const turns = Math.round(right / (Math.PI / 2));
-      const fields = {
-        column,
-        row: typedRowNumber(table, k + 1, column),
-        typed: entryText(table, k + 1, column),
-        wanted: RIGHT_ANGLES[turns] ?? `${turns} pi/2`,
-      };
-      return [formatMessage("write right angle", fields)];
+      return [
+        {
+          column,
+          row: typedRowNumber(table, k + 1, column),
+          typed: entryText(table, k + 1, column),
+          wanted: RIGHT_ANGLES[turns] ?? `${turns} pi/2`,
+        },
+      ];
     }),
   );
