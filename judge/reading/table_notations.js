@@ -3,7 +3,7 @@
 
 import { number } from "./formula.js";
 import { headOf } from "./table_columns.js";
-import { ENTRIES } from "./table_rows.js";
+import { ENTRIES, isVariable } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const MOST_ROWS = 32;
@@ -86,15 +86,18 @@ const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ])([A-Za-zαθ]+${INDEX})
 
 // A row for each dictionary, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), and each line of
 // pairs; where the names have numbers, a_1 = 0, a row for each number. A dictionary of
-// nothing else may leave out what is 0; of other pairs a row has three at least.
+// nothing else may leave out what is 0; of other pairs a row has three at least. In a dictionary
+// that counts alpha0, a0, d1, ... (Craig) a row is alpha0, a0, d1.
 function ofRecords(text, groups) {
   const braced = groups.filter(
     ({ sign, before, pairs }) => pairs && (sign === "{" || before.endsWith("dict")),
   );
   const bodies = braced.length ? braced : linesIn(text);
   const rows = new Map();
+  const pairsByBody = bodies.map(({ body }) => pairsIn(body));
+  const isCraig = countsTwistsFromZero(pairsByBody.flat());
   bodies.forEach(({ body, from, to }, k) => {
-    const pairs = pairsIn(body);
+    const pairs = isCraig ? pairsByBody[k].map(countFromOne) : pairsByBody[k];
     const whole = braced.length && body.match(/[:=]/g)?.length === pairs.length;
     for (const { entry, name, i, x } of pairs) {
       const fewest = whole && !i ? 1 : 3;
@@ -111,12 +114,25 @@ function ofRecords(text, groups) {
     ENTRIES.map((entry) => entries.get(entry)?.x ?? blank(entry, k + 1)),
   );
   const parts = new Map(found.flatMap((row) => row.parts).map((part) => [part[0], part]));
-  return plainly(
+  const table = plainly(
     cells,
     [...parts.values()].sort(([one], [other]) => one - other),
     heads,
   );
+  return isCraig ? { ...table, convention: "craig" } : table;
 }
+
+const isTwist = ({ entry }) => entry === "a" || entry === "alpha";
+
+// Return whether the numbers of a and alpha begin with 0 and those of d and theta with 1.
+function countsTwistsFromZero(pairs) {
+  const least = (list) => Math.min(...list.map(({ i }) => Number(i ?? Infinity)));
+  const others = pairs.filter((pair) => !isTwist(pair));
+  return least(pairs.filter(isTwist)) === 0 && least(others) === 1;
+}
+
+const countFromOne = (pair) =>
+  isTwist(pair) && pair.i ? { ...pair, i: String(Number(pair.i) + 1) } : pair;
 
 function linesIn(text) {
   let from = 0;
@@ -157,7 +173,20 @@ function ofLists(groups) {
     throw new ArmError(formatMessage("uneven lists", { counts: counts.join(", ") }));
   const rows = lists[0].map((_, k) => lists.map((list) => list[k]));
   const parts = found.map(({ part }) => part);
-  return plainly(rows, parts, [...named.keys()]);
+  const table = plainly(rows, parts, [...named.keys()]);
+  return named.size === 3 && !named.has("theta") ? withTheta(table, named.get("d")) : table;
+}
+
+// Add the joints' angles to lists of d, a and alpha; a row whose d is a variable slides.
+/** @param {Cells} table @param {string[]} distances @returns {Cells} */
+function withTheta(table, distances) {
+  const angles = distances.map((d, k) => (isVariable(d) ? "0" : `q_${k + 1}`));
+  return {
+    ...table,
+    cells: table.cells.map((row, k) => [...row, angles[k]]),
+    heads: [...table.heads, "theta"],
+    said: [formatMessage("taken: no theta")],
+  };
 }
 
 // The entries of a list; commas part them, else blanks.
@@ -221,7 +250,9 @@ function listedPairs(kind, body) {
   const values = listIn(body).filter((value) => !value.includes("="));
   const names = /prismatic/i.test(kind) ? ["theta", ...LISTED.slice(1)] : LISTED;
   if (!/^(?:revolute|prismatic)/i.test(kind) || values.length > names.length)
-    throw new ArmError(formatMessage("link sigma", { given: quoteText(`${kind}(${body})`) }));
+    throw new ArmError(
+      formatMessage("link order", { given: quoteText(`${kind}(${body})`), call: kind.trim() }),
+    );
   return values.map((value, k) => [names[k], value]);
 }
 

@@ -119,10 +119,14 @@ function readOrNot(text, options, known) {
   }
 }
 
-// The rows of links, of which none can be said to be locked, with those fixed that should be.
+// The rows of links or of lists without theta, of which none can be said to be locked, with those
+// fixed that should be.
 function withLocked(table, kinds) {
   const { rows, said } = table;
-  if (!said.includes(formatMessage("taken: links")) || rows.length !== kinds.length) return table;
+  const isUnlocked = ["taken: links", "taken: no theta"].some((key) =>
+    said.includes(formatMessage(key)),
+  );
+  if (!isUnlocked || rows.length !== kinds.length) return table;
   return { ...table, rows: rows.map((row, k) => (kinds[k] === "fixed" ? fixed(row) : row)) };
 }
 
