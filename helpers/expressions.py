@@ -1,7 +1,8 @@
 """Read table entries: numbers, or short formulas such as ``"-pi/2"`` or ``"d_6 + l_pen"``.
 
 An entry is kept as text and read only here: as a float once its symbols have values, or as LaTeX
-for a table. `helpers.symbolic` hands the same text to SymPy.
+for a table. `helpers.symbolic` hands the same text to SymPy. The page reads the same formulas by
+judge/reading/formula.js; tests/test_expressions.py holds the two equal.
 """
 
 import ast

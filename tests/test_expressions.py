@@ -1,5 +1,6 @@
 """Test table entries: valid formulas are read right, and all other text is rejected."""
 
+import re
 from fractions import Fraction
 from functools import partial
 
@@ -10,7 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from helpers.expressions import ArmError, check_entry, entry_latex, evaluate, symbol_names
+from tests import reading
 from tests.cases import ENTRIES
+from tests.node import needs_node
 
 VALUES = {"a_3": 0.0825, "l_pen": 0.1, "b": -2.0}
 
@@ -47,6 +50,46 @@ formulas = st.recursive(
 def test_formula_evaluates_to_its_value(formula):
     text, value = formula
     assert evaluate(check_entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
+
+
+# helpers/expressions.py reads plain formulas itself; the page reads all of them by
+# judge/reading/formula.js. Most of these texts are formulas; in the others a bracket is not closed,
+# or an operand or operator is missing.
+_OPERANDS = st.sampled_from(
+    ["0", "2", "12", "0.25", ".5", "5.", "1e-3", "pi", *VALUES, "", "1.2.3"]
+)
+_PARTS = st.tuples(
+    st.sampled_from(["", "", "-", "+", "(", "-(", " +(", "((", "--"]),
+    st.one_of(_OPERANDS, _OPERANDS.filter(len)),
+    st.sampled_from(["", "", ")", ") ", "))"]),
+    st.sampled_from([*"+-*/", " - ", " / ", "", " "]),
+)
+
+
+def _join_parts(parts):
+    """Return a text whose last operator is left out and whose brackets are mostly closed."""
+    text = "".join("".join(part) for part in parts).rstrip("+-*/ ")
+    return text + ")" * (text.count("(") - text.count(")"))
+
+
+# The judge also reads powers and products without a sign, which are refused in a table's entry.
+_ONLY_ON_PAGE = re.compile(r"\*\*|[\w.)]\s*\(|\)\s*[\w.]|[\w.]\s+[\w.]|\d[A-Za-z]|\w\.\d*[A-Za-z]")
+
+
+def _evaluate_or_none(evaluate_text, text):
+    try:
+        return evaluate_text(text)
+    except ArmError:
+        return None
+
+
+@needs_node
+@given(st.lists(_PARTS, min_size=1, max_size=5).map(_join_parts))
+def test_python_and_page_read_formulas_alike(text):
+    here = _evaluate_or_none(lambda x: evaluate(check_entry(x, "the entry"), VALUES), text)
+    page = _evaluate_or_none(lambda x: reading.formula(x, **VALUES)["value"], text)
+    if here is not None or not _ONLY_ON_PAGE.search(text):
+        assert here == (None if page is None else pytest.approx(page, rel=1e-12, abs=1e-12)), text
 
 
 def test_operators_follow_arithmetic_precedence():
