@@ -36,6 +36,15 @@ def test_random_arms_match_numeric_view(arm, seed):
     np.testing.assert_allclose(in_numbers(arm, J, q), kinematics.jacobian(arm, q), atol=1e-9)
 
 
+@settings(max_examples=15)
+@given(arm=random_arms, seed=st.integers(0, 99))
+def test_link_transforms_multiply_to_tip_pose(arm, seed):
+    q = joint_vectors(arm, (), seed)
+    links = [in_numbers(arm, A, q) for A in symbolic.link_transforms(arm)]
+    product = np.linalg.multi_dot([np.eye(4), *links, np.eye(4)])
+    np.testing.assert_allclose(product, slow_frames(arm, q)[-1], atol=1e-9)
+
+
 _PARALLEL_ROWS = st.builds(
     lambda make, a, alpha, theta: make(a, alpha, 0.2, theta),
     st.sampled_from([revolute, revolute, prismatic, fixed]),

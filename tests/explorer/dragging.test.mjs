@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { jointRange } from "../../judge/geometry/arm.js";
-import { dragTip } from "../../page/src/dragging.js";
+import { dragLink, dragTip } from "../../page/src/dragging.js";
 import { movingRows, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
 import { ARMS, ELBOW, PANDA } from "./arms.mjs";
 
@@ -57,4 +57,19 @@ test("a kept tool direction stays within one degree", () => {
   const q = dragged(PANDA, BENT.Panda, [[o[0] - 0.05, o[1] + 0.05, o[2] - 0.04]], { turns: true });
   const cosine = tip(PANDA, q).x.reduce((s, v, k) => s + v * x[k], 0);
   assert.ok(cosine > Math.cos(Math.PI / 180));
+});
+
+test("a dragged link stops at its joint's limit", () => {
+  const [joint, q] = [1, BENT.Panda];
+  const row = movingRows(PANDA)[joint];
+  const local = [0.1, 0.2, 0];
+  const pixel = (p) => [1000 * p[0], 1000 * p[2]]; // seen along y, a metre is 1000 pixels
+  const [lower, upper] = jointRange(PANDA.rows[row]);
+  const stops = [[5000, 5000], [-5000, 5000], [5000, -5000], [-5000, -5000]].map((to) => {
+    let moved = q;
+    for (let frame = 0; frame < 60; frame++) moved = dragLink(PANDA, moved, { row, local, to, joint, pixel });
+    return moved[joint];
+  });
+  assert.ok(stops.every((stop) => stop >= lower && stop <= upper), "past the limit");
+  assert.ok(stops.includes(upper), "one of the drags reaches the limit");
 });
