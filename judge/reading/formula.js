@@ -1,6 +1,6 @@
 // Formulas as people type them: a tree is ["num", x], ["name", n], ["neg", t], ["call", function,
-// t] or [sign, left, right]. No text is ever run. helpers/expressions.py reads the plain formulas of
-// a table without the judge; tests/test_expressions.py holds the two equal.
+// t] or [sign, left, right]. No text is ever run. helpers/expressions.py reads plain formulas of a
+// table without the judge; tests/test_expressions.py holds the two equal.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, tryOrNull, quoteText } from "../sentences.js";
