@@ -1,4 +1,4 @@
-"""The honest sample: works written without sight of the judge, and what it says of them.
+"""Count how the judge grades works that people wrote without having seen it.
 
     python -m tests.honest FILE.jsonl ... [--kind jacobian] [--show refused]
 
@@ -19,7 +19,7 @@ import numpy as np
 from helpers import checks, inverse, motion, robots
 from helpers.inputs import ArmError
 
-NAMES = json.loads(Path(__file__).with_name("honest_slips.json").read_text("utf-8"))
+CAUSES_OF_SLIP = json.loads(Path(__file__).with_name("honest_slips.json").read_text("utf-8"))
 RIGHT = ("right", "so far", "refused", "called wrong")
 WRONG = ("named", "located", "so far", "passed", "false cause", "refused")
 _CLOSED = {"UR10E": inverse.ur, "STANF": inverse.stanford, "ELBOW": inverse.elbow}
@@ -28,90 +28,97 @@ _SYMPTOMS = {
     *("trace.leans", "trace.spins", "trace.jump", "pose.entry", "pose.coordinate"),
     *("table.number", "table.missing"),
 }
-_solved: dict[str, object] = {}
+_solution_cache: dict[str, object] = {}
 
 
-def arm_of(name: str):
+def find_arm(name: str) -> robots.Arm:
+    """Return the arm of a name such as ``PANDA.lock(3)``."""
     base, _, locked = name.partition(".lock(")
     arm = getattr(robots, base)
     return arm.lock(int(locked[:-1])) if locked else arm
 
 
-def report_on(work: Mapping) -> checks.Verdict:
-    """The judge's report; raises ArmError where it refuses."""
-    arm, text, says = arm_of(work["arm"]), work["text"], work["says"]
+def judge_work(work: Mapping) -> checks.Verdict:
+    """Return the judge's verdict on a work; raise ArmError if the judge refuses it."""
+    arm, text, options = find_arm(work["arm"]), work["text"], work["says"]
     match work["kind"]:
         case "jacobian":
-            return checks.compare_jacobian(text, arm, work["q"], **says)
+            return checks.compare_jacobian(text, arm, work["q"], **options)
         case "torques":
-            return checks.compare_torques(text, arm, work["q"], work["wrench"], **says)
+            return checks.compare_torques(text, arm, work["q"], work["wrench"], **options)
         case "table":
-            return checks.compare_tables(text, arm, **says)
+            return checks.compare_tables(text, arm, **options)
         case "pose":
-            return checks.compare_pose(text, arm, work["target"], **says)
+            return checks.compare_pose(text, arm, work["target"], **options)
         case "branches":
             key = json.dumps([work["arm"], work["target"]])
-            if key not in _solved:
-                _solved[key] = _CLOSED[work["arm"][:5]](arm, np.array(work["target"]))
-            return checks.compare_branches(text, _solved[key], **says)
+            if key not in _solution_cache:
+                _solution_cache[key] = _CLOSED[work["arm"][:5]](arm, np.array(work["target"]))
+            return checks.compare_branches(text, _solution_cache[key], **options)
         case "trace":
             path = dict(work["path"])
             start = path.pop("start")
-            return checks.compare_trace(text, arm, motion.circle_below(arm, start, **path), **says)
+            return checks.compare_trace(
+                text, arm, motion.circle_below(arm, start, **path), **options
+            )
     raise ValueError(work["kind"])
 
 
-def verdict(work: Mapping) -> tuple[str, str]:
+def compare_with_truth(work: Mapping) -> tuple[str, str]:
     """Compare the judge's verdict with the truth; return the outcome and the headline."""
     try:
-        report = report_on(work)
+        report = judge_work(work)
     except ArmError as refusal:
         return "refused", str(refusal)
-    words = f"{report.grade}: {report.headline} {list(report.causes)}"
+    summary = f"{report.grade}: {report.headline} {list(report.causes)}"
     if work["truth"] != "wrong":
         if report.grade == work["truth"]:
-            return "right", words
-        told = {"rounded": "so far", "wrong": "called wrong"}
-        return told.get(report.grade, report.grade), words
-    names = {name for slip in work["slips"] for name in NAMES.get(slip, ())}
+            return "right", summary
+        outcomes = {"rounded": "so far", "wrong": "called wrong"}
+        return outcomes.get(report.grade, report.grade), summary
+    names = {name for slip in work["slips"] for name in CAUSES_OF_SLIP.get(slip, ())}
     if report.grade == "so far":
-        return ("named" if "so far" in names else "so far"), words
+        return ("named" if "so far" in names else "so far"), summary
     if report.grade != "wrong":
-        return "passed", words
+        return "passed", summary
     causes = [_mistakes_in(cause, names) for cause in report.causes]
     if not any(causes):
-        return "located", words
+        return "located", summary
     # Causes are alternatives. A cause with a second mistake that was not made is false.
-    return ("named" if any(one and one <= names for one in causes) else "false cause"), words
+    return (
+        "named" if any(mistakes and mistakes <= names for mistakes in causes) else "false cause"
+    ), summary
 
 
 def _mistakes_in(cause: str, names: set[str]) -> set[str]:
-    """The mistakes that a cause names, without the symptoms that only say where."""
+    """Return the mistakes that a cause names, without symptoms that only locate an error."""
     keys = {key.partition(":")[0] for key in cause.split(" + ")}
     return keys - (_SYMPTOMS - names)
 
 
 def main() -> None:
-    asked = argparse.ArgumentParser(description=__doc__)
-    asked.add_argument("files", nargs="+", type=Path)
-    asked.add_argument("--kind")
-    asked.add_argument("--show", help="print the works with this verdict", action="append")
-    options = asked.parse_args()
+    """Read the command line and print a table of verdicts for each truth."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("files", nargs="+", type=Path)
+    parser.add_argument("--kind")
+    parser.add_argument("--show", help="print the works with this verdict", action="append")
+    options = parser.parse_args()
     works = [json.loads(line) for file in options.files for line in file.open(encoding="utf-8")]
     counts: Counter[tuple[str, str, str]] = Counter()
     for work in works:
         if options.kind in (None, work["kind"]):
-            found, words = verdict(work)
-            counts[work["kind"], work["truth"], found] += 1
-            if options.show and f"{work['truth']} {found}" in options.show:
-                print(f"--- {work['id']} {work['kind']} {work['arm']} {work['slips']} {found}")
-                print(f"{work['text'][:1500]}\n=> {words}\n")
+            outcome, summary = compare_with_truth(work)
+            counts[work["kind"], work["truth"], outcome] += 1
+            if options.show and f"{work['truth']} {outcome}" in options.show:
+                print(f"--- {work['id']} {work['kind']} {work['arm']} {work['slips']} {outcome}")
+                print(f"{work['text'][:1500]}\n=> {summary}\n")
     for truth, verdicts in (("right", RIGHT), ("right by map", RIGHT), ("wrong", WRONG)):
         print(f"| {truth} | " + " | ".join(verdicts) + " |\n|:--" + "|--:" * len(verdicts) + "|")
         for kind in [*dict.fromkeys(work["kind"] for work in works), "all"]:
-            held = {key: n for key, n in counts.items() if kind in (key[0], "all")}
+            selected = {key: n for key, n in counts.items() if kind in (key[0], "all")}
             row = [
-                sum(n for (_, *key), n in held.items() if key == [truth, one]) for one in verdicts
+                sum(n for (_, *key), n in selected.items() if key == [truth, name])
+                for name in verdicts
             ]
             if any(row):
                 print(f"| {kind} | " + " | ".join(map(str, row)) + " |")

@@ -16,12 +16,12 @@ _KNOWN = {"PANDA": PANDA, "UR10E": UR10E, "UR10E_HOMEWORK": UR10E_HOMEWORK, "ELB
 _ROWS = {"R": revolute, "P": prismatic, "F": fixed}
 
 
-def arm_of(machine):
+def make_arm(machine):
     """Return the catalogue's arm of this machine's name, or a new arm of its rows."""
     rows = [_ROWS[kind](a, alpha, d, theta) for kind, a, alpha, d, theta in machine.rows]
     return _KNOWN.get(machine.name) or Arm("your arm", rows)
 
 
-def heavy(machine, links):
+def add_masses(machine, links):
     """Return the arm with one (mass, x, y, z) per link, in kg and m."""
-    return arm_of(machine).with_bodies([Body(mass, tuple(c)) for mass, *c in links])
+    return make_arm(machine).with_bodies([Body(mass, tuple(c)) for mass, *c in links])

@@ -1,29 +1,44 @@
-"""The judge's reader under Node.js: what it makes of a text on the way to numbers."""
+"""Ask the judge's reader, under Node.js, what it makes of a text on the way to numbers."""
+
+from typing import Any
 
 from helpers.checks.tables import format_table
 from helpers.inputs import ArmError
 from tests.node import ask_node
 
 
-def asked(job, **given):
-    found = ask_node("judge_reading.mjs", {"job": job, **given})
-    if "refused" in found:
-        raise ArmError(found["refused"])
-    return found["answer"]
+def ask_reader(job: str, **question: Any) -> Any:
+    """Return the answer of a job in judge_reading.mjs.
+
+    Raises:
+        ArmError: The reader refused the text.
+    """
+    answer = ask_node("judge_reading.mjs", {"job": job, **question})
+    if "refused" in answer:
+        raise ArmError(answer["refused"])
+    return answer["answer"]
 
 
-def formula(text, what="the formula", **known):
-    """The names in a formula and its value with these; None for the names alone."""
-    return asked("formula", text=text, what=what, known=known)
+def read_formula(text: str, what: str = "the formula", **values: float) -> dict:
+    """Return the names in a formula and its value for these values of its symbols."""
+    return ask_reader("formula", text=text, what=what, known=values)
 
 
-def tables(held, *, values=(), kinds=(), **options):
-    """The readings of a table, the likeliest first, each with what it was meant as."""
+def read_tables(typed_table: Any, *, values=(), kinds=(), **options: str) -> list[dict]:
+    """Return the readings of a table, the likeliest first.
+
+    Args:
+        typed_table: What the student typed: a text, rows of numbers, a data frame.
+        values: The numbers of its symbols.
+        kinds: The kind of each row's joint, where the question says it.
+        options: What the student declares, such as ``angles="deg"``.
+    """
     pairs = [list(pair) for pair in dict(values).items()]
-    return asked("tables", text=format_table(held), options=options, values=pairs, kinds=kinds)
+    text = format_table(typed_table)
+    return ask_reader("tables", text=text, options=options, values=pairs, kinds=kinds)
 
 
-def rows(table):
-    """A table's rows as meant: kind, a, alpha, d, theta."""
+def list_rows(table: dict) -> list[tuple]:
+    """Return kind, a, alpha, d and theta of each row of a reading."""
     names = ("kind", "a", "alpha", "d", "theta")
     return [tuple(row[name] for name in names) for row in table["meant"]["rows"]]

@@ -18,7 +18,7 @@ from tests.cases import QUESTIONS, typed_fields
 from tests.corpus import jacobians, tables, torques
 from tests.corpus.arms import KNOWN, pose
 from tests.corpus.machine import Machine
-from tests.mixed import arm_of, heavy
+from tests.mixed import add_masses, make_arm
 from tests.test_judge import judge_in_python
 
 # For some planted mistakes the judge names another cause that is also true. Keys and values are
@@ -75,7 +75,7 @@ def test_jacobian_mistake_is_named(name):
     mistakes = dict([*jacobians.before(m, q, rng), *jacobians.of_tables(m, q, rng)])
     mistakes |= {key: write(right) for key, write in jacobians.after(m, q, rng)}
     for key, typed in visible(mistakes, right):
-        report = checks.compare_jacobian(typed.round(5), arm_of(m), q)
+        report = checks.compare_jacobian(typed.round(5), make_arm(m), q)
         assert names_mistake(report, mistakes, typed), (key, report)
 
 
@@ -85,7 +85,7 @@ def test_torque_mistake_is_named(name):
     q, links, F = pose(m, rng), torques.bodies(m, rng), np.array([3, -5, 8, 1, -2, 0.5])
     mistakes = dict(torques.mistakes(m, links, q, F, rng))
     right = torques.weight(m, links, q) - torques.force(m, F, q)
-    arm = arm_of(m) if name == "PANDA" else heavy(m, links)
+    arm = make_arm(m) if name == "PANDA" else add_masses(m, links)
     for key, typed in visible(mistakes, right):
         report = checks.compare_torques(typed.round(5), arm, q, F)
         assert names_mistake(report, mistakes, typed), (key, report)
@@ -97,7 +97,7 @@ def test_table_mistake_is_named(name):
     mistakes = tables.mistakes(m, np.random.default_rng(5))
     typed = {key: tables.numbers(rows) for key, rows in mistakes.items()}
     for key, rows in mistakes.items():
-        report = checks.compare_tables(arm_of(Machine(rows)), arm_of(m))
+        report = checks.compare_tables(make_arm(Machine(rows)), make_arm(m))
         free = report.mark or report.figures.get("same machine")  # see tests/test_tables.py
         assert names_mistake(report, typed, typed[key]) or free, (key, report)
 

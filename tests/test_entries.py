@@ -13,7 +13,7 @@ from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWOR
 from tests.corpus import jacobians
 from tests.corpus import torques as loads
 from tests.corpus.arms import KNOWN, pose, some_machine
-from tests.mixed import arm_of, heavy
+from tests.mixed import add_masses, make_arm
 
 SEEDS = range(25)
 PUSH = np.array([3.0, -5, 8, 1, -2, 0.5])
@@ -34,14 +34,14 @@ class Asked:
     def __init__(self, about, seed, decimals=3):
         self.rng = np.random.default_rng(seed)
         self.m = some_machine(self.rng)
-        self.q, arm = pose(self.m, self.rng, decimals), arm_of(self.m)
+        self.q, arm = pose(self.m, self.rng, decimals), make_arm(self.m)
         if about == "jacobian":
             self.right = self.m.jacobian(self.q)
             self.judge = lambda text: checks.compare_jacobian(text, arm, self.q)
             self.fewest = 4
         else:
             self.links = loads.bodies(self.m, self.rng)
-            held = arm if self.m.name == "PANDA" else heavy(self.m, self.links)
+            held = arm if self.m.name == "PANDA" else add_masses(self.m, self.links)
             weight = loads.weight(self.m, self.links, self.q)
             self.right = weight - loads.force(self.m, PUSH, self.q)
             self.judge = lambda text: checks.compare_torques(text, held, self.q, PUSH)
@@ -207,7 +207,7 @@ def test_angular_columns_of_z_0_are_named(name):
     m = KNOWN[name]
     q = pose(m, np.random.default_rng(1))
     slips = dict(jacobians.before(m, q, np.random.default_rng(2)))
-    report = checks.compare_jacobian(typed(slips["J.z_0 angular"], 4), arm_of(m), q)
+    report = checks.compare_jacobian(typed(slips["J.z_0 angular"], 4), make_arm(m), q)
     assert report.causes == ("J.z_0 angular",), report
 
 
@@ -215,7 +215,7 @@ def test_deleted_row_of_a_locked_joint_is_named():
     m = KNOWN["PANDA.lock(3)"]
     q = pose(m, np.random.default_rng(1))
     mine = m.with_rows([row for row in m.rows if row[0] != "F"]).jacobian(q)
-    assert checks.compare_jacobian(typed(mine, 4), arm_of(m), q).causes == ("table.locked row",)
+    assert checks.compare_jacobian(typed(mine, 4), make_arm(m), q).causes == ("table.locked row",)
 
 
 # Joint angles

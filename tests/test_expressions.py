@@ -87,7 +87,7 @@ def _evaluate_or_none(evaluate_text, text):
 @given(st.lists(_PARTS, min_size=1, max_size=5).map(_join_parts))
 def test_python_and_page_read_formulas_alike(text):
     here = _evaluate_or_none(lambda x: evaluate(check_entry(x, "the entry"), VALUES), text)
-    page = _evaluate_or_none(lambda x: reading.formula(x, **VALUES)["value"], text)
+    page = _evaluate_or_none(lambda x: reading.read_formula(x, **VALUES)["value"], text)
     if here is not None or not _ONLY_ON_PAGE.search(text):
         assert here == (None if page is None else pytest.approx(page, rel=1e-12, abs=1e-12)), text
 

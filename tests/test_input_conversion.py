@@ -25,7 +25,7 @@ from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.corpus.jacobians import in_frame
 from tests.corpus.machine import Machine
-from tests.mixed import MIXED, arm_of
+from tests.mixed import MIXED, make_arm
 
 H = math.pi / 2
 Q3 = np.array([0.5, 0.7, -0.4])
@@ -360,7 +360,7 @@ def test_second_wrong_column_is_described(k, column, what, words, frame):
         mine = in_frame(MIXED, Q3, np.c_[mine], frame)[:, 0]
     J = np.c_[J[:, :k], mine, J[:, k + 1 :]]
     J[:, 0] += np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
-    report = compare_jacobian(J.round(5), arm_of(MIXED), Q3, frame=frame)
+    report = compare_jacobian(J.round(5), make_arm(MIXED), Q3, frame=frame)
     first, second = report.findings
     assert first.where == "column 1"
     assert (second.what, second.where) == (what, "column 3")
@@ -371,5 +371,5 @@ def test_second_wrong_column_is_described(k, column, what, words, frame):
 def test_copied_column_is_named():
     J = MIXED.jacobian(Q3)
     J[:, 2] = J[:, 1]
-    report = compare_jacobian(J.round(5), arm_of(MIXED), Q3)
+    report = compare_jacobian(J.round(5), make_arm(MIXED), Q3)
     assert report.causes == ("J.column of:3:4",)

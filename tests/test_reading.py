@@ -48,7 +48,7 @@ def test_object_without_table_is_rejected_with_message(held, words, given):
 
 @pytest.mark.parametrize("sign", "+-*/")
 def test_formula_of_4000_terms_is_evaluated(sign):
-    found = reading.formula(sign.join(["q", *["1"] * 4000]), q=5.0)
+    found = reading.read_formula(sign.join(["q", *["1"] * 4000]), q=5.0)
     wanted = {"+": 4005, "-": -3995}.get(sign, 5)
     assert found == {"names": ["q"], "value": wanted}
 
@@ -59,16 +59,16 @@ def test_formula_of_4000_terms_is_evaluated(sign):
 def test_a_formula_is_as_deep_as_may_be_and_no_deeper(form):
     start, _, end = form.partition("|")
     most = {"2^(|)/3": 30, "sin(|)": 30, "-cos -(|)": 20}.get(form, 60)
-    deep = reading.asked("formula", text=start * most + "x" + end * most, what="y", known=None)
+    deep = reading.ask_reader("formula", text=start * most + "x" + end * most, what="y", known=None)
     assert deep["names"] == ["x"]
     with pytest.raises(ArmError, match="; expected one formula, such as"):
-        reading.formula(start * (most + 1) + "x" + end * (most + 1), "y")
+        reading.read_formula(start * (most + 1) + "x" + end * (most + 1), "y")
 
 
 def test_formula_over_20000_characters_is_rejected():
-    assert reading.formula("1+" * 9999 + "10")["value"] == 10_009
+    assert reading.read_formula("1+" * 9999 + "10")["value"] == 10_009
     with pytest.raises(ArmError, match="y has 20001 characters; expected at most 20000"):
-        reading.formula("1+" * 10_000 + "1", "y")
+        reading.read_formula("1+" * 10_000 + "1", "y")
 
 
 QUARTER = "1.5707963267948966"
@@ -108,8 +108,8 @@ class Frame:
     ids=range(12),
 )  # fmt: skip
 def test_table_is_read_from_any_container(held, options):
-    [read] = reading.tables(held, **options)
-    rows = reading.rows(read)
+    [read] = reading.read_tables(held, **options)
+    rows = reading.list_rows(read)
     np.testing.assert_array_equal([r[1:] for r in rows], NUMBERS)
     assert [kind for kind, *_ in rows] == ["revolute"] * 3
     texts = [row["texts"] for row in read["rows"]]
@@ -129,18 +129,18 @@ def stacked(matrices):
 
 
 def test_tables_at_the_edges_are_read():
-    assert len(reading.tables([[0, 0, 0, 0]] * 32)[0]["rows"]) == 32
-    [still] = reading.tables(["0 0 0 0"], convention="craig", kinds=["fixed"], **ORDER)
-    assert reading.rows(still) == [("fixed", 0, 0, 0, 0)]
-    [read] = reading.tables(["a_{i-1} alpha_{i-1} d theta", "0 0 0.5 q", "0.4 pi 0 0"])
-    assert reading.rows(read) == [("revolute", 0.4, math.pi, 0.5, 0)]
+    assert len(reading.read_tables([[0, 0, 0, 0]] * 32)[0]["rows"]) == 32
+    [still] = reading.read_tables(["0 0 0 0"], convention="craig", kinds=["fixed"], **ORDER)
+    assert reading.list_rows(still) == [("fixed", 0, 0, 0, 0)]
+    [read] = reading.read_tables(["a_{i-1} alpha_{i-1} d theta", "0 0 0.5 q", "0.4 pi 0 0"])
+    assert reading.list_rows(read) == [("revolute", 0.4, math.pi, 0.5, 0)]
 
 
 @pytest.mark.parametrize("as_held", [list, np.array, stacked, lambda matrices: matrices * 2])
 def test_link_matrices_are_read_as_table_rows(as_held):
     rows = [(0.7, -0.4, 0.3, 0.25), (-2.1, 2.2, 0.15, -0.6)]
     held = as_held([matrix(*row) for row in rows])
-    [read] = reading.tables(held, lengths="m", angles="rad")
+    [read] = reading.read_tables(held, lengths="m", angles="rad")
     found = [
         [row["numbers"][name] for name in ("theta", "alpha", "a", "d")] for row in read["rows"]
     ]
@@ -158,16 +158,16 @@ def test_matrix_that_fits_no_row_is_rejected():
     for wrong, at in ((link.format(2, 1, "0.4*cos(q2)"), "2, column 2"),
                       (link.format(2, -1, "0.4"), "1, column 4")):  # fmt: skip
         with pytest.raises(ArmError, match=f"A_2 is no link matrix: its entry in row {at}"):
-            reading.tables(good + wrong)
+            reading.read_tables(good + wrong)
 
 
 def test_columns_without_headers_are_a_alpha_d_theta():
-    assert reading.tables("0 0 0.5 q1\n0 0 0.3 q2")[0]["said"] == ["columns a alpha d theta"]
+    assert reading.read_tables("0 0 0.5 q1\n0 0 0.3 q2")[0]["said"] == ["columns a alpha d theta"]
 
 
 def test_matrix_with_symbols_has_a_joint():
     still, moves = "1 0 0 .3\n0 0 -1 0\n0 1 0 .2\n", "C1 -S1 0 C1/2\nS1 C1 0 S1/2\n0 0 1 0\n"
-    [read] = reading.tables(f"{still}0 0 0 1\n{moves}0 0 0 1")
+    [read] = reading.read_tables(f"{still}0 0 0 1\n{moves}0 0 0 1")
     found = [(row["kind"], row["numbers"]["a"]) for row in read["rows"]]
     assert found == [("unknown", 0.3), ("revolute", 0.5)]
 
@@ -187,7 +187,7 @@ def test_matrix_with_symbols_has_a_joint():
 )
 def test_headers_give_units_and_convention(heads, said):
     sign = next((sign for sign in ",\t" if sign in heads), " ")
-    [read] = reading.tables(f"{heads}\n{sign.join('1111')}")
+    [read] = reading.read_tables(f"{heads}\n{sign.join('1111')}")
     assert (read["lengths"], read["angles"], read["convention"]) == said
 
 
@@ -209,7 +209,7 @@ def test_contradictory_table_option_is_rejected(options, words):
 
 def test_exchanged_headers_are_corrected():
     text = "a,alpha,d,theta\n0,q1,0.5,90\n0.4,q2,0,0\n0.3,q3,0,0"
-    [read] = reading.tables(text, lengths="m", angles="deg", convention="craig")
+    [read] = reading.read_tables(text, lengths="m", angles="deg", convention="craig")
     assert read["exchanged"]
     assert (read["lengths"], read["angles"], read["convention"]) == ("m", "deg", "craig")
     assert [row["numbers"]["alpha"] for row in read["rows"]] == [90, 0, 0]
@@ -228,7 +228,7 @@ def test_exchanged_headers_are_corrected():
     ],
 )
 def test_row_slides_if_stated_or_if_its_angle_is_fixed(text, kinds):
-    [read] = reading.tables(text)
+    [read] = reading.read_tables(text)
     assert "".join(row["kind"][0].upper() for row in read["rows"]) == kinds
 
 
@@ -247,7 +247,7 @@ def test_row_slides_if_stated_or_if_its_angle_is_fixed(text, kinds):
     ],
 )
 def test_offset_column_is_added_to_the_joint_entry(text, still):
-    [read] = reading.tables(text)
+    [read] = reading.read_tables(text)
     numbers = [row["numbers"] for row in read["rows"]]
     assert [(n["theta"], n["d"]) for n in numbers] == still
 
@@ -273,7 +273,7 @@ FORMULAS = [
 
 @pytest.mark.parametrize(("text", "wanted"), FORMULAS)
 def test_number_is_read_exactly_or_rejected(text, wanted):
-    found = reading.asked("number", text=text)
+    found = reading.ask_reader("number", text=text)
     assert found == (wanted if wanted is None else pytest.approx(wanted, rel=1e-12))
 
 
@@ -285,11 +285,11 @@ def test_random_tables_are_read(seed):
     rng = np.random.default_rng(seed)
     for _ in range(30):
         text, options, wanted, sure = typed_tables.made(rng)
-        read = reading.tables(text, **options)[: 1 if sure else None]
+        read = reading.read_tables(text, **options)[: 1 if sure else None]
         right = [
             [kind[0].upper() for kind, *_ in rows] == [w[0] for w in wanted]
             and np.allclose([r[1:] for r in rows], [w[1:] for w in wanted], atol=2e-5)
-            for rows in map(reading.rows, read)
+            for rows in map(reading.list_rows, read)
         ]
         assert any(right), (text, options)
 
@@ -299,7 +299,7 @@ def test_random_formulas_are_evaluated(seed):
     rng = np.random.default_rng(seed)
     for _ in range(60):
         text, wanted = typed_tables.formula_of(rng)
-        found = reading.formula(text, x=0.7, q_1=0.4)["value"]
+        found = reading.read_formula(text, x=0.7, q_1=0.4)["value"]
         assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12), text
 
 
@@ -312,7 +312,7 @@ REPEATED = ["-", "[", "(", "{", ",", " ", "1", ".", "+", "a=", "a - ", "a_1 = ",
 @pytest.mark.parametrize("kind", ["table", "numbers"])
 @pytest.mark.parametrize("text", REPEATED)
 def test_reading_time_grows_linearly_with_length(text, kind):
-    short, long = reading.asked("pace", **{"as": kind}, text=text, counts=[8_000, 32_000])
+    short, long = reading.ask_reader("pace", **{"as": kind}, text=text, counts=[8_000, 32_000])
     assert long < 9 * short, (short, long)
 
 

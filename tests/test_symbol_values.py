@@ -21,7 +21,7 @@ def look_up(names, arm, q, values=None):
     """Return the number of each name."""
     pairs = [list(pair) for pair in (values or {}).items()]
     given = dict(names=list(names), arm=judge_data(arm), q=list(q), values=pairs)
-    return reading.asked("names", **given)
+    return reading.ask_reader("names", **given)
 
 
 @pytest.mark.parametrize("typed", ["theta_{1}(t)", "θ₁", "Q_1'", r"\theta_1", "t1", "joint1"])

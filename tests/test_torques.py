@@ -14,9 +14,9 @@ from helpers.arm import ArmError
 from helpers.checks import compare_torques
 from helpers.robots import UR10E
 from tests.corpus.torques import force, weight
-from tests.mixed import HEAVY, MIXED, heavy
+from tests.mixed import HEAVY, MIXED, add_masses
 
-ARM = heavy(MIXED, HEAVY)
+ARM = add_masses(MIXED, HEAVY)
 F = np.array([3.0, -7, 11, 0.5, -2, 1.5])
 BENT = np.array([0.4137, 0.3281, -0.9452])
 Q2, Q3 = (BENT + np.outer(np.linspace(0, 1, n), [0.1, 0.2, 0.5]) for n in (2, 3))

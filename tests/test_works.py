@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from helpers.inputs import ArmError
-from tests.honest import report_on
+from tests.honest import judge_work
 
 FOLDER = Path(__file__).with_name("works")
 FILES = ("a", "a-closed", "b", "b-closed")
@@ -30,7 +30,7 @@ EXPECTED = {line["id"]: line for line in lines_of("read")}
 def judge(work):
     """The grade, the causes and the numbers read."""
     try:
-        report = report_on(work)
+        report = judge_work(work)
     except ArmError:
         return "refused", [], []
     return report.grade, list(report.causes), [n.value for n in report.read if n.owner == "entry"]
