@@ -1,16 +1,33 @@
-"""Time inverse kinematics: all branches of the UR10e, one numeric solution of the Panda."""
+"""Time inverse kinematics: all branches of the UR10e and of random arms of each structure that EAIK
+solves, one numeric solution of the Panda.
+"""
 
 import eaik.IK_DH
 import numpy as np
 import ur_analytic_ik
 from kinematics import BARE, ets
 
-from helpers.inverse import solve, ur
+from helpers.arm import Arm, revolute
+from helpers.inverse import solutions, solve, ur
 from helpers.kinematics import forward_kinematics
 from helpers.robots import PANDA, UR10E
 
 POSES = 1000
 UR = UR10E.with_values(l_pen=0)
+# Rows whose next axis is parallel, rows whose next axis meets theirs, and the row after which three
+# axes meet in a point.
+STRUCTURES = {
+    "wrist, axes 2 and 3 parallel": ((1,), (), 3),
+    "wrist, axes 1 and 2 parallel": ((0,), (), 3),
+    "wrist, axes 1 and 2 meet": ((), (0,), 3),
+    "wrist, axes 2 and 3 meet": ((), (1,), 3),
+    "first three axes meet, 5 and 6 parallel": ((4,), (), 0),
+    "first three axes meet, 4 and 5 parallel": ((3,), (), 0),
+    "axes 1 to 3 parallel, 5 and 6 meet": ((0, 1), (4,), None),
+    "axes 2 to 4 parallel, 5 and 6 meet": ((1, 2), (4,), None),
+    "axes 3 to 5 parallel, 1 and 2 meet": ((2, 3), (0,), None),
+    "axes 4 to 6 parallel, 1 and 2 meet": ((3, 4), (0,), None),
+}
 
 
 def branch_signature(branches) -> np.ndarray:
@@ -61,6 +78,42 @@ def closed_forms(Case):
     )
 
 
+def random_table(rng, parallel, meeting, wrist) -> np.ndarray:
+    """Return random rows (a, alpha, d, theta) of an arm with a structure, shape (6, 4)."""
+    rows = rng.uniform((0.1, 0.4, -0.5, 0), (0.6, 2.7, 0.5, 0), (6, 4))
+    rows[list(parallel), 1] = 0
+    rows[list(meeting), 0] = 0
+    if wrist is not None:
+        rows[wrist : wrist + 2, 0] = rows[wrist + 1, 2] = 0
+    return rows
+
+
+def structure_case(Case, name, structure):
+    """Return the case of a random arm; EAIK's solutions count where they reach the pose."""
+    rng = np.random.default_rng(0)
+    table = random_table(rng, *structure)
+    arm = Arm(name, [revolute(*map(float, row)) for row in table])
+    T = forward_kinematics(arm, rng.uniform(-np.pi, np.pi, (POSES, 6)))
+    robot = eaik.IK_DH.DhRobot(table[:, 1], table[:, 0], table[:, 2])
+
+    def reaching(pose, q):
+        return q[np.abs(forward_kinematics(arm, q) - pose).max(axis=(1, 2)) < 1e-6]
+
+    def comparable(answer):
+        if hasattr(answer, "valid"):
+            return helpers_signature(answer)
+        pairs = zip(T, answer, strict=True)
+        return branch_signature([reaching(pose, one.Q.reshape(-1, 6)) for pose, one in pairs])
+
+    return Case(
+        f"{name}: all branches of {POSES} poses",
+        lambda: solutions(arm, T),
+        {"EAIK, batched, 1 thread": lambda: robot.IK_batched(T, 1)},
+        tolerance=1e-4,
+        comparable=comparable,
+    )
+
+
 def numeric(Case):
     rng = np.random.default_rng(0)
     q = rng.uniform(*PANDA.limits, (POSES, 7))
@@ -93,4 +146,5 @@ def numeric(Case):
 
 def cases(Case):
     yield closed_forms(Case)
+    yield from (structure_case(Case, *item) for item in STRUCTURES.items())
     yield numeric(Case)
