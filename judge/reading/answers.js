@@ -71,7 +71,7 @@ function findIn(pasted, text, question) {
   const tokens = tokensOf(text, block);
   refuseUnread(text, tokens, what);
   if (block.sources.every(isOld)) throw oldAnswerError(text, block, question);
-  if (isUnlikely(block) && holdsOtherList(tokens)) throw refusal(text, question, own);
+  if (isUnlikely(block)) throw refusal(text, question, own);
   const left = setAside(text, block, pasted);
   return { ...inListedOrder(block, want, text), left, tokens };
 }
@@ -92,14 +92,6 @@ function firstBlock(own, whole, question) {
 }
 
 const NONE = /(?!)/; // no name
-
-// Return whether a text holds half as many decimals beside its entries: then masses or an old
-// answer are hardly the answer, which could not be read.
-function holdsOtherList(tokens) {
-  const entries = tokens.filter(({ owner }) => owner === "entry");
-  const others = tokens.filter(({ owner, text }) => owner === "context" && hasDecimals(text));
-  return 2 * others.length >= entries.length;
-}
 
 // Return whether a block is hardly the answer: it only counts, or is called another quantity or an
 // old answer.

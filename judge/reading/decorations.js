@@ -11,7 +11,7 @@ const AFTER = String.raw`(?=$|[\s|&,;:.\])}<$])`;
 const EMPHASIS = "\\*{1,3}|_{1,2}|`|'";
 
 const UNIT =
-  String.raw`[kmM]?N\s?[-·*.⋅]?\s?m{0,2}|rad(?:ians?)?|deg(?:rees?)?|` +
+  String.raw`Newton-?met(?:er|re)s?|[kmM]?N\s?[-·*.⋅]?\s?m{0,2}|rad(?:ians?)?|deg(?:rees?)?|` +
   String.raw`°|mm?|cm|m\/s|rad\/s`;
 const SIUNITX = { newton: "N", metre: "m", meter: "m", radian: "rad", degree: "deg", milli: "m" };
 const SUPERSCRIPTS = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹";

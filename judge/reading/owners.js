@@ -112,13 +112,12 @@ const DATES = [
   /\d\.{2,3}[-+−]?[\d.]/, // a range, -2.9..2.9
 ];
 const isDate = (word) => DATES.some((pattern) => pattern.test(word));
-const NUMBER_OF_LETTERS = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d/; // 7l2, O.5
+// Digits with a letter for one, 7l2 and O.5, or with a mark behind them, 0!
+const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
 
-// Return whether a word holds a number with decimals that was no entry, or digits with a letter for
-// one.
+// Return whether a word holds a number with decimals that was no entry, or an odd number.
 const isMisspelt = (word) =>
-  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) ||
-  NUMBER_OF_LETTERS.test(word);
+  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) || ODD_NUMBER.test(word);
 
 /**
  * The lines next to a block, over empty ones.
