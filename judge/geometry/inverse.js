@@ -1,5 +1,8 @@
 // All joint vectors that take the tip to a target, by the closed forms of helpers/inverse (elbow,
 // rod, stanford, spherical_wrist, ur, solutions). Free joints are at 0; sources are named there.
+// The chapters' forms stay beside inverse_structure.js: they give branches the chapters' names
+// (front, elbow up), and ur frees joint 6 where axes 4 and 6 are parallel. Solutions, free joints
+// and multiplicities of the others equal those by structure (tests/explorer/inverse.test.mjs).
 
 import { ArmError, formatNumber } from "../sentences.js";
 import { solveByStructure } from "./inverse_structure.js";

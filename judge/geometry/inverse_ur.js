@@ -1,5 +1,6 @@
 // Closed form of arms with three parallel axes in the middle, as Universal Robots builds them: at
-// most eight branches.
+// most eight branches. It stays beside inverse_structure.js because it frees joint 6 where axes 4
+// and 6 are parallel and keeps the branches about it, as chapter 5 does.
 
 import {
   clamp,
