@@ -80,7 +80,10 @@ function tablesOfBlocks(text, blocks, asked) {
     try {
       const tokens = refuseBlock(block, text);
       const tables = tablesOf({ ...block, said: [] }, asked);
-      return tables.map((table) => ({ ...table, tokens }));
+      return tables.map((table) => ({
+        ...table,
+        tokens: placeEntries(tokens, block, table, text),
+      }));
     } catch (error) {
       if (!(error instanceof ArmError) || error instanceof NoLink) throw error;
       refused ??= error;
@@ -88,6 +91,36 @@ function tablesOfBlocks(text, blocks, asked) {
   }
   if (refused) throw refused;
   throw new ArmError(formatMessage("no rows", { given: quoteText(text) }));
+}
+
+// Give each number of an entry its row and its column in the order of ENTRIES. A number of another
+// column, or within a name such as q_1, is a label.
+/**
+ * @param {import("./owners.js").Token[]} tokens
+ * @param {import("./table_blocks.js").TableBlock} block
+ * @param {{ order?: string[] }} table @param {string} text
+ */
+function placeEntries(tokens, { cells, heads, isTurned = false }, { order = [] }, text) {
+  const names = heads.length ? nameColumns(heads) : order;
+  return tokens.map((token) => {
+    if (token.owner !== "entry") return token;
+    const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];
+    const column = ENTRIES.indexOf(names[at - (cells[row].length - names.length)]);
+    if (column < 0) return { ...token, owner: "label", row: undefined, column: undefined };
+    if (/[\p{L}_][{]?$/u.test(text.slice(Math.max(0, token.from - 2), token.from)))
+      return { ...token, owner: "label", reason: IN_NAME, row: undefined, column: undefined };
+    return { ...token, row, column };
+  });
+}
+
+export const IN_NAME = "part of a name";
+
+// Name the entry that each column header stands for; an offset beside d is one of theta.
+function nameColumns(heads) {
+  const names = heads.map(headOf);
+  const isTwice = names.filter((name) => name === "d").length > 1;
+  const isOffset = (head) => head.toLowerCase().includes("offset");
+  return names.map((name, k) => (isTwice && isOffset(heads[k]) ? "theta" : name));
 }
 
 // An error for numbers that are not read, rows torn in two, and frames where links are asked for.

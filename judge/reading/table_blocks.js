@@ -15,8 +15,8 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
 /**
  * Rows of cells as typed, the heads above them, what else stands in the text.
  * @typedef {{ cells: string[][], heads: string[], context: string, left: string[],
- *   torn?: string, block: import("./blocks.js").Block }} TableBlock `torn` is a line beside it that
- *   could not be read
+ *   torn?: string, block: import("./blocks.js").Block, isTurned?: boolean }} TableBlock `torn` is a
+ *   line beside it that could not be read; `isTurned` if each typed row is a column of the table
  */
 
 /**
@@ -95,7 +95,7 @@ function upright(block, lines, found) {
     return [{ block, cells: rows.map(textsOf), heads }];
   }
   const cells = rows[0].map((_, k) => named.map((i) => rows[i][k].text));
-  return [{ block, cells, heads: named.map((i) => names[i]) }];
+  return [{ block, cells, heads: named.map((i) => names[i]), isTurned: true }];
 }
 
 const textsOf = (cells) => cells.map(({ text }) => text);

@@ -87,6 +87,7 @@ function tablesCompared(mine, reference, options = {}) {
     return {
       ...report,
       left: typed[k].left,
+      tokens: typed[k].tokens,
       table: { rows: tables[k].rows, typed: typed[k].rows, ...cells },
     };
   };

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { commentLines, includeSign, includeWord, putBehindHash, replaceSpan } from "../../page/src/check/corrections.js";
+import { compareTables } from "../../judge/topics/table.js";
 import { listMarks } from "../../page/src/check/marked_text.js";
 import { AnswerMemory, clearAnswers } from "../../page/src/check/memory.js";
 import { splitNumbers } from "../../page/src/check/number_grid.js";
@@ -64,6 +65,39 @@ test("marks say the place and the value of each entry", () => {
   assert.match(marks[2].description, /^entry of joint 2, read as −2, wrong$/);
   assert.equal(answer.slice(marks[2].from, marks[2].to), "-2");
   assert.equal(marks[3].description, "set aside: another list");
+});
+
+const ELBOW_ROWS = [[0, Math.PI / 2, 0.5], [0.4, 0, 0], [0.3, 0, 0]].map(([a, alpha, d]) => ({
+  kind: "revolute", a, alpha, d, theta: 0,
+})); // prettier-ignore
+
+function describeTable(answer) {
+  const arm = { name: "Elbow arm", rows: ELBOW_ROWS, home: [0, 0, 0] };
+  const verdict = compareTables(answer, arm, {});
+  const marks = listMarks({ ...EMPTY, ask: "table", answer }, { verdict, arm, tokens: verdict.tokens });
+  return marks.map(({ from, to, kind, isWrong, description }) => [answer.slice(from, to), kind, isWrong, description]);
+}
+
+test("each number of a table is an entry with its column or a label", () => {
+  const answer = "i | a | alpha | d | theta\n1 | 0 | pi/2 | 0.5 | q1\n2 | 0.4 | 0 | 0 | q2\n3 | 0.35 | 0 | 0 | q3";
+  const marks = describeTable(answer);
+  assert.deepEqual(marks.slice(0, 5), [
+    ["1", "label", false, "a label: it orders the answer"],
+    ["0", "entry", false, "entry of row 1, a, read as 0 m"],
+    ["2", "entry", false, "entry of row 1, α, read as 90°"],
+    ["0.5", "entry", false, "entry of row 1, d, read as 0.5 m"],
+    ["1", "label", false, "part of a name, such as q_1"],
+  ]);
+  const wrong = marks.filter(([, , isWrong]) => isWrong);
+  assert.deepEqual(wrong, [["0.35", "entry", true, "entry of row 3, a, read as 0.35 m, wrong"]]);
+});
+
+test("numbers of a table typed by columns are entries of their rows", () => {
+  const marks = describeTable("theta | q1 | q2 | q3\nd | 0.5 | 0 | 0\na | 0 | 0.4 | 0.3\nalpha | 90 | 0 | 0");
+  const twist = marks.find(([text]) => text === "90");
+  const length = marks.find(([text]) => text === "0.3");
+  assert.equal(twist[3], "entry of row 1, α, read as 90°");
+  assert.equal(length[3], "entry of row 3, a, read as 0.3 m");
 });
 
 test("only a plain list is split into a grid of numbers", () => {

@@ -10,6 +10,7 @@ import {
   replaceSpan,
 } from "./corrections.js";
 import { formatEntryValue, getMatrix } from "./shown.js";
+import { IN_NAME } from "../../../judge/reading/table.js";
 
 /** @typedef {import("./question.js").Question} Question */
 /** @typedef {import("./question.js").Outcome} Outcome */
@@ -55,11 +56,15 @@ export function listMarks(question, outcome) {
     const isUnread = token.owner === "unread";
     const kind = token.owner === "header" ? "label" : token.owner;
     const index = kind === "entry" ? getEntryIndex(token, matrix) : -1;
+    const table = kind === "entry" ? outcome.verdict?.table : undefined;
+    const description = table?.wrong.length
+      ? describeTableEntry(token, table)
+      : describeToken(token, question, matrix, index);
     return {
       ...(isUnread ? includeWord(text, token) : includeSign(text, token)),
       kind,
-      isWrong: Boolean(matrix?.wrong[index]),
-      description: describeToken(token, question, matrix, index),
+      isWrong: Boolean(matrix?.wrong[index] || table?.wrong[token.row]?.[token.column]),
+      description,
     };
   });
 }
@@ -68,11 +73,22 @@ export function listMarks(question, outcome) {
 const getEntryIndex = (/** @type {Token} */ { row, column }, matrix) =>
   matrix ? row * matrix.typed.shape[1] + column : -1;
 
+const TABLE_COLUMNS = ["a", "α", "d", "θ"];
+
+/** @param {Token} token @param {import("../../../judge/verdict.js").ReadTable} table */
+function describeTableEntry({ row, column }, { cells, wrong }) {
+  const value = cells[row][column].replaceAll("-", "−");
+  const unit = column % 2 ? "" : " m";
+  const end = wrong[row][column] ? ", wrong" : "";
+  return `entry of row ${row + 1}, ${TABLE_COLUMNS[column]}, read as ${value}${unit}${end}`;
+}
+
 function describeToken(token, question, matrix, index) {
   switch (token.owner) {
     case "entry":
       return describeEntry(token, question, matrix, index);
     case "label":
+      if (token.reason === IN_NAME) return "part of a name, such as q_1";
       return token.reason ? `set aside: ${token.reason}` : "a label: it orders the answer";
     case "header":
       return "part of a column's header";
