@@ -399,6 +399,10 @@ JOINTS = "The reference counts these joints otherwise: {}\n"
          [JOINTS.format("its q_2 is your q_2 + 100 mm"), "joint values are (0°, -100 mm, 0°)"]),
         ("0.1 0 0.2 q1; 0.3 0 0 q2+0.3; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED,
          {"convention": "craig"}, [JOINTS.format("its q_3 is your q_2 + 17.19°")]),
+        # The last link may be measured backwards: then the last frame is turned.
+        ("0 pi/2 0.5 q1; 0.4 0 0 q2; -0.3 0 0 q3", "0 pi/2 0.5 q1; 0.4 0 0 q2; 0.3 0 0 q3", {},
+         [JOINTS.format("its q_3 is your q_3 + 180°"),
+          "your last frame is turned by 180° about its z axis"]),
         # The last frame's z axis may be reversed.
         ("0 1.5708 0.4 q1; 0.3 0.00005 0 q2; 0.2 1.57 0.05 q3; 0 -3.1416 0.25 q4+4.7124", ELBOWED,
          {},

@@ -91,13 +91,25 @@ export function judgeSameArm(sides, comparison, grade, tolerances) {
     },
     advice: [{ field: "ownJoints", value: formatRows(mine.rows) }],
     notes: [
-      ...(isToolReversed ? [formatMessage("tool reversed")] : []),
+      ...noteLastFrame(sides, map, isToolReversed),
       ...noteStart(wrapAngles(arm.home, joints), joints),
       ...noteMistakes(sides, tolerances.mapped),
       ...(grade === ROUNDED ? [formatMessage("map rounded")] : []),
       ...noteRightAngles(table),
     ],
   });
+}
+
+/**
+ * Say how the last frame stands where both tips meet: its axes are the student's choice.
+ * @param {Sides} sides @param {JointMap} map @returns {string[]}
+ */
+function noteLastFrame({ reference, mine, ref }, map, isToolReversed) {
+  if (isToolReversed) return [formatMessage("tool reversed")];
+  const q = reference.home ?? ref.joints.map(() => 0);
+  const [own, wanted] = [linkFrames(mine, toOwnJoints(map, q)), linkFrames(ref, q)];
+  const turn = rotationBetween(own.at(-1), wanted.at(-1)) * DEG;
+  return turn < 1 ? [] : [formatMessage("tool turned", { degrees: formatNumber(turn, 3) })];
 }
 
 const listOwnNumbers = (table, mine) => mine.joints.map((i) => typedRowNumber(table, i, "d"));
