@@ -133,11 +133,11 @@ def test_link_without_joint_kind_is_rejected():
 Q, PUSH = [0.3, -1.1, 1.4, -0.8, 0.9, 0.2], [0, 0, -20, 0, 0, 0]
 
 
-def test_which_selects_one_of_two_answers():
+def test_answer_number_selects_one_of_two_answers():
     right = static_torque(UR10E, Q, PUSH).round(4)
     text = f"{right.tolist()}\nor\n{(2 * right).tolist()}"
-    for which, agrees in ((1, True), (2, False)):
-        assert checks.compare_torques(text, UR10E, Q, PUSH, which=which).agrees is agrees
+    for number, agrees in ((1, True), (2, False)):
+        assert checks.compare_torques(text, UR10E, Q, PUSH, answer_number=number).agrees is agrees
 
 
 def test_small_gravity_error_is_not_rounding():

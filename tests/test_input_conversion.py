@@ -112,7 +112,7 @@ def test_numbers_are_read_from_any_container(mine, values, units):
 )
 def test_invalid_numbers_are_rejected(mine, words):
     with pytest.raises(ArmError) as refused:
-        read_numbers(mine, "yours", wanted="heights")
+        read_numbers(mine, "yours", expected="heights")
     assert words in str(refused.value)
 
 

@@ -45,7 +45,7 @@ def _check_options(
     angles: str = "rad",
     tolerance: float | None = None,
     values: Mapping | None = None,
-    which: int | None = None,
+    answer_number: int | None = None,
 ) -> dict[str, Any]:
     """Return the options common to all comparisons; raise ArmError for an invalid one."""
     require_choice(angles, "angles", ("rad", "deg"))
@@ -54,8 +54,8 @@ def _check_options(
         found["values"] = [list(pair) for pair in numbers_by_name(values, "values").items()]
     if tolerance is not None:
         found["tolerance"] = finite_number(tolerance, "tolerance", "a number of 0 or more", least=0)
-    if which is not None:
-        found["which"] = whole_number(which, "which", least=1)
+    if answer_number is not None:
+        found["which"] = whole_number(answer_number, "answer_number", least=1)
     return found
 
 
@@ -72,13 +72,13 @@ class TypedNumbers:
     units: Array
 
 
-def read_numbers(mine: Any, what: str, wanted: str = "numbers") -> TypedNumbers:
+def read_numbers(answer: Any, name: str, expected: str = "numbers") -> TypedNumbers:
     """Read numbers of any shape from text, lists or arrays.
 
-    Raises ArmError, which calls them `what`, for anything else.
+    Raises ArmError, which calls them `name`, for anything else.
     """
     return _make_typed_numbers(
-        ask_judge("numbers", mine=to_plain_data(mine), what=what, wanted=wanted)
+        ask_judge("numbers", mine=to_plain_data(answer), what=name, wanted=expected)
     )
 
 
@@ -91,7 +91,7 @@ def _make_typed_numbers(answer: Mapping[str, Any]) -> TypedNumbers:
 
 
 def compare_tables(
-    mine: Any,
+    answer: Any,
     reference: Arm,
     *,
     columns: str | None = None,
@@ -115,35 +115,35 @@ def compare_tables(
     map": the verdict shows the map, and ``verdict.joint_map.arm`` is the arm in your joints.
 
     Args:
-        mine: an `Arm`, or rows in a list, text, `Link(...)` lines or 4 x 4 matrices, as
+        answer: an `Arm`, or rows in a list, text, `Link(...)` lines or 4 x 4 matrices, as
             ``Arm.from_table`` takes them.
         reference: the arm it should describe.
-        columns, lengths, angles, convention, values: how to read `mine`; guessed unless given, and
-            the verdict says what was guessed.
+        columns, lengths, angles, convention, values: how to read `answer`; guessed unless given,
+            and the verdict says what was guessed.
         tolerance: the largest deviation of a length (m); inferred from the digits typed unless
             given.
         start_pose: joint values (rad or m) at which the question says where the tool is. A table
             that takes it elsewhere is wrong, though another choice of zeros would explain it.
 
-    Raises ArmError where an arm has no joint or `mine` is no table. Source: Siciliano et al.,
+    Raises ArmError where an arm has no joint or `answer` is no table. Source: Siciliano et al.,
     Robotics, section 2.8.2, on the free choices.
     """
     require_type(reference, Arm, "the reference")
     options = _check_options("rad", tolerance, values)
     del options["angles"]  # those of a table may be guessed
-    if not reference.dof or (isinstance(mine, Arm) and not mine.dof):
+    if not reference.dof or (isinstance(answer, Arm) and not answer.dof):
         raise ArmError(
-            f"cannot compare {shorten(mine)} with {reference!r};"
+            f"cannot compare {shorten(answer)} with {reference!r};"
             " expected arms with one joint or more"
         )
     reading_options = check_reading_options(columns, lengths, angles, convention)
-    if isinstance(mine, Arm) and reading_options:
+    if isinstance(answer, Arm) and reading_options:
         raise ArmError(
             format_sentence("arm is read", given=", ".join(map(shorten, reading_options.values())))
         )
     if start_pose is not None:
         options["startPose"] = reference.joint_vector(start_pose, "start_pose", many=False).tolist()
-    table = _arm_table(mine) if isinstance(mine, Arm) else format_table(mine)
+    table = _arm_table(answer) if isinstance(answer, Arm) else format_table(answer)
     found = ask_judge(
         "table", mine=table, arm=judge_data(reference), options=options | reading_options
     )
@@ -166,7 +166,7 @@ def _arm_table(arm: Arm) -> dict[str, Any]:
 
 
 def compare_jacobian(
-    mine: object,
+    answer: object,
     arm: Arm,
     q: ArrayLike | str | None = None,
     *,
@@ -175,12 +175,12 @@ def compare_jacobian(
     angles: str = "rad",
     values: Mapping[str, float] | None = None,
     tolerance: float | None = None,
-    which: int | None = None,
+    answer_number: int | None = None,
 ) -> Verdict:
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
-        mine: a function of q, or of q_1, q_2, ... one by one; a SymPy matrix or a text in q_1,
+        answer: a function of q, or of q_1, q_2, ... one by one; a SymPy matrix or a text in q_1,
             theta1, c_1, s_23, ... and the arm's symbols; or numbers at `q`: an array, lists, or
             pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
@@ -190,24 +190,25 @@ def compare_jacobian(
         angles: "deg" where `q` is in degrees.
         values: numbers for symbols of yours that the arm does not have.
         tolerance: the largest deviation of an entry; inferred from the digits typed unless given.
-        which: of several answers that differ in a text, the number of the one that is meant.
+        answer_number: where a text holds several answers that differ, the number of the one to
+            judge, from 1.
 
-    Raises ArmError where `mine` gives no matrix of numbers, or holds numbers and q is missing.
+    Raises ArmError where `answer` gives no matrix of numbers, or holds numbers and q is missing.
     """
     require_type(arm, Arm, "arm")
-    options = _check_options(angles, tolerance, values, which)
+    options = _check_options(angles, tolerance, values, answer_number)
     if not isinstance(angular_first, int | np.bool_):
         raise ArmError(f"angular_first is {shorten(angular_first)}; expected True or False")
     options |= {"angularFirst": bool(angular_first), "frame": _check_frame(frame, arm)}
     at = to_plain_data(_generic_pose(arm) if q is None else q)
     given = dict(arm=judge_data(arm), q=at)
-    if not callable(mine) or hasattr(mine, "free_symbols"):
+    if not callable(answer) or hasattr(answer, "free_symbols"):
         options["generic"] = q is None
         return make_verdict(
-            ask_judge("jacobian", mine=to_plain_data(mine), options=options, **given)
+            ask_judge("jacobian", mine=to_plain_data(answer), options=options, **given)
         )
     joints = np.array(ask_judge("joints", **given, angles=angles)["values"])
-    found = call_student_function(mine, joints, f"{arm.name}: your Jacobian")
+    found = call_student_function(answer, joints, f"{arm.name}: your Jacobian")
     options["computed"] = True
     return make_verdict(ask_judge("jacobian", mine=to_plain_data(found), options=options, **given))
 
@@ -232,7 +233,7 @@ def _generic_pose(arm: Arm) -> Array:
 
 
 def compare_torques(
-    mine: object,
+    answer: object,
     arm: Arm,
     q: ArrayLike | str,
     wrench: ArrayLike = _NO_WRENCH,
@@ -240,12 +241,12 @@ def compare_torques(
     *,
     angles: str = "rad",
     tolerance: float | None = None,
-    which: int | None = None,
+    answer_number: int | None = None,
 ) -> Verdict:
     """Compare your torques at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
 
     Args:
-        mine: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
+        answer: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
             column vectors are transposed. A function of q is called at each pose.
         arm: with masses.
         q: joints of shape (..., dof), or text.
@@ -253,13 +254,14 @@ def compare_torques(
         gravity: the vector of its acceleration in base axes (m/s^2).
         angles: "deg" where `q` is in degrees.
         tolerance: the largest deviation (N m); inferred from the digits typed unless given.
-        which: of several answers that differ in a text, the number of the one that is meant.
+        answer_number: where a text holds several answers that differ, the number of the one to
+            judge, from 1.
 
-    One pose can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers
-    or the arm has no masses.
+    One pose can hide a mistake that a whole path shows. Raises ArmError where `answer` is not
+    numbers or the arm has no masses.
     """
     require_joints(arm)
-    options = _check_options(angles, tolerance, which=which)
+    options = _check_options(angles, tolerance, answer_number=answer_number)
     at, data = to_plain_data(q), judge_data(arm)
     F = check_wrench(wrench)
     F = F.reshape(-1, 6) if F.ndim > 2 else F
@@ -269,16 +271,16 @@ def compare_torques(
     static_torque(arm, poses, F, gravity)  # says what is wrong with the load
     options |= {"wrench": F.tolist(), "gravity": np.asarray(gravity, float).tolist()}
     given = dict(arm=data, q=at)
-    if callable(mine):
+    if callable(answer):
         q = poses if len(poses) > 1 or F.ndim == 1 else np.tile(poses, (len(F), 1))
-        mine = _call_at_poses(mine, q, f"{arm.name}: your torques")
-    return make_verdict(ask_judge("torques", mine=to_plain_data(mine), options=options, **given))
+        answer = _call_at_poses(answer, q, f"{arm.name}: your torques")
+    return make_verdict(ask_judge("torques", mine=to_plain_data(answer), options=options, **given))
 
 
-def _call_at_poses(function: Callable, poses: Array, what: str) -> Any:
+def _call_at_poses(function: Callable, poses: Array, name: str) -> Any:
     """Return the torques that a student's function gives at each pose."""
     rows = [
-        read_numbers(call_student_function(function, q, what), what).values.ravel() for q in poses
+        read_numbers(call_student_function(function, q, name), name).values.ravel() for q in poses
     ]
     return rows if len(rows) > 1 else rows[0]
 
@@ -287,12 +289,12 @@ def _call_at_poses(function: Callable, poses: Array, what: str) -> Any:
 
 
 def compare_branches(
-    mine: object,
-    found: Solutions,
+    answer: object,
+    solutions: Solutions,
     *,
     angles: str = "rad",
     tolerance: float | None = None,
-    which: int | None = None,
+    answer_number: int | None = None,
 ) -> Verdict:
     """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
 
@@ -301,29 +303,32 @@ def compare_branches(
     value of a free joint counts as the branch.
 
     Args:
-        mine: an array, lists, text, or pairs such as ('theta1', 0.3).
-        found: the solutions of a closed form for the target.
+        answer: an array, lists, text, or pairs such as ('theta1', 0.3).
+        solutions: the solutions of a closed form for the target.
         angles: "deg" where yours are in degrees.
         tolerance: the largest deviation of a joint (rad or m); inferred from the digits typed
             unless given.
-        which: of several answers that differ in a text, the number of the one that is meant.
+        answer_number: where a text holds several answers that differ, the number of the one to
+            judge, from 1.
 
-    Raises ArmError for another shape, or where `found` holds many targets.
+    Raises ArmError for another shape, or where `solutions` holds many targets.
     """
-    require_type(found, Solutions, "found")
-    options = _check_options(angles, tolerance, which=which)
-    if found.valid.ndim != 1:
-        raise ArmError(format_sentence("one target", arm=found.arm.name, count=found.distance.size))
+    require_type(solutions, Solutions, "solutions")
+    options = _check_options(angles, tolerance, answer_number=answer_number)
+    if solutions.valid.ndim != 1:
+        raise ArmError(
+            format_sentence("one target", arm=solutions.arm.name, count=solutions.distance.size)
+        )
     branches = [
         {"name": str(name), "q": q.tolist(), "free": free.tolist(), "times": int(times)}
         for name, q, free, times in zip(
-            found.branches, found.q, found.free, found.times, strict=True
+            solutions.branches, solutions.q, solutions.free, solutions.times, strict=True
         )
         if times
     ]
-    tip = forward_kinematics(found.arm, branches[0]["q"]).tolist() if branches else None
-    options["found"] = {"arm": found.arm.name, "branches": branches, "target": tip}
-    given = dict(arm=judge_data(found.arm), mine=to_plain_data(mine))
+    tip = forward_kinematics(solutions.arm, branches[0]["q"]).tolist() if branches else None
+    options["found"] = {"arm": solutions.arm.name, "branches": branches, "target": tip}
+    given = dict(arm=judge_data(solutions.arm), mine=to_plain_data(answer))
     return make_verdict(ask_judge("branches", options=options, **given))
 
 
@@ -334,7 +339,7 @@ def compare_pose(
     *,
     angles: str = "rad",
     tolerance: float | None = None,
-    which: int | None = None,
+    answer_number: int | None = None,
 ) -> Verdict:
     """Judge whether joint values take an arm's tip to its target.
 
@@ -347,12 +352,13 @@ def compare_pose(
             in the joints.
         angles: "deg" where q is in degrees.
         tolerance: the largest miss (m and rad); inferred from the digits of q and T unless given.
-        which: of several answers that differ in a text, the number of the one that is meant.
+        answer_number: where a text holds several answers that differ, the number of the one to
+            judge, from 1.
 
     Raises ArmError for another shape.
     """
     require_type(arm, Arm, "arm")
-    options = _check_options(angles, tolerance, which=which)
+    options = _check_options(angles, tolerance, answer_number=answer_number)
     given = dict(arm=judge_data(arm), mine=to_plain_data(q), target=to_plain_data(T))
     return make_verdict(ask_judge("pose", options=options, **given))
 
@@ -361,18 +367,18 @@ def compare_pose(
 
 
 def compare_trace(
-    mine: object,
+    answer: object,
     arm: Arm,
     path: Path,
     tolerance: float | None = None,
     *,
     angles: str = "rad",
-    which: int | None = None,
+    answer_number: int | None = None,
 ) -> Verdict:
     """Judge whether joint vectors, shape (steps + 1, dof), make the tip follow a path.
 
     Args:
-        mine: one row for each of the path's times, or for all but the last; an array, lists, text
+        answer: one row for each of the path's times, or for all but the last; an array, lists, text
             such as CSV.
         arm: whose joints they are.
         path: the path of the tip, which keeps its orientation.
@@ -382,25 +388,26 @@ def compare_trace(
             trace within these bounds that shows a mistake (other lengths, the velocity of the next
             step) is still wrong.
         angles: "deg" where yours are in degrees.
-        which: of several answers that differ in a text, the number of the one that is meant.
+        answer_number: where a text holds several answers that differ, the number of the one to
+            judge, from 1.
 
     Exceeded limits of range and speed become notes, since the homework's own circle exceeds them.
-    Jumps of joints by whole turns are removed, also with a note. Raises ArmError where `mine` holds
-    anything but finite numbers.
+    Jumps of joints by whole turns are removed, also with a note. Raises ArmError where `answer`
+    holds anything but finite numbers.
     """
     require_type(arm, Arm, "arm")
     require_type(path, Path, "path")
-    options = _check_options(angles, tolerance, which=which)
-    given = dict(mine=to_plain_data(mine), arm=judge_data(arm), options=options)
+    options = _check_options(angles, tolerance, answer_number=answer_number)
+    given = dict(mine=to_plain_data(answer), arm=judge_data(arm), options=options)
     samples = {"times": path.times.tolist(), "normal": path.normal.tolist(), "at": []}
     missing_times = _likely_times(path.times)
     while len(missing_times):
         samples["at"] += _sample_path(path, np.asarray(missing_times))
-        answer = ask_judge("trace", path=samples, **given)
-        missing_times = answer.get("wanted", ())
-    joints = answer.get("figures", {}).pop("q", None)
+        reply = ask_judge("trace", path=samples, **given)
+        missing_times = reply.get("wanted", ())
+    joints = reply.get("figures", {}).pop("q", None)
     figures = {} if joints is None else {"run": _report_trace(arm, path, joints)}
-    return make_verdict(answer, **figures)
+    return make_verdict(reply, **figures)
 
 
 def _likely_times(times: Array) -> Array:

@@ -13,13 +13,13 @@ from helpers.inputs import ArmError
 Array = NDArray[Any]
 
 
-def call_student_function(function: Callable, q: Array, what: str) -> Any:
+def call_student_function(function: Callable, q: Array, name: str) -> Any:
     """Return the value of a student's function at q.
 
     Args:
         function: takes q, or its joints one by one.
         q: shape (dof,); the function receives a copy.
-        what: name of the function in messages.
+        name: name of the function in messages.
 
     Raises ArmError if the function fails.
     """
@@ -36,7 +36,7 @@ def call_student_function(function: Callable, q: Array, what: str) -> Any:
             failures.append(error)
     message = f"{type(failures[0]).__name__}: {failures[0]}"
     raise ArmError(
-        format_sentence("function failed", what=what, error=message, dof=len(q))
+        format_sentence("function failed", what=name, error=message, dof=len(q))
     ) from failures[0]
 
 

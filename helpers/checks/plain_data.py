@@ -16,19 +16,19 @@ Data = Any  # str, or nested lists of float, str, None (no finite number), {"tre
 _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan")
 
 
-def to_plain_data(mine: Any) -> Data:
+def to_plain_data(answer: Any) -> Data:
     """Convert numbers, text and SymPy expressions to nested lists; of a mapping take the values."""
-    if isinstance(mine, Mapping) and mine:
-        return [to_plain_data(value) for value in mine.values()]
-    if isinstance(mine, np.ndarray) and mine.dtype.kind in "iuf" and not np.ma.isMA(mine):
-        return _finite(mine)
-    if hasattr(mine, "tolist"):
-        mine = mine.tolist()
-    elif hasattr(mine, "to_numpy"):
-        return to_plain_data(mine.to_numpy())
-    if isinstance(mine, list | tuple):
-        return [to_plain_data(item) for item in mine]
-    return _entry(mine)
+    if isinstance(answer, Mapping) and answer:
+        return [to_plain_data(value) for value in answer.values()]
+    if isinstance(answer, np.ndarray) and answer.dtype.kind in "iuf" and not np.ma.isMA(answer):
+        return _finite(answer)
+    if hasattr(answer, "tolist"):
+        answer = answer.tolist()
+    elif hasattr(answer, "to_numpy"):
+        return to_plain_data(answer.to_numpy())
+    if isinstance(answer, list | tuple):
+        return [to_plain_data(item) for item in answer]
+    return _entry(answer)
 
 
 def _finite(array: NDArray[Any]) -> list | float | None:

@@ -150,6 +150,7 @@ def format_advice(advice: Mapping[str, Any]) -> str:
         "arm": f"compare with robots.find_arm({json.dumps(value)})",
         "locked": f"compare with arm.lock({value})",
         "values": f"say values={{{json.dumps(value)}: ...}}",
+        "which": f"say answer_number={value}",
         "angularFirst": f"say angular_first={bool(value)}",
     }
     setting = words.get(field, f"say {field}={json.dumps(value)}")
