@@ -72,6 +72,12 @@ def test_unknown_symbol_is_rejected_with_known_ones(names, arm, unknown):
     assert str(error.value) == said
 
 
+def test_joint_of_an_arm_on_a_fixed_row_is_no_symbol_to_give():
+    arm = ELBOW.with_base((0, 0, 2.5, "pi", 0, 0))
+    with pytest.raises(ArmError, match="by their rows, and row 1 is fixed$"):
+        look_up(["q_1", "q_2"], arm, np.zeros(arm.dof))
+
+
 @pytest.mark.parametrize(("zero", "one"), [("q0", "q1"), ("theta_0", "theta_1")])
 def test_joints_counted_from_0_are_rejected(zero, one):
     with pytest.raises(ArmError, match=f"from 1 here, so there is no {zero}; write {one} for it"):

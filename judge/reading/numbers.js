@@ -20,6 +20,7 @@ import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
+const JOINT_SYMBOL = /^(?:q|th|theta)\d{1,2}$/;
 const FIRST = /^(?:q|th|theta)0$/; // of joints counted from 0
 const SHOWN = 3; // so many values of a locked joint are shown back
 const SHORT = /^([cs])((?:[+-]?\d)+)$/;
@@ -306,6 +307,8 @@ function meanings(names, arm, q, own) {
           formatMessage("joint zero", { arm: arm.name, name, first: name.replace("0", "1") }),
         );
       const known = [...jointNames(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
+      if (arm.rows[0].kind === "fixed" && JOINT_SYMBOL.test(simple(name)))
+        throw new ArmError(formatMessage("unknown joint", { arm: arm.name, name, known }));
       throw new ArmError(formatMessage("unknown symbol", { arm: arm.name, name, known }), [
         { field: "values", value: name },
       ]);
