@@ -40,6 +40,7 @@ def test_check_prints_one_line_if_equal(capsys):
         (np.uint8(1), np.uint8(2), 0, "off by 1, allowed 0"),
         (False, True, 0, "got False, expected True"),
         (np.array([True, False]), [True, True], 0, "expected .True, True."),
+        (np.array([True, False], object), [True, True], 0, "expected .True, True."),
         (1j, 2j, 5, "got 1j, expected 2j"),
         (1, "1", 5, "got 1, expected 1"),
         ("1", 1, 5, "got 1, expected 1"),

@@ -69,6 +69,8 @@ def _to_numbers(value: Any) -> NDArray[np.float64] | None:
 
 
 def _is_number(x: Any) -> bool:
+    if isinstance(x, bool):
+        return False
     return isinstance(x, int | float | np.number) or bool(getattr(x, "is_number", False))
 
 
