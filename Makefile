@@ -62,9 +62,9 @@ test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built b
 	BUILT=$(BUILT) $(BIN)/python -m pytest -n 3 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS) tests; \
 	tests=$$?; wait; exit $$((tests + $$(cat $(BUILT))))
 
-# Notebooks, subprocesses and the built book do not count. QuickJS judges here, and Node.js in `make test`.
+# Only the tests of the built book are left out. QuickJS judges here, and Node.js in `make test`.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	JUDGE=quickjs $(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_make.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
+	JUDGE=quickjs $(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py,$(wildcard tests/test_*.py))
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(NBVAL) $(NOTEBOOKS)

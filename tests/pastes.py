@@ -1,8 +1,8 @@
-"""What students paste: matrices as NumPy, MATLAB, LaTeX, CSV files and spreadsheets write them, and
-as people write them by hand. A paste says itself what it means: the matrix that went in.
+"""Write matrices as programs and people do, for tests that read them back.
 
-Each program has its ways to lay rows out, to spell a number and to set a matrix in its text, and
-any of them goes with any other.
+NumPy, MATLAB, LaTeX, CSV files and spreadsheets have their ways to lay rows out, to spell a number
+and to set a matrix in text, and any of them goes with any other. tests/cases.json has no room for
+these combinations, and tests/clothed draws only answers to the questions of the form.
 """
 
 import re

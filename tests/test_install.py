@@ -1,4 +1,7 @@
-"""Test `pip install .` in a bare environment, as a student types it."""
+"""Test `pip install .` in a bare environment, as a student types it.
+
+CI installs in place, with every extra, so that it misses a file left out of the wheel.
+"""
 
 import shutil
 import subprocess

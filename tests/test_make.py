@@ -1,4 +1,7 @@
-"""Test the Makefile: a failed build stays failed, and a reader's copies are kept."""
+"""Test the Makefile: a failed build stays failed, and a reader's copies are kept.
+
+CI builds a book that is whole, once; it meets none of these cases.
+"""
 
 import shutil
 import subprocess

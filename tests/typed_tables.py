@@ -1,4 +1,8 @@
-"""Tables and formulas made at random, in the forms in which people type them, with what went in."""
+"""Make random tables and formulas in the forms in which people type them, with their values.
+
+Each cell is compared, with joints of any kind and any unit; the tables of tests/clothed are
+compared by their verdict.
+"""
 
 import math
 import re
