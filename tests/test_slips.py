@@ -15,7 +15,9 @@ TURN = np.pi / 2
 
 
 def test_slips_of_a_table_are_listed():
-    arm = Arm("two", [revolute(a=0.3, alpha="pi"), fixed(d=-0.1), prismatic(theta="pi/2")])
+    arm = Arm(
+        "two", [revolute(a=0.3, alpha="pi"), fixed(d=-0.1, theta="pi"), prismatic(theta="pi/2")]
+    )
     assert list(list_slips(arm)) == [
         TableSlip(1, "q", -1),
         TableSlip(1, "a", 0),
@@ -23,6 +25,7 @@ def test_slips_of_a_table_are_listed():
         TableSlip(1, "alpha", 0),  # -180° is 180°
         TableSlip(2, "d", 0),
         TableSlip(2, "d", 0.1),
+        TableSlip(2, "theta", 0),
         TableSlip(3, "q", -1),
         TableSlip(3, "theta", 0),
         TableSlip(3, "theta", -pi / 2),
