@@ -29,6 +29,7 @@ SEARCHES = {
     "manipulability": r"02_.*: How near|glossary: manip",
     "rank of the jacobian": r"02_.*|errata: 10 ",
     "euler angle rates": r"02_.*: Rates of |glossary: ",
+    "jacobain": r"02_.*|glossary: Jacobian",  # misspelt
     "compare_jacobian": r"check_your_homework: Your Jacobian|api: compare_jacobian",
     # circles
     "damped least squares": r"03_.*: |glossary: damped",
