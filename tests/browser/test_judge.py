@@ -143,13 +143,17 @@ def test_report_of_wrong_answer_is_copied(page):
 
 
 @phone
-def test_torques_are_judged_by_keyboard(page):
+def test_torques_by_keyboard_mark_the_example_wrench(page):
     page.get_by_label("Question").focus()
     page.keyboard.press("ArrowDown")
     verdict(page, "Type or paste your answer.")
     page.get_by_role("button", name="Show an example").press("Enter")
     verdict(page, "the force has the wrong sign")
     assert page.get_by_label("Wrench on the tool").is_visible()
+    note = page.get_by_text("This wrench is the example's")
+    assert note.is_visible()
+    page.get_by_label("Wrench on the tool").fill("0, 0, -5, 0, 0, 0")
+    note.wait_for(state="hidden")
 
 
 @wide
