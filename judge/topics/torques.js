@@ -47,7 +47,12 @@ function torquesCompared(mine, arm, q, options = {}) {
   const [at, wrenches] = loaded(readPoses(q, arm, options.angles), dof, options.wrench);
   const load = makeLoad(arm, wrenches, gravity);
   const given = [...rowsOf(at.values, dof), ...wrenches];
-  const asked = { wants: shapes(wrenches.length, arm), names: NAMES, given, which: options.which };
+  const asked = {
+    wants: listShapes(wrenches.length, arm),
+    names: NAMES,
+    given,
+    which: options.which,
+  };
   const taken = [...(at.locked ?? []), ...describeModel(load)];
   const context = { arm, q: at, load, tolerance, taken };
   const read = (question) =>
@@ -86,7 +91,7 @@ function judgeTorques(typed, context) {
 
 // Shapes that are read: a row for each pose, or a list for each joint, with or without locked
 // joints. One number for each pose is an energy.
-function shapes(count, arm) {
+function listShapes(count, arm) {
   const widths = [...new Set([movingRows(arm).length, arm.rows.length])];
   return [
     ...widths.flatMap((columns) => [
