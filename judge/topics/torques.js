@@ -44,7 +44,11 @@ function torquesCompared(mine, arm, q, options = {}) {
   if (!arm.rows.every((row) => row.body))
     throw new ArmError(formatMessage("no masses", { arm: arm.name, rows: arm.rows.length }));
   const dof = movingRows(arm).length;
-  const [at, wrenches] = loaded(readPoses(q, arm, options.angles), dof, options.wrench);
+  const [at, wrenches] = pairPosesWithWrenches(
+    readPoses(q, arm, options.angles),
+    dof,
+    options.wrench,
+  );
   const load = makeLoad(arm, wrenches, gravity);
   const given = [...rowsOf(at.values, dof), ...wrenches];
   const asked = {
@@ -115,7 +119,7 @@ function inNewtonMetres(typed) {
 }
 
 // Pair poses with wrenches: one wrench for all poses, or one pose with several wrenches.
-function loaded(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
+function pairPosesWithWrenches(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
   const count = at.values.length / dof;
   const wrenches = Array.isArray(wrench[0]) ? wrench : rowsOf(at.values, dof).map(() => wrench);
   if (count !== 1) return [at, wrenches];
