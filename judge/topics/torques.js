@@ -84,7 +84,7 @@ function torquesCompared(mine, arm, q, options = {}) {
 function judgeTorques(typed, context) {
   const { arm, q, load, tolerance, taken } = context;
   const count = load.wrenches.length;
-  const found = upright(typed, count, arm);
+  const found = arrangeByPose(typed, count, arm);
   if (found) {
     const said = [...typed.said, ...found.said, ...taken];
     return { ...judged({ ...found, said }, q, load, { arm, tolerance }), typed };
@@ -148,7 +148,7 @@ const describeModel = ({ masses, gravity }) => [
 
 // Return the torques with a row for each pose. Transposed lists are turned and values of locked
 // joints dropped, and the verdict reports both.
-function upright({ values, units, shape }, count, arm) {
+function arrangeByPose({ values, units, shape }, count, arm) {
   const moving = movingRows(arm);
   const [dof, rows] = [moving.length, arm.rows.length];
   const sizes = shape.filter((n) => n !== 1);
