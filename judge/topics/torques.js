@@ -170,7 +170,7 @@ function arrangeByPose({ values, units, shape }, count, arm) {
   return null;
 }
 
-const reported = (arm, grade, headline, fields) =>
+const makeTorquesVerdict = (arm, grade, headline, fields) =>
   makeVerdict("torques", arm, grade, headline, fields);
 
 function misshapen({ shape, values }, count, arm) {
@@ -181,7 +181,7 @@ function misshapen({ shape, values }, count, arm) {
   const words = formatMessage(key, { shape: sizes.join("x") || "1", wanted, dof });
   const findings = [{ what: "shape", where: "", mine: shape, expected: [count, dof], words }];
   const headline = formatMessage("tau wrong", { arm: arm.name, cause: uncapitalize(words) });
-  return reported(arm, WRONG, headline, { findings, causes: [key] });
+  return makeTorquesVerdict(arm, WRONG, headline, { findings, causes: [key] });
 }
 
 /** @returns {import("../verdict.js").Verdict} */
@@ -205,7 +205,7 @@ function judged(typed, at, load, { arm, tolerance }) {
     places,
   });
   const notes = verdict.how === "cut" ? [formatMessage("cut")] : [];
-  return reported(arm, verdict.grade, headline, { ...rest, notes });
+  return makeTorquesVerdict(arm, verdict.grade, headline, { ...rest, notes });
 }
 
 // Try mistakes at a few of many poses first, and only those that fit at all poses.
@@ -247,7 +247,7 @@ function zero(causes, arm) {
     arm: arm.name,
     cause: uncapitalize(formatMessage("tau zero")),
   });
-  return reported(arm, WRONG, headline, { causes: causes.slice(0, 1).map(causeName) });
+  return makeTorquesVerdict(arm, WRONG, headline, { causes: causes.slice(0, 1).map(causeName) });
 }
 
 const placeOf = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
@@ -267,12 +267,16 @@ function bad(causes, wrong, typed, truth, arm) {
     });
     const report = causes.some(({ keys }) => keys.includes("tau.report"));
     const notes = report ? [formatMessage("slip 8")] : [];
-    return reported(arm, WRONG, headline, { findings, causes: causes.map(causeName), notes });
+    return makeTorquesVerdict(arm, WRONG, headline, {
+      findings,
+      causes: causes.map(causeName),
+      notes,
+    });
   }
   const findings = wrongJoints(wrong, arm).map((k) => offBy(arm, k, typed, truth));
   const places = joinList(findings.map(({ where }) => where));
   const headline = formatMessage("tau wrong places", { arm: arm.name, places });
-  return reported(arm, WRONG, headline, { findings });
+  return makeTorquesVerdict(arm, WRONG, headline, { findings });
 }
 
 // Describe a wrong joint: its sign is reversed, or by how much it is off.
