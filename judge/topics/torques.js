@@ -90,7 +90,7 @@ function judgeTorques(typed, context) {
     return { ...judged({ ...found, said }, q, load, { arm, tolerance }), typed };
   }
   const verdict = count === 1 ? judgeFirstTorques(typed, context) : null;
-  return verdict ?? { ...misshapen(typed, count, arm), typed };
+  return verdict ?? { ...reportWrongShape(typed, count, arm), typed };
 }
 
 // Shapes that are read: a row for each pose, or a list for each joint, with or without locked
@@ -173,7 +173,7 @@ function arrangeByPose({ values, units, shape }, count, arm) {
 const makeTorquesVerdict = (arm, grade, headline, fields) =>
   makeVerdict("torques", arm, grade, headline, fields);
 
-function misshapen({ shape, values }, count, arm) {
+function reportWrongShape({ shape, values }, count, arm) {
   const dof = movingRows(arm).length;
   const key = values.length === count && values.length !== count * dof ? "tau.energy" : "tau.shape";
   const wanted = count > 1 ? `${count}x${dof}` : String(dof);
