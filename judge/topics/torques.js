@@ -87,7 +87,7 @@ function judgeTorques(typed, context) {
   const found = arrangeByPose(typed, count, arm);
   if (found) {
     const said = [...typed.said, ...found.said, ...taken];
-    return { ...judged({ ...found, said }, q, load, { arm, tolerance }), typed };
+    return { ...judgeArrangedTorques({ ...found, said }, q, load, { arm, tolerance }), typed };
   }
   const verdict = count === 1 ? judgeFirstTorques(typed, context) : null;
   return verdict ?? { ...reportWrongShape(typed, count, arm), typed };
@@ -185,7 +185,7 @@ function reportWrongShape({ shape, values }, count, arm) {
 }
 
 /** @returns {import("../verdict.js").Verdict} */
-function judged(typed, at, load, { arm, tolerance }) {
+function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
   const verdict = verdictOf(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);
   const truth = torqueMaker(load, load.c.dof, at.values)()(at.values);
