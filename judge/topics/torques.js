@@ -186,7 +186,7 @@ function reportWrongShape({ shape, values }, count, arm) {
 
 /** @returns {import("../verdict.js").Verdict} */
 function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
-  const verdict = verdictOf(typed, at, load, { arm, tolerance });
+  const verdict = findExplanation(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);
   const truth = torqueMaker(load, load.c.dof, at.values)()(at.values);
   const figures = figuresOf(typed.values, truth, verdict, load.c.dof);
@@ -209,7 +209,7 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
 }
 
 // Try mistakes at a few of many poses first, and only those that fit at all poses.
-function verdictOf(typed, at, load, { arm, tolerance }) {
+function findExplanation(typed, at, load, { arm, tolerance }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
   const steps = listTorqueSteps(arm, load);
