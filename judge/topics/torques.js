@@ -193,7 +193,9 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
   const rest = { taken: typed.said, figures, wrong: verdict.wrong };
   if (verdict.grade === WRONG) {
     const empty = !typed.values.some(Boolean);
-    const told = empty ? zero(causes, arm) : bad(causes, verdict.wrong, typed, truth, arm);
+    const told = empty
+      ? reportZeroTorques(causes, arm)
+      : bad(causes, verdict.wrong, typed, truth, arm);
     return { ...told, ...rest };
   }
   const keys = { [RIGHT]: "tau right", [SO_FAR]: "tau so far" };
@@ -242,7 +244,7 @@ function figuresOf(mine, truth, { grade, wrong }, dof) {
 }
 
 // All zeros: an empty answer or a forgotten load, so the message asks about both.
-function zero(causes, arm) {
+function reportZeroTorques(causes, arm) {
   const headline = formatMessage("tau wrong", {
     arm: arm.name,
     cause: uncapitalize(formatMessage("tau zero")),
