@@ -253,10 +253,12 @@ function reportZeroTorques(causes, arm) {
 }
 
 const placeOf = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
-const column = (list, k, dof) => list.filter((_, i) => i % dof === k);
+const selectJoint = (list, k, dof) => list.filter((_, i) => i % dof === k);
 const wrongJoints = (wrong, arm) => {
   const dof = movingRows(arm).length;
-  return jointNumbers(arm).flatMap((_, k) => (column(wrong, k, dof).includes(true) ? [k] : []));
+  return jointNumbers(arm).flatMap((_, k) =>
+    selectJoint(wrong, k, dof).includes(true) ? [k] : [],
+  );
 };
 
 function bad(causes, wrong, typed, truth, arm) {
@@ -284,7 +286,7 @@ function bad(causes, wrong, typed, truth, arm) {
 // Describe a wrong joint: its sign is reversed, or by how much it is off.
 function offBy(arm, k, typed, truth) {
   const dof = movingRows(arm).length;
-  const [mine, right] = [typed.values, truth].map((list) => column(list, k, dof));
+  const [mine, right] = [typed.values, truth].map((list) => selectJoint(list, k, dof));
   const off = formatNumber(Math.max(...subtractEach(mine, right).map(Math.abs)), 2);
   const turned = mine.every((x, i) => Math.abs(x + right[i]) < Math.abs(x - right[i]) / 1e3);
   const words = formatMessage(turned ? "tau other way" : "tau off", {
