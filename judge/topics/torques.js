@@ -195,7 +195,7 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
     const empty = !typed.values.some(Boolean);
     const told = empty
       ? reportZeroTorques(causes, arm)
-      : bad(causes, verdict.wrong, typed, truth, arm);
+      : reportWrongTorques(causes, verdict.wrong, typed, truth, arm);
     return { ...told, ...rest };
   }
   const keys = { [RIGHT]: "tau right", [SO_FAR]: "tau so far" };
@@ -261,7 +261,7 @@ const wrongJoints = (wrong, arm) => {
   );
 };
 
-function bad(causes, wrong, typed, truth, arm) {
+function reportWrongTorques(causes, wrong, typed, truth, arm) {
   if (causes.length) {
     const words = joinCauseMessages(causes);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
