@@ -277,14 +277,14 @@ function reportWrongTorques(causes, wrong, typed, truth, arm) {
       notes,
     });
   }
-  const findings = wrongJoints(wrong, arm).map((k) => offBy(arm, k, typed, truth));
+  const findings = wrongJoints(wrong, arm).map((k) => describeWrongJoint(arm, k, typed, truth));
   const places = joinList(findings.map(({ where }) => where));
   const headline = formatMessage("tau wrong places", { arm: arm.name, places });
   return makeTorquesVerdict(arm, WRONG, headline, { findings });
 }
 
 // Describe a wrong joint: its sign is reversed, or by how much it is off.
-function offBy(arm, k, typed, truth) {
+function describeWrongJoint(arm, k, typed, truth) {
   const dof = movingRows(arm).length;
   const [mine, right] = [typed.values, truth].map((list) => selectJoint(list, k, dof));
   const off = formatNumber(Math.max(...subtractEach(mine, right).map(Math.abs)), 2);
