@@ -200,7 +200,7 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
   }
   const keys = { [RIGHT]: "tau right", [SO_FAR]: "tau so far" };
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
-  const places = joinList(wrongJoints(verdict.wrong, arm).map((k) => placeOf(arm, k)));
+  const places = joinList(wrongJoints(verdict.wrong, arm).map((k) => nameJoint(arm, k)));
   const headline = formatMessage(keys[verdict.grade] ?? "tau rounded", {
     arm: arm.name,
     precision,
@@ -252,7 +252,7 @@ function reportZeroTorques(causes, arm) {
   return makeTorquesVerdict(arm, WRONG, headline, { causes: causes.slice(0, 1).map(causeName) });
 }
 
-const placeOf = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
+const nameJoint = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
 const selectJoint = (list, k, dof) => list.filter((_, i) => i % dof === k);
 const wrongJoints = (wrong, arm) => {
   const dof = movingRows(arm).length;
@@ -295,5 +295,5 @@ function describeWrongJoint(arm, k, typed, truth) {
     off,
     unit: revoluteFlags(arm)[k] ? "N m" : "N",
   });
-  return { what: "joint", where: placeOf(arm, k), words };
+  return { what: "joint", where: nameJoint(arm, k), words };
 }
