@@ -189,7 +189,7 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
   const verdict = findExplanation(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);
   const truth = torqueMaker(load, load.c.dof, at.values)()(at.values);
-  const figures = figuresOf(typed.values, truth, verdict, load.c.dof);
+  const figures = measureErrors(typed.values, truth, verdict, load.c.dof);
   const rest = { taken: typed.said, figures, wrong: verdict.wrong };
   if (verdict.grade === WRONG) {
     const empty = !typed.values.some(Boolean);
@@ -237,7 +237,7 @@ function findExplanation(typed, at, load, { arm, tolerance }) {
 }
 
 // Report the largest error of a torque, and the number of joints that are right at every pose.
-function figuresOf(mine, truth, { grade, wrong }, dof) {
+function measureErrors(mine, truth, { grade, wrong }, dof) {
   const off = mine.map((x, i) => Math.abs(x - truth[i]));
   const bad = new Set(wrong.flatMap((is, i) => (is && grade === WRONG ? [i % dof] : [])));
   return { worst: Math.max(0, ...off), right: dof - bad.size, of: dof };
