@@ -154,15 +154,16 @@ function arrangeByPose({ values, units, shape }, count, arm) {
   const sizes = shape.filter((n) => n !== 1);
   for (const width of new Set([dof, rows])) {
     const noteLocked = (all) => (width > dof ? [setAside(arm, all)] : []);
-    const kept = (list) => (width > dof ? list.filter((_, i) => moving.includes(i % rows)) : list);
+    const dropLocked = (list) =>
+      width > dof ? list.filter((_, i) => moving.includes(i % rows)) : list;
     const is = (m, n) => sizes.length === 2 && sizes[0] === m && sizes[1] === n;
     if (is(count, width) || (count === 1 && sizes.length === 1 && values.length === width))
-      return { values: kept(values), units: kept(units), said: noteLocked(values) };
+      return { values: dropLocked(values), units: dropLocked(units), said: noteLocked(values) };
     if (is(width, count) && count !== width) {
       const turned = (list) => transpose(list, sizes);
       return {
-        values: kept(turned(values)),
-        units: kept(turned(units)),
+        values: dropLocked(turned(values)),
+        units: dropLocked(turned(units)),
         said: [formatMessage("taken: list per joint"), ...noteLocked(turned(values))],
       };
     }
