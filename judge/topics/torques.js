@@ -156,10 +156,10 @@ function arrangeByPose({ values, units, shape }, count, arm) {
     const noteLocked = (all) => (width > dof ? [setAside(arm, all)] : []);
     const dropLocked = (list) =>
       width > dof ? list.filter((_, i) => moving.includes(i % rows)) : list;
-    const is = (m, n) => sizes.length === 2 && sizes[0] === m && sizes[1] === n;
-    if (is(count, width) || (count === 1 && sizes.length === 1 && values.length === width))
+    const hasShape = (m, n) => sizes.length === 2 && sizes[0] === m && sizes[1] === n;
+    if (hasShape(count, width) || (count === 1 && sizes.length === 1 && values.length === width))
       return { values: dropLocked(values), units: dropLocked(units), said: noteLocked(values) };
-    if (is(width, count) && count !== width) {
+    if (hasShape(width, count) && count !== width) {
       const turned = (list) => transpose(list, sizes);
       return {
         values: dropLocked(turned(values)),
