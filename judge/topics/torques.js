@@ -160,11 +160,11 @@ function arrangeByPose({ values, units, shape }, count, arm) {
     if (hasShape(count, width) || (count === 1 && sizes.length === 1 && values.length === width))
       return { values: dropLocked(values), units: dropLocked(units), said: noteLocked(values) };
     if (hasShape(width, count) && count !== width) {
-      const turned = (list) => transpose(list, sizes);
+      const transposeList = (list) => transpose(list, sizes);
       return {
-        values: dropLocked(turned(values)),
-        units: dropLocked(turned(units)),
-        said: [formatMessage("taken: list per joint"), ...noteLocked(turned(values))],
+        values: dropLocked(transposeList(values)),
+        units: dropLocked(transposeList(units)),
+        said: [formatMessage("taken: list per joint"), ...noteLocked(transposeList(values))],
       };
     }
   }
