@@ -289,8 +289,8 @@ function describeWrongJoint(arm, k, typed, truth) {
   const dof = movingRows(arm).length;
   const [mine, right] = [typed.values, truth].map((list) => selectJoint(list, k, dof));
   const off = formatNumber(Math.max(...subtractEach(mine, right).map(Math.abs)), 2);
-  const turned = mine.every((x, i) => Math.abs(x + right[i]) < Math.abs(x - right[i]) / 1e3);
-  const words = formatMessage(turned ? "tau other way" : "tau off", {
+  const isNegated = mine.every((x, i) => Math.abs(x + right[i]) < Math.abs(x - right[i]) / 1e3);
+  const words = formatMessage(isNegated ? "tau other way" : "tau off", {
     joint: jointNumbers(arm)[k],
     most: mine.length > 1 ? formatMessage("up to") : "",
     off,
