@@ -60,7 +60,7 @@ function torquesCompared(mine, arm, q, options = {}) {
   const taken = [...(at.locked ?? []), ...describeModel(load)];
   const context = { arm, q: at, load, tolerance, taken };
   const read = (question) =>
-    inNewtonMetres(
+    convertToNewtonMetres(
       numbers(unnamed(mine), `${arm.name}: your torques`, undefined, undefined, question),
     );
   const verdict = judgeWholeOrPart(
@@ -106,7 +106,7 @@ function listShapes(count, arm) {
   ];
 }
 
-function inNewtonMetres(typed) {
+function convertToNewtonMetres(typed) {
   const unit = typed.says?.moments;
   if (!unit) return typed;
   // an entry may have its own unit
