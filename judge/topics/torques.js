@@ -110,12 +110,12 @@ function convertToNewtonMetres(typed) {
   const unit = typed.says?.moments;
   if (!unit) return typed;
   // an entry may have its own unit
-  const scaled = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x * unit : x));
+  const scale = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x * unit : x));
   const said = [
     ...typed.said,
     formatMessage(unit < 1 ? "taken: millinewton metres" : "taken: kilonewton metres"),
   ];
-  return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
+  return { ...typed, values: scale(typed.values), units: scale(typed.units), said };
 }
 
 // Pair poses with wrenches: one wrench for all poses, or one pose with several wrenches.
