@@ -194,10 +194,10 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
   const rest = { taken: typed.said, figures, wrong: verdict.wrong };
   if (verdict.grade === WRONG) {
     const empty = !typed.values.some(Boolean);
-    const told = empty
+    const verdictOnWrong = empty
       ? reportZeroTorques(causes, arm)
       : reportWrongTorques(causes, verdict.wrong, typed, truth, arm);
-    return { ...told, ...rest };
+    return { ...verdictOnWrong, ...rest };
   }
   const keys = { [RIGHT]: "tau right", [SO_FAR]: "tau so far" };
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
