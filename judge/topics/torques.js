@@ -84,10 +84,10 @@ function torquesCompared(mine, arm, q, options = {}) {
 function judgeTorques(typed, context) {
   const { arm, q, load, tolerance, taken } = context;
   const count = load.wrenches.length;
-  const found = arrangeByPose(typed, count, arm);
-  if (found) {
-    const said = [...typed.said, ...found.said, ...taken];
-    return { ...judgeArrangedTorques({ ...found, said }, q, load, { arm, tolerance }), typed };
+  const arranged = arrangeByPose(typed, count, arm);
+  if (arranged) {
+    const said = [...typed.said, ...arranged.said, ...taken];
+    return { ...judgeArrangedTorques({ ...arranged, said }, q, load, { arm, tolerance }), typed };
   }
   const verdict = count === 1 ? judgeFirstTorques(typed, context) : null;
   return verdict ?? { ...reportWrongShape(typed, count, arm), typed };
