@@ -74,7 +74,7 @@ export const judgeTrace = completeVerdicts(traceJudged);
 
 function traceJudged(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
-  const read = upright(typed, arm, path.times.length, typed.says?.angles ?? angles);
+  const read = arrangeBySteps(typed, arm, path.times.length, typed.says?.angles ?? angles);
   if (!read) return misshapen(typed, arm, path);
   const run = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
@@ -117,7 +117,7 @@ const offs = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])))
 // Return a row for each step. Columns are transposed, a leading column of times or zeros and one
 // extra step are dropped, and the verdict reports each change.
 /** @returns {Run | null} */
-function upright(typed, arm, count, unit) {
+function arrangeBySteps(typed, arm, count, unit) {
   const dof = movingRows(arm).length;
   const shape = typed.shape.filter((n) => n !== 1);
   if (shape.length !== 2) return null;
