@@ -75,7 +75,7 @@ export const judgeTrace = completeVerdicts(traceJudged);
 function traceJudged(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const read = arrangeBySteps(typed, arm, path.times.length, typed.says?.angles ?? angles);
-  if (!read) return misshapen(typed, arm, path);
+  if (!read) return reportWrongShape(typed, arm, path);
   const run = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
   if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
@@ -172,7 +172,7 @@ function reported(arm, grade, words, taken, rest = {}) {
   return makeVerdict("trace", arm, grade, headline, { taken, ...rest });
 }
 
-function misshapen({ shape }, arm, { times }) {
+function reportWrongShape({ shape }, arm, { times }) {
   const fields = { shape: shape.join("x") || "1", rows: times.length, dof: movingRows(arm).length };
   const words = formatMessage("trace.shape", fields);
   const findings = [{ what: "shape", where: "", mine: shape, words }];
