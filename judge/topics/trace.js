@@ -80,7 +80,7 @@ function traceJudged(typed, arm, path, options = {}) {
   const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
   if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
     return explained(arm, makeCause("trace.degrees"), [], run.taken, {});
-  const verdict = judged(run, arm, path, allowed, tolerance !== null);
+  const verdict = judgeArrangedTrace(run, arm, path, allowed, tolerance !== null);
   return askAboutDegrees(verdict, {
     arm,
     values: run.q.flat(),
@@ -186,7 +186,7 @@ function reportWrongShape({ shape }, arm, { times }) {
  * @param {boolean} given whether that is all that is asked
  * @returns {import("../verdict.js").Verdict}
  */
-function judged(run, arm, path, allowed, given) {
+function judgeArrangedTrace(run, arm, path, allowed, given) {
   const [q, turned] = unwound(run.q, arm, path);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
