@@ -212,11 +212,11 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const rest = { notes, figures };
   if (named) return explained(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
   const mayDrift = off && !given && !jump.length;
-  return unnamed({ ...run, q }, path, { arm, symptoms, errors, mayDrift, rest });
+  return reportWithoutCause({ ...run, q }, path, { arm, symptoms, errors, mayDrift, rest });
 }
 
 // Return the verdict without a known mistake: Euler's drift, symptoms only, or nothing wrong.
-function unnamed(run, path, { arm, symptoms, errors, mayDrift, rest }) {
+function reportWithoutCause(run, path, { arm, symptoms, errors, mayDrift, rest }) {
   if (mayDrift && !run.extra && isDriftOfEuler(run, arm, path, errors[0]))
     return rightByEuler(arm, errors, run.taken, rest);
   if (symptoms.length) return unexplained(arm, symptoms, run.taken, rest);
