@@ -219,7 +219,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
 function reportWithoutCause(run, path, { arm, symptoms, errors, mayDrift, rest }) {
   if (mayDrift && !run.extra && isDriftOfEuler(run, arm, path, errors[0]))
     return rightByEuler(arm, errors, run.taken, rest);
-  if (symptoms.length) return unexplained(arm, symptoms, run.taken, rest);
+  if (symptoms.length) return reportSymptoms(arm, symptoms, run.taken, rest);
   return reported(arm, RIGHT, "", run.taken, rest);
 }
 
@@ -248,7 +248,7 @@ function explained(arm, named, symptoms, taken, rest) {
   return reported(arm, WRONG, `${uncapitalize(words)}.`, taken, { findings, causes, ...rest });
 }
 
-function unexplained(arm, symptoms, taken, rest) {
+function reportSymptoms(arm, symptoms, taken, rest) {
   const [first, ...others] = symptoms;
   const findings = [{ ...first, what: "cause" }, ...others];
   const whats = symptoms.map(({ what }) => what);
