@@ -79,7 +79,7 @@ function traceJudged(typed, arm, path, options = {}) {
   const run = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
   if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
-    return explained(arm, makeCause("trace.degrees"), [], run.taken, {});
+    return reportCause(arm, makeCause("trace.degrees"), [], run.taken, {});
   const verdict = judgeArrangedTrace(run, arm, path, allowed, tolerance !== null);
   return askAboutDegrees(verdict, {
     arm,
@@ -210,7 +210,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
-  if (named) return explained(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
+  if (named) return reportCause(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
   const mayDrift = off && !given && !jump.length;
   return reportWithoutCause({ ...run, q }, path, { arm, symptoms, errors, mayDrift, rest });
 }
@@ -240,7 +240,7 @@ const withoutJumps = (cause, symptoms, jump) =>
     ? symptoms.filter((one) => !jump.includes(one))
     : symptoms;
 
-function explained(arm, named, symptoms, taken, rest) {
+function reportCause(arm, named, symptoms, taken, rest) {
   const words = causeMessage(named);
   const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
   const besides = symptoms.map(({ what }) => what).filter((what) => BESIDES.includes(what));
