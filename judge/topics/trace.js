@@ -164,7 +164,7 @@ function inUnit(held, arm, unit) {
 }
 
 /** @returns {import("../verdict.js").Verdict} */
-function reported(arm, grade, words, taken, rest = {}) {
+function makeTraceVerdict(arm, grade, words, taken, rest = {}) {
   const headline = formatMessage(grade === RIGHT ? "trace right" : "trace wrong", {
     arm: arm.name,
     cause: words,
@@ -176,7 +176,10 @@ function reportWrongShape({ shape }, arm, { times }) {
   const fields = { shape: shape.join("x") || "1", rows: times.length, dof: movingRows(arm).length };
   const words = formatMessage("trace.shape", fields);
   const findings = [{ what: "shape", where: "", mine: shape, words }];
-  return reported(arm, WRONG, uncapitalize(words), [], { findings, causes: ["trace.shape"] });
+  return makeTraceVerdict(arm, WRONG, uncapitalize(words), [], {
+    findings,
+    causes: ["trace.shape"],
+  });
 }
 
 // The verdict
@@ -220,7 +223,7 @@ function reportWithoutCause(run, path, { arm, symptoms, errors, mayDrift, rest }
   if (mayDrift && !run.extra && isDriftOfEuler(run, arm, path, errors[0]))
     return rightByEuler(arm, errors, run.taken, rest);
   if (symptoms.length) return reportSymptoms(arm, symptoms, run.taken, rest);
-  return reported(arm, RIGHT, "", run.taken, rest);
+  return makeTraceVerdict(arm, RIGHT, "", run.taken, rest);
 }
 
 // Accept the drift of Euler's method: the joints are what it gives with the student's steps.
@@ -245,7 +248,11 @@ function reportCause(arm, named, symptoms, taken, rest) {
   const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
   const besides = symptoms.map(({ what }) => what).filter((what) => BESIDES.includes(what));
   const causes = [causeName(named), ...besides];
-  return reported(arm, WRONG, `${uncapitalize(words)}.`, taken, { findings, causes, ...rest });
+  return makeTraceVerdict(arm, WRONG, `${uncapitalize(words)}.`, taken, {
+    findings,
+    causes,
+    ...rest,
+  });
 }
 
 function reportSymptoms(arm, symptoms, taken, rest) {
@@ -253,7 +260,11 @@ function reportSymptoms(arm, symptoms, taken, rest) {
   const findings = [{ ...first, what: "cause" }, ...others];
   const whats = symptoms.map(({ what }) => what);
   const causes = whats.filter((what) => what.includes("."));
-  return reported(arm, WRONG, uncapitalize(first.words), taken, { findings, causes, ...rest });
+  return makeTraceVerdict(arm, WRONG, uncapitalize(first.words), taken, {
+    findings,
+    causes,
+    ...rest,
+  });
 }
 
 /** @returns {Finding} */
