@@ -97,19 +97,19 @@ function onlyAsDegrees({ q, units }, arm, path, allowed) {
       wanted,
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
-  if (!beyond(away(q), allowed)) return false;
+  if (!exceedsAllowed(away(q), allowed)) return false;
   const turned = inUnit(
     q.map((values, k) => ({ values, units: units[k] })),
     arm,
     "deg",
   );
   const errors = away(turned.q);
-  if (!beyond(errors, allowed)) return true;
+  if (!exceedsAllowed(errors, allowed)) return true;
   const [mine, other] = [{ q, units }, turned].map((run) => makeTrace(run.q, run.units, arm, path));
   return errors[0] <= allowed[0] && followsPathByEuler(other) && !followsPathByEuler(mine);
 }
 
-const beyond = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
+const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
 
 // Return the distance of each point from the path's point at the same time.
 const offs = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
@@ -194,7 +194,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
   const errors = offs(path.times.map(path.position), tip);
-  const off = beyond(errors, allowed);
+  const off = exceedsAllowed(errors, allowed);
   const turns = frames.map((one) => rotationBetween(frames[0], one));
   const [turn, leans] = movingRows(arm).length >= 6 ? [Math.max(...turns), leanOf(frames)] : [0, 0];
   const far = jumps(q, arm, path);
