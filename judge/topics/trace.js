@@ -93,7 +93,7 @@ function traceJudged(typed, arm, path, options = {}) {
 function onlyAsDegrees({ q, units }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
   const away = (rows) =>
-    offs(
+    measureDistances(
       wanted,
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
@@ -112,7 +112,7 @@ function onlyAsDegrees({ q, units }, arm, path, allowed) {
 const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
 
 // Return the distance of each point from the path's point at the same time.
-const offs = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
+const measureDistances = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
 
 // Return a row for each step. Columns are transposed, a leading column of times or zeros and one
 // extra step are dropped, and the verdict reports each change.
@@ -193,7 +193,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const [q, turned] = unwound(run.q, arm, path);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
-  const errors = offs(path.times.map(path.position), tip);
+  const errors = measureDistances(path.times.map(path.position), tip);
   const off = exceedsAllowed(errors, allowed);
   const turns = frames.map((one) => rotationBetween(frames[0], one));
   const [turn, leans] = movingRows(arm).length >= 6 ? [Math.max(...turns), leanOf(frames)] : [0, 0];
