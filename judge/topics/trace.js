@@ -92,18 +92,18 @@ function traceJudged(typed, arm, path, options = {}) {
 // Return whether the joint values follow the path in degrees and not in radians.
 function onlyAsDegrees({ q, units }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
-  const away = (rows) =>
+  const measureTipErrors = (rows) =>
     measureDistances(
       wanted,
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
-  if (!exceedsAllowed(away(q), allowed)) return false;
+  if (!exceedsAllowed(measureTipErrors(q), allowed)) return false;
   const turned = inUnit(
     q.map((values, k) => ({ values, units: units[k] })),
     arm,
     "deg",
   );
-  const errors = away(turned.q);
+  const errors = measureTipErrors(turned.q);
   if (!exceedsAllowed(errors, allowed)) return true;
   const [mine, other] = [{ q, units }, turned].map((run) => makeTrace(run.q, run.units, arm, path));
   return errors[0] <= allowed[0] && followsPathByEuler(other) && !followsPathByEuler(mine);
