@@ -134,7 +134,7 @@ function arrangeBySteps(typed, arm, count, unit) {
     [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
     taken.push(formatMessage("taken: list per joint"));
   }
-  if (allJoints(rows, arm)) {
+  if (hasLockedColumns(rows, arm)) {
     taken.push(setAside(arm, rows.flat()));
     [rows, units] = [rows, units].map((list) =>
       list.map((row) => row.filter((_, i) => arm.rows[i].kind !== "fixed")),
@@ -152,7 +152,7 @@ function arrangeBySteps(typed, arm, count, unit) {
 }
 
 // Return whether rows include constant values of the locked joints.
-function allJoints(rows, arm) {
+function hasLockedColumns(rows, arm) {
   const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
   const still = (i) => rows.every((row) => row[i] === rows[0][i]);
   return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(still);
