@@ -154,8 +154,8 @@ function arrangeBySteps(typed, arm, count, unit) {
 // Return whether rows include constant values of the locked joints.
 function hasLockedColumns(rows, arm) {
   const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
-  const still = (i) => rows.every((row) => row[i] === rows[0][i]);
-  return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(still);
+  const isConstant = (i) => rows.every((row) => row[i] === rows[0][i]);
+  return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
 }
 
 function inUnit(held, arm, unit) {
