@@ -159,8 +159,12 @@ function hasLockedColumns(rows, arm) {
 }
 
 function inUnit(held, arm, unit) {
-  const meant = unit === "deg" ? asDegrees(held, arm) : held;
-  return { q: meant.map(({ values }) => values), units: meant.map((row) => row.units), unit };
+  const converted = unit === "deg" ? asDegrees(held, arm) : held;
+  return {
+    q: converted.map(({ values }) => values),
+    units: converted.map((row) => row.units),
+    unit,
+  };
 }
 
 /** @returns {import("../verdict.js").Verdict} */
