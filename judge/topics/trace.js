@@ -147,8 +147,8 @@ function arrangeBySteps(typed, arm, count, unit) {
     taken.push(formatMessage("taken: times"));
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
-  const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
-  return { ...inUnit(held, arm, unit), taken, extra: rows.length === count + 1 };
+  const typedRows = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
+  return { ...inUnit(typedRows, arm, unit), taken, extra: rows.length === count + 1 };
 }
 
 // Return whether rows include constant values of the locked joints.
@@ -158,8 +158,8 @@ function hasLockedColumns(rows, arm) {
   return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
 }
 
-function inUnit(held, arm, unit) {
-  const converted = unit === "deg" ? asDegrees(held, arm) : held;
+function inUnit(typedRows, arm, unit) {
+  const converted = unit === "deg" ? asDegrees(typedRows, arm) : typedRows;
   return {
     q: converted.map(({ values }) => values),
     units: converted.map((row) => row.units),
