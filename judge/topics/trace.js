@@ -98,7 +98,7 @@ function onlyAsDegrees({ q, units }, arm, path, allowed) {
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
   if (!exceedsAllowed(measureTipErrors(q), allowed)) return false;
-  const turned = inUnit(
+  const turned = convertToUnit(
     q.map((values, k) => ({ values, units: units[k] })),
     arm,
     "deg",
@@ -148,7 +148,7 @@ function arrangeBySteps(typed, arm, count, unit) {
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
   const typedRows = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
-  return { ...inUnit(typedRows, arm, unit), taken, extra: rows.length === count + 1 };
+  return { ...convertToUnit(typedRows, arm, unit), taken, extra: rows.length === count + 1 };
 }
 
 // Return whether rows include constant values of the locked joints.
@@ -158,7 +158,7 @@ function hasLockedColumns(rows, arm) {
   return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
 }
 
-function inUnit(typedRows, arm, unit) {
+function convertToUnit(typedRows, arm, unit) {
   const converted = unit === "deg" ? asDegrees(typedRows, arm) : typedRows;
   return {
     q: converted.map(({ values }) => values),
