@@ -78,7 +78,7 @@ function traceJudged(typed, arm, path, options = {}) {
   if (!read) return reportWrongShape(typed, arm, path);
   const run = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
-  if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
+  if (run.unit === "rad" && followsOnlyInDegrees(run, arm, path, allowed))
     return reportCause(arm, makeCause("trace.degrees"), [], run.taken, {});
   const verdict = judgeArrangedTrace(run, arm, path, allowed, tolerance !== null);
   return askAboutDegrees(verdict, {
@@ -90,7 +90,7 @@ function traceJudged(typed, arm, path, options = {}) {
 }
 
 // Return whether the joint values follow the path in degrees and not in radians.
-function onlyAsDegrees({ q, units }, arm, path, allowed) {
+function followsOnlyInDegrees({ q, units }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
   const measureTipErrors = (rows) =>
     measureDistances(
