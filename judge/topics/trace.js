@@ -225,13 +225,13 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
 // Return the verdict without a known mistake: Euler's drift, symptoms only, or nothing wrong.
 function reportWithoutCause(run, path, { arm, symptoms, errors, mayDrift, rest }) {
   if (mayDrift && !run.extra && isDriftOfEuler(run, arm, path, errors[0]))
-    return rightByEuler(arm, errors, run.taken, rest);
+    return acceptEulerDrift(arm, errors, run.taken, rest);
   if (symptoms.length) return reportSymptoms(arm, symptoms, run.taken, rest);
   return makeTraceVerdict(arm, RIGHT, "", run.taken, rest);
 }
 
 // Accept the drift of Euler's method: the joints are what it gives with the student's steps.
-function rightByEuler(arm, errors, taken, rest) {
+function acceptEulerDrift(arm, errors, taken, rest) {
   const fields = { error: formatMillimetres(Math.max(...errors), 4), steps: errors.length - 1 };
   const notes = [...rest.notes, formatMessage("trace euler drift", fields)];
   const headline = formatMessage("trace right by euler", { arm: arm.name });
