@@ -209,7 +209,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
     ...jump,
     ...turnsOf(leans, turn),
   ];
-  const symptoms = [...amiss, ...oneMore(run)];
+  const symptoms = [...amiss, ...listExtraStep(run)];
   const seen = { off, shown: amiss.length > 0 };
   const trace = makeTrace(q, run.units, arm, path, run.q);
   const why = () => findTraceCause(trace, tip, allowed, seen);
@@ -238,7 +238,7 @@ function acceptEulerDrift(arm, errors, taken, rest) {
   return makeVerdict("trace", arm, RIGHT, headline, { taken, ...rest, notes });
 }
 
-const oneMore = ({ extra }) =>
+const listExtraStep = ({ extra }) =>
   extra ? [finding("trace.one more", formatMessage("trace.one more"))] : [];
 
 // Do not report jumps if all steps are too long, or if a mistake in the joint values makes them.
