@@ -217,7 +217,8 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
-  if (named) return reportCause(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
+  if (named)
+    return reportCause(arm, named, dropExplainedJumps(named, symptoms, jump), run.taken, rest);
   const mayDrift = off && !given && !jump.length;
   return reportWithoutCause({ ...run, q }, path, { arm, symptoms, errors, mayDrift, rest });
 }
@@ -242,7 +243,7 @@ const listExtraStep = ({ extra }) =>
   extra ? [finding("trace.one more", formatMessage("trace.one more"))] : [];
 
 // Do not report jumps if all steps are too long, or if a mistake in the joint values makes them.
-const withoutJumps = (cause, symptoms, jump) =>
+const dropExplainedJumps = (cause, symptoms, jump) =>
   causeName(cause) === "trace.millimetres" || cause.keys[0].startsWith("ik.")
     ? symptoms.filter((one) => !jump.includes(one))
     : symptoms;
