@@ -205,7 +205,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const stuck = noInverse(q, arm, far);
   const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, !off)];
   const amiss = [
-    ...(off ? [finding("step", whereOf(errors, allowed))] : []),
+    ...(off ? [makeFinding("step", whereOf(errors, allowed))] : []),
     ...jump,
     ...turnsOf(leans, turn),
   ];
@@ -240,7 +240,7 @@ function acceptEulerDrift(arm, errors, taken, rest) {
 }
 
 const listExtraStep = ({ extra }) =>
-  extra ? [finding("trace.one more", formatMessage("trace.one more"))] : [];
+  extra ? [makeFinding("trace.one more", formatMessage("trace.one more"))] : [];
 
 // Do not report jumps if all steps are too long, or if a mistake in the joint values makes them.
 const dropExplainedJumps = (cause, symptoms, jump) =>
@@ -273,7 +273,7 @@ function reportSymptoms(arm, symptoms, taken, rest) {
 }
 
 /** @returns {Finding} */
-const finding = (what, words, where = "") => ({ what, where, words });
+const makeFinding = (what, words, where = "") => ({ what, where, words });
 
 // Return the largest angle (rad) between the tool's axis and its first direction.
 const leanOf = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
@@ -281,9 +281,9 @@ const leanOf = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0
 function turnsOf(lean, turn) {
   const degrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
   if (lean > METHOD_TILT)
-    return [finding("trace.leans", formatMessage("trace leans", degrees(lean)))];
+    return [makeFinding("trace.leans", formatMessage("trace leans", degrees(lean)))];
   return turn > METHOD_TILT
-    ? [finding("trace.spins", formatMessage("trace spins", degrees(turn)))]
+    ? [makeFinding("trace.spins", formatMessage("trace spins", degrees(turn)))]
     : [];
 }
 
