@@ -200,7 +200,8 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const errors = measureDistances(path.times.map(path.position), tip);
   const off = exceedsAllowed(errors, allowed);
   const turns = frames.map((one) => rotationBetween(frames[0], one));
-  const [turn, leans] = movingRows(arm).length >= 6 ? [Math.max(...turns), leanOf(frames)] : [0, 0];
+  const [turn, leans] =
+    movingRows(arm).length >= 6 ? [Math.max(...turns), measureLean(frames)] : [0, 0];
   const far = jumps(q, arm, path);
   const stuck = noInverse(q, arm, far);
   const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, !off)];
@@ -276,7 +277,7 @@ function reportSymptoms(arm, symptoms, taken, rest) {
 const makeFinding = (what, words, where = "") => ({ what, where, words });
 
 // Return the largest angle (rad) between the tool's axis and its first direction.
-const leanOf = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
+const measureLean = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
 
 function turnsOf(lean, turn) {
   const degrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
