@@ -208,7 +208,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const amiss = [
     ...(off ? [makeFinding("step", whereOf(errors, allowed))] : []),
     ...jump,
-    ...turnsOf(leans, turn),
+    ...listToolTurns(leans, turn),
   ];
   const symptoms = [...amiss, ...listExtraStep(run)];
   const seen = { off, shown: amiss.length > 0 };
@@ -279,7 +279,7 @@ const makeFinding = (what, words, where = "") => ({ what, where, words });
 // Return the largest angle (rad) between the tool's axis and its first direction.
 const measureLean = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
 
-function turnsOf(lean, turn) {
+function listToolTurns(lean, turn) {
   const degrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
   if (lean > METHOD_TILT)
     return [makeFinding("trace.leans", formatMessage("trace leans", degrees(lean)))];
