@@ -280,11 +280,11 @@ const makeFinding = (what, words, where = "") => ({ what, where, words });
 const measureLean = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
 
 function listToolTurns(lean, turn) {
-  const degrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
+  const formatDegrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
   if (lean > METHOD_TILT)
-    return [makeFinding("trace.leans", formatMessage("trace leans", degrees(lean)))];
+    return [makeFinding("trace.leans", formatMessage("trace leans", formatDegrees(lean)))];
   return turn > METHOD_TILT
-    ? [makeFinding("trace.spins", formatMessage("trace spins", degrees(turn)))]
+    ? [makeFinding("trace.spins", formatMessage("trace spins", formatDegrees(turn)))]
     : [];
 }
 
