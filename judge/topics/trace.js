@@ -277,7 +277,7 @@ function reportSymptoms(arm, symptoms, taken, rest) {
 const makeFinding = (what, words, where = "") => ({ what, where, words });
 
 // Return the largest angle (rad) between the tool's axis and its first direction.
-const measureLean = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
+const measureLean = (frames) => Math.max(...frames.map(({ z }) => measureAngle(z, frames[0].z)));
 
 function listToolTurns(lean, turn) {
   const formatDegrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
@@ -289,7 +289,7 @@ function listToolTurns(lean, turn) {
 }
 
 // Return the angle between two unit vectors.
-const between = (u, v) =>
+const measureAngle = (u, v) =>
   Math.atan2(
     norm([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]),
     dot(u, v),
