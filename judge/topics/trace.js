@@ -204,7 +204,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
     movingRows(arm).length >= 6 ? [Math.max(...turns), measureLean(frames)] : [0, 0];
   const far = jumps(q, arm, path);
   const stuck = noInverse(q, arm, far);
-  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, !off)];
+  const jump = stuck || !far.length ? [] : [describeJump(q, arm, far, !off)];
   const amiss = [
     ...(off ? [makeFinding("step", whereOf(errors, allowed))] : []),
     ...jump,
@@ -340,7 +340,7 @@ function unwound(q, arm, path) {
 
 // Report the first jump; it is one to another branch only if the tip stays on the path.
 /** @returns {Finding} */
-function jumpOf(q, arm, far, on) {
+function describeJump(q, arm, far, on) {
   const { step, ...fields } = jumping(q, arm, far[0]);
   const key = on ? "trace.jump" : "trace jump off";
   const words = formatMessage(key, { step, to: step + 1, count: far.length, ...fields });
