@@ -202,7 +202,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const turns = frames.map((one) => rotationBetween(frames[0], one));
   const [turn, leans] =
     movingRows(arm).length >= 6 ? [Math.max(...turns), measureLean(frames)] : [0, 0];
-  const far = jumps(q, arm, path);
+  const far = findJumps(q, arm, path);
   const stuck = noInverse(q, arm, far);
   const jump = stuck || !far.length ? [] : [describeJump(q, arm, far, !off)];
   const amiss = [
@@ -297,7 +297,7 @@ const measureAngle = (u, v) =>
 
 // List the steps that change a joint by far more than usual; if large steps are usual, those that
 // leave the path between their ends.
-function jumps(q, arm, path) {
+function findJumps(q, arm, path) {
   const change = q.slice(1).map((row, k) => Math.max(...subtractEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
   const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
@@ -329,7 +329,7 @@ function unwound(q, arm, path) {
   const counted = q.map((row, k) =>
     row.map((x, i) => x - 2 * Math.PI * (k ? (sum[i] += whole[k - 1][i]) : 0)),
   );
-  if (jumps(counted, arm, path).length) return [q, []];
+  if (findJumps(counted, arm, path).length) return [q, []];
   const step = steps[0];
   const joint = jointNumbers(arm)[whole[step].findIndex(Boolean)];
   return [
