@@ -300,9 +300,11 @@ const measureAngle = (u, v) =>
 function findJumps(q, arm, path) {
   const change = q.slice(1).map((row, k) => Math.max(...subtractEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
-  const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
-  const far = over(10 * usual);
-  return far.length || usual <= JUMP ? far : over(JUMP).filter((k) => astray(q, arm, path, k));
+  const findStepsOver = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
+  const far = findStepsOver(10 * usual);
+  return far.length || usual <= JUMP
+    ? far
+    : findStepsOver(JUMP).filter((k) => astray(q, arm, path, k));
 }
 
 // Return whether half way from row k to the next the tip is off the path by more than the step.
