@@ -304,11 +304,11 @@ function findJumps(q, arm, path) {
   const far = findStepsOver(10 * usual);
   return far.length || usual <= JUMP
     ? far
-    : findStepsOver(JUMP).filter((k) => astray(q, arm, path, k));
+    : findStepsOver(JUMP).filter((k) => leavesPath(q, arm, path, k));
 }
 
 // Return whether half way from row k to the next the tip is off the path by more than the step.
-function astray(q, arm, { times, position }, k) {
+function leavesPath(q, arm, { times, position }, k) {
   const half = q[k].map((x, i) => (x + q[k + 1][i]) / 2);
   const wanted = position(times[k] + 0.5 * (times[k + 1] - times[k]));
   const off = norm(minus(linkFrames(arm, half).at(-1).o, wanted));
