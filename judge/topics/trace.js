@@ -194,7 +194,7 @@ function reportWrongShape({ shape }, arm, { times }) {
  * @returns {import("../verdict.js").Verdict}
  */
 function judgeArrangedTrace(run, arm, path, allowed, given) {
-  const [q, turned] = unwound(run.q, arm, path);
+  const [q, turned] = removeWholeTurns(run.q, arm, path);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
   const errors = measureDistances(path.times.map(path.position), tip);
@@ -318,7 +318,7 @@ function leavesPath(q, arm, { times, position }, k) {
 // Remove jumps by whole turns, as atan2 makes them, and report it; change nothing if other jumps
 // remain.
 /** @returns {[number[][], string[]]} */
-function unwound(q, arm, path) {
+function removeWholeTurns(q, arm, path) {
   const turns = revoluteFlags(arm);
   const whole = q
     .slice(1)
