@@ -343,13 +343,13 @@ function removeWholeTurns(q, arm, path) {
 // Report the first jump; it is one to another branch only if the tip stays on the path.
 /** @returns {Finding} */
 function describeJump(q, arm, far, on) {
-  const { step, ...fields } = jumping(q, arm, far[0]);
+  const { step, ...fields } = measureStep(q, arm, far[0]);
   const key = on ? "trace.jump" : "trace jump off";
   const words = formatMessage(key, { step, to: step + 1, count: far.length, ...fields });
   return { what: "trace.jump", where: `step ${step}`, words };
 }
 
-function jumping(q, arm, k) {
+function measureStep(q, arm, k) {
   const change = subtractEach(q[k + 1], q[k]).map(Math.abs);
   const most = Math.max(...change);
   return { step: k, joint: jointNumbers(arm)[change.indexOf(most)], by: formatNumber(most) };
@@ -369,7 +369,7 @@ function noInverse(q, arm, [k]) {
   const { values } = decomposeSingular(each, rows);
   const rank = values.filter((x) => x > NO_INVERSE * values[0]).length;
   if (rank === rows) return null;
-  const { step, joint, by } = jumping(q, arm, k);
+  const { step, joint, by } = measureStep(q, arm, k);
   return makeCause("trace.no inverse", { step, _rank: rank, _rows: rows, _joint: joint, _by: by });
 }
 
