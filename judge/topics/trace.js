@@ -203,7 +203,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const [turn, leans] =
     movingRows(arm).length >= 6 ? [Math.max(...turns), measureLean(frames)] : [0, 0];
   const far = findJumps(q, arm, path);
-  const stuck = noInverse(q, arm, far);
+  const stuck = findSingularStart(q, arm, far);
   const jump = stuck || !far.length ? [] : [describeJump(q, arm, far, !off)];
   const amiss = [
     ...(off ? [makeFinding("step", whereOf(errors, allowed))] : []),
@@ -357,7 +357,7 @@ function measureStep(q, arm, k) {
 
 // Return the cause of a first jump that begins at a singular pose.
 /** @returns {import("../causes/ranking.js").Cause | null} */
-function noInverse(q, arm, [k]) {
+function findSingularStart(q, arm, [k]) {
   const dof = movingRows(arm).length;
   const rows = dof >= 6 ? 6 : 3;
   if (k === undefined || dof < rows) return null;
