@@ -299,7 +299,7 @@ const measureAngle = (u, v) =>
 // leave the path between their ends.
 function findJumps(q, arm, path) {
   const change = q.slice(1).map((row, k) => Math.max(...subtractEach(row, q[k]).map(Math.abs)));
-  const usual = median(change);
+  const usual = computeMedian(change);
   const findStepsOver = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
   const far = findStepsOver(10 * usual);
   return far.length || usual <= JUMP
@@ -373,7 +373,7 @@ function findSingularStart(q, arm, [k]) {
   return makeCause("trace.no inverse", { step, _rank: rank, _rows: rows, _joint: joint, _by: by });
 }
 
-function median(list) {
+function computeMedian(list) {
   const sorted = [...list].sort((x, y) => x - y);
   const half = sorted.length >> 1;
   return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
