@@ -206,7 +206,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const stuck = findSingularStart(q, arm, far);
   const jump = stuck || !far.length ? [] : [describeJump(q, arm, far, !off)];
   const amiss = [
-    ...(off ? [makeFinding("step", whereOf(errors, allowed))] : []),
+    ...(off ? [makeFinding("step", describeWorstStep(errors, allowed))] : []),
     ...jump,
     ...listToolTurns(leans, turn),
   ];
@@ -380,7 +380,7 @@ function computeMedian(list) {
 }
 
 // Report the step at which the tip is farthest off, beyond its typed digits.
-function whereOf(errors, allowed) {
+function describeWorstStep(errors, allowed) {
   const wrong = errors.map((error, k) => (error > allowed[k] ? error : 0));
   const most = Math.max(...wrong);
   const step = wrong.findIndex((error) => error >= most - ALIKE);
