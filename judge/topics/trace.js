@@ -215,7 +215,7 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const trace = makeTrace(q, run.units, arm, path, run.q);
   const why = () => findTraceCause(trace, tip, allowed, seen);
   const named = stuck ?? (symptoms.length || !given ? why() : null);
-  const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
+  const notes = [...turned, ...(stuck ? [] : listNotes(arm, path, q))];
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
   if (named)
@@ -394,7 +394,7 @@ function describeWorstStep(errors, allowed) {
   });
 }
 
-function* notesOf(arm, path, q) {
+function* listNotes(arm, path, q) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const rates = q.slice(1).map((row, k) => row.map((x, i) => (x - q[k][i]) / dt[k]));
   const turns = revoluteFlags(arm);
