@@ -398,7 +398,7 @@ function* listNotes(arm, path, q) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const rates = q.slice(1).map((row, k) => row.map((x, i) => (x - q[k][i]) / dt[k]));
   const turns = revoluteFlags(arm);
-  const excess = (list, per, over) =>
+  const listExcesses = (list, per, over) =>
     jointNumbers(arm).flatMap((joint, k) => {
       const by = list.reduce(
         (top, row) => Math.max(top, over(row[k], arm.rows[joint - 1])),
@@ -407,10 +407,10 @@ function* listNotes(arm, path, q) {
       const unit = (turns[k] ? "rad" : "m") + per;
       return by > 1e-9 ? [formatMessage("joint by", { joint, by: formatNumber(by, 2), unit })] : [];
     });
-  const range = excess(q, "", (x, { lower: least, upper: most }) =>
+  const range = listExcesses(q, "", (x, { lower: least, upper: most }) =>
     Math.max(x - (most ?? Infinity), (least ?? -Infinity) - x),
   );
   if (range.length) yield formatMessage("trace beyond range", { joints: joinList(range) });
-  const speed = excess(rates, "/s", (x, row) => Math.abs(x) - (row.speed ?? Infinity));
+  const speed = listExcesses(rates, "/s", (x, row) => Math.abs(x) - (row.speed ?? Infinity));
   if (speed.length) yield formatMessage("trace beyond speed", { joints: joinList(speed) });
 }
