@@ -213,8 +213,8 @@ function judgeArrangedTrace(run, arm, path, allowed, given) {
   const symptoms = [...amiss, ...listExtraStep(run)];
   const seen = { off, shown: amiss.length > 0 };
   const trace = makeTrace(q, run.units, arm, path, run.q);
-  const why = () => findTraceCause(trace, tip, allowed, seen);
-  const named = stuck ?? (symptoms.length || !given ? why() : null);
+  const findCause = () => findTraceCause(trace, tip, allowed, seen);
+  const named = stuck ?? (symptoms.length || !given ? findCause() : null);
   const notes = [...turned, ...(stuck ? [] : listNotes(arm, path, q))];
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
