@@ -94,7 +94,8 @@ function tablesOfBlocks(text, blocks, asked) {
 }
 
 // Give each number of an entry its row and its column in the order of ENTRIES. A number of another
-// column, or within a name such as q_1, is a label.
+// column, or within a name such as q_1, is a label. The numbers of link matrices are not marked: no
+// column of the table is theirs.
 /**
  * @param {import("./owners.js").Token[]} tokens
  * @param {import("./table_blocks.js").TableBlock} block
@@ -102,6 +103,7 @@ function tablesOfBlocks(text, blocks, asked) {
  */
 function placeEntries(tokens, { cells, heads, isTurned = false }, { order = [] }, text) {
   const names = heads.length ? nameColumns(heads) : order;
+  if (!names.length) return undefined;
   return tokens.map((token) => {
     if (token.owner !== "entry") return token;
     const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];

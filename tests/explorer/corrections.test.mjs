@@ -100,6 +100,12 @@ test("numbers of a table typed by columns are entries of their rows", () => {
   assert.equal(length[3], "entry of row 3, a, read as 0.3 m");
 });
 
+test("the numbers of link matrices are not marked", () => {
+  const turn = (q, a) => `cos(${q}) -sin(${q}) 0 ${a}*cos(${q})\nsin(${q}) cos(${q}) 0 ${a}*sin(${q})\n0 0 1 0\n0 0 0 1`;
+  const first = "cos(q1) 0 sin(q1) 0\nsin(q1) 0 -cos(q1) 0\n0 1 0 0.5\n0 0 0 1";
+  assert.deepEqual(describeTable([first, turn("q2", 0.4), turn("q3", 0.3)].join("\n\n")), []);
+});
+
 test("only a plain list is split into a grid of numbers", () => {
   assert.deepEqual(splitNumbers(" [0.5, −pi/2; 3] "), ["0.5", "−pi/2", "3"]);
   assert.deepEqual(splitNumbers(""), []);
