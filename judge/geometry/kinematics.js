@@ -120,7 +120,7 @@ export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
  * @param {Frame[]} frames link frames
  * @param {number} [gravity] m/s²
  */
-export function gravityTorque(arm, frames, gravity = GRAVITY) {
+export function computeHoldingTorques(arm, frames, gravity = GRAVITY) {
   const bodies = listBodies(arm, frames);
   return movingRows(arm).map((i) => {
     const { z, o } = frames[i];

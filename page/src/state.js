@@ -10,7 +10,7 @@ import {
   makeTypedArm,
 } from "../../judge/geometry/arm.js";
 import {
-  gravityTorque,
+  computeHoldingTorques,
   jacobianColumns,
   movingRows,
   potentialEnergy,
@@ -324,7 +324,7 @@ class Derived {
     return values.slice(0, Math.min(values.length, columns.length)).reduce((p, v) => p * v, 1);
   }
   get gravity() {
-    return this.#once("gravity", () => gravityTorque(this.arm, this.frames));
+    return this.#once("gravity", () => computeHoldingTorques(this.arm, this.frames));
   }
   // Potential energy of the links in J.
   get energy() {
