@@ -44,7 +44,7 @@ const multiply = (factor, list) => list.map((x) => factor * x);
 
 /** @param {LoadAtPose} at */
 const weightOf = ({ c, T, masses, centres, gravity }) =>
-  chains.gravityTorques(c, T, masses, centres, gravity);
+  chains.computeTorquesOfMasses(c, T, masses, centres, gravity);
 /** @param {LoadAtPose} at */
 const jacobianOf = ({ c, T }) => chains.flatJacobian(c, T);
 /** @param {LoadAtPose} at */

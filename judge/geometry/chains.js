@@ -143,7 +143,7 @@ export const joinHalves = (v, w) => [...v.slice(0, v.length / 2), ...w.slice(w.l
  * @param {number[]} gravity vector (m/s²)
  * @returns {number[]}
  */
-export function gravityTorques(c, T, masses, centres, gravity) {
+export function computeTorquesOfMasses(c, T, masses, centres, gravity) {
   const torques = new Array(c.dof);
   let [mass, moment, k] = [0, ZERO, c.dof - 1];
   for (let row = c.rows.length - 1; row >= 0; row--) {
