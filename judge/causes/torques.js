@@ -119,7 +119,7 @@ export function torqueMaker(load, dof, q) {
  * @returns {TorqueStep[]}
  */
 export const listTorqueSteps = (arm, load) => [
-  ...weights(load),
+  ...listWeightMistakes(load),
   ...forces(load),
   ...writings(arm),
   ...bodies(arm, load),
@@ -205,7 +205,7 @@ function ownLinks(at) {
 }
 
 /** @param {Load} load @returns {Generator<TorqueStep>} */
-function* weights({ c, gravity }) {
+function* listWeightMistakes({ c, gravity }) {
   // slip 24
   yield { cause: makeCause("tau.weight sign"), weight: (at) => multiply(-1, weightOf(at)) };
   yield { cause: makeCause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
