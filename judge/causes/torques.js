@@ -120,7 +120,7 @@ export function torqueMaker(load, dof, q) {
  */
 export const listTorqueSteps = (arm, load) => [
   ...listWeightMistakes(load),
-  ...forces(load),
+  ...listForceMistakes(load),
   ...writings(arm),
   ...bodies(arm, load),
   ...chainMistakes(arm),
@@ -225,7 +225,7 @@ function* listWeightMistakes({ c, gravity }) {
 }
 
 /** @param {Load} load @returns {Generator<TorqueStep>} */
-function* forces({ wrenches, c }) {
+function* listForceMistakes({ wrenches, c }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
   const withWrench = (change) => (at) =>
     chains.wrenchTorques(jacobianOf(at), change(at.F, at.T.at(-1)));
