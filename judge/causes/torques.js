@@ -122,7 +122,7 @@ export const listTorqueSteps = (arm, load) => [
   ...listWeightMistakes(load),
   ...listForceMistakes(load),
   ...writings(arm),
-  ...bodies(arm, load),
+  ...listBodyMistakes(arm, load),
   ...chainMistakes(arm),
 ];
 
@@ -251,7 +251,7 @@ function* listForceMistakes({ wrenches, c }) {
 }
 
 /** Mistakes in masses, centres and g. @param {Arm} arm @returns {Generator<TorqueStep>} */
-function* bodies(arm, load) {
+function* listBodyMistakes(arm, load) {
   const put = (key, change, fields = {}) => ({ cause: makeCause(key, fields), change });
   const g = Math.hypot(...load.gravity);
   const withGravity = (value) => ({ gravity: load.gravity.map((x) => (x / g) * value) });
