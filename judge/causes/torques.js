@@ -264,7 +264,7 @@ function* listBodyMistakes(arm, load) {
   // masses in kilograms taken for forces
   if (g)
     yield put("tau.no g", (at) => ({ ...at, ...withGravity(1) }), { _here: formatNumber(g, 4) });
-  yield* masses(arm, load, put);
+  yield* listMassMistakes(arm, load, put);
   yield* centres(arm, load, put);
   if (arm.lumped) {
     const { report, links, gravity } = arm.lumped;
@@ -282,7 +282,7 @@ function* listBodyMistakes(arm, load) {
   }
 }
 
-function* masses(arm, load, put) {
+function* listMassMistakes(arm, load, put) {
   const all = load.masses;
   const withMasses = (change) => (at) => ({ ...at, masses: at.masses.map(change) });
   const inGrams = withMasses((mass) => 1000 * mass); // handed in
