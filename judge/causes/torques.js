@@ -265,7 +265,7 @@ function* listBodyMistakes(arm, load) {
   if (g)
     yield put("tau.no g", (at) => ({ ...at, ...withGravity(1) }), { _here: formatNumber(g, 4) });
   yield* listMassMistakes(arm, load, put);
-  yield* centres(arm, load, put);
+  yield* listCentreMistakes(arm, load, put);
   if (arm.lumped) {
     const { report, links, gravity } = arm.lumped;
     // Other links keep what another mistake made of them.
@@ -306,7 +306,7 @@ function* listMassMistakes(arm, load, put) {
   }
 }
 
-function* centres(arm, { centres: all, masses }, put) {
+function* listCentreMistakes(arm, { centres: all, masses }, put) {
   const set = (key, list, fields = {}) => put(key, (at) => ({ ...at, centres: list }), fields);
   if (arm.paper) yield set("tau.paper centres", arm.paper); // slip 7
   const origins = all.map(() => [0, 0, 0]);
