@@ -121,7 +121,7 @@ export function torqueMaker(load, dof, q) {
 export const listTorqueSteps = (arm, load) => [
   ...listWeightMistakes(load),
   ...listForceMistakes(load),
-  ...writings(arm),
+  ...listWritingMistakes(arm),
   ...listBodyMistakes(arm, load),
   ...chainMistakes(arm),
 ];
@@ -173,7 +173,7 @@ export function* mistakePairs(steps, maker) {
 }
 
 /** @param {Arm} arm @returns {Generator<TorqueStep>} */
-function* writings(arm) {
+function* listWritingMistakes(arm) {
   yield { cause: makeCause("tau.all signs"), write: (tau) => multiply(-1, tau) }; // handed in
   // handed in: tau_7 first
   yield { cause: makeCause("tau.reversed order"), write: (tau) => [...tau].reverse() };
