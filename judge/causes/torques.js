@@ -199,7 +199,7 @@ const inFrameBefore = ({ centres, T }) =>
   centres.map((centre, row) => chains.changeFrame(T[row], T[row + 1], centre));
 
 // Compute the torque of each joint's own link, without those behind it.
-function ownLinks(at) {
+function sumOwnLinks(at) {
   const alone = at.masses.map((_, i) => at.masses.map((mass, k) => (k === i ? mass : 0)));
   return at.c.at.map((row, k) => weightOf({ ...at, masses: alone[row] })[k]);
 }
@@ -209,7 +209,7 @@ function* listWeightMistakes({ c, gravity }) {
   // slip 24
   yield { cause: makeCause("tau.weight sign"), weight: (at) => multiply(-1, weightOf(at)) };
   yield { cause: makeCause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
-  yield { cause: makeCause("tau.own link"), weight: ownLinks }; // handed in
+  yield { cause: makeCause("tau.own link"), weight: sumOwnLinks }; // handed in
   // handed in: the drawing has y upwards
   const g = Math.hypot(...gravity);
   /** @type {[string, number[]][]} */
