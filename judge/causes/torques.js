@@ -195,7 +195,7 @@ function* listWritingMistakes(arm) {
 }
 
 // Move each centre of mass: its numbers are taken as coordinates in the frame before its link.
-const inFrameBefore = ({ centres, T }) =>
+const moveCentresOneFrame = ({ centres, T }) =>
   centres.map((centre, row) => chains.changeFrame(T[row], T[row + 1], centre));
 
 // Compute the torque of each joint's own link, without those behind it.
@@ -313,7 +313,7 @@ function* listCentreMistakes(arm, { centres: all, masses }, put) {
   yield set("tau.centres at origins", origins); // handed in
   yield {
     cause: makeCause("tau.centres one frame off"), // handed in: in the frame before the link's own
-    weight: (at) => weightOf({ ...at, centres: inFrameBefore(at) }),
+    weight: (at) => weightOf({ ...at, centres: moveCentresOneFrame(at) }),
   };
   // The same in g = dP/dq: the joint behind that frame turns nothing.
   const origin = [0, 0, 0];
