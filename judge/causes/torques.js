@@ -229,17 +229,19 @@ function* listForceMistakes({ wrenches, c }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
   const withWrench = (change) => (at) =>
     chains.wrenchTorques(jacobianOf(at), change(at.F, at.T.at(-1)));
-  const put = (key, change, fields) => ({
+  const makeForceMistake = (key, change, fields) => ({
     cause: makeCause(key, fields),
     force: withWrench(change),
   });
-  yield put("tau.force sign", (F) => multiply(-1, F)); // section 4
-  yield put("tau.force missing", (F) => multiply(0, F)); // half an answer
-  yield put("tau.force in tool", (F, T) => chains.wrenchFromFrame(T, F)); // handed in
+  yield makeForceMistake("tau.force sign", (F) => multiply(-1, F)); // section 4
+  yield makeForceMistake("tau.force missing", (F) => multiply(0, F)); // half an answer
+  yield makeForceMistake("tau.force in tool", (F, T) => chains.wrenchFromFrame(T, F)); // handed in
   for (const [i, component] of ["Fx", "Fy", "Fz", "Mx", "My", "Mz"].entries())
     if (wrenches.some((F) => F[i] && F.some((x, k) => x && k !== i)))
       // handed in
-      yield put("tau.component sign", (F) => F.map((x, k) => (k === i ? -x : x)), { component });
+      yield makeForceMistake("tau.component sign", (F) => F.map((x, k) => (k === i ? -x : x)), {
+        component,
+      });
   const untransposed = (at) =>
     chains.wrenchTorques(chains.transpose(jacobianOf(at), [c.dof, 6]), at.F);
   if (c.dof === 6) yield { cause: makeCause("tau.J for J^T"), force: untransposed }; // handed in
