@@ -272,15 +272,15 @@ function* listBodyMistakes(arm, load) {
     const { report, links, gravity } = arm.lumped;
     // Other links keep what another mistake made of them.
     const isLumped = arm.lumped.bodies.map(([mass], k) => mass !== load.masses[k]);
-    const lumped = (at) => ({
+    const lumpLinks = (at) => ({
       ...at,
       masses: at.masses.map((mass, k) => (isLumped[k] ? arm.lumped.bodies[k][0] : mass)),
       centres: at.centres.map((x, k) => (isLumped[k] ? arm.lumped.bodies[k].slice(1) : x)),
     });
     const fields = { _links: joinList(links), _report: report };
     const withG = { ...fields, _g: gravity, _here: formatNumber(g, 4) };
-    yield put("tau.lumped", lumped, fields);
-    yield put("tau.report", (at) => ({ ...lumped(at), ...withGravity(gravity) }), withG);
+    yield put("tau.lumped", lumpLinks, fields);
+    yield put("tau.report", (at) => ({ ...lumpLinks(at), ...withGravity(gravity) }), withG);
   }
 }
 
