@@ -67,16 +67,19 @@ function compared(typed, asked, said) {
     ...said,
     formatMessage("taken: angular first"),
   ]);
-  return { ...report, wrong: exchanged(report.wrong) };
+  return { ...report, wrong: exchangeHalves(report.wrong) };
 }
 
 const reported = (arm, grade, headline, fields) =>
   makeVerdict("Jacobian", arm, grade, headline, fields);
-const exchanged = (list) => [...list.slice(list.length / 2), ...list.slice(0, list.length / 2)];
+const exchangeHalves = (list) => [
+  ...list.slice(list.length / 2),
+  ...list.slice(0, list.length / 2),
+];
 const halvesExchanged = (typed) => ({
   ...typed,
-  values: exchanged(typed.values),
-  units: exchanged(typed.units),
+  values: exchangeHalves(typed.values),
+  units: exchangeHalves(typed.units),
 });
 
 // Read what was typed as a matrix; all of its entries in one row or column are taken row by row. A
