@@ -63,7 +63,7 @@ function compared(typed, asked, said) {
     return { ...reported(arm, WRONG, headline, { taken: said }), wrong };
   }
   if (!angularFirst || rows < 6) return judged(typed, asked, said);
-  const report = judged(halvesExchanged(typed), asked, [
+  const report = judged(exchangeTypedHalves(typed), asked, [
     ...said,
     formatMessage("taken: angular first"),
   ]);
@@ -76,7 +76,7 @@ const exchangeHalves = (list) => [
   ...list.slice(list.length / 2),
   ...list.slice(0, list.length / 2),
 ];
-const halvesExchanged = (typed) => ({
+const exchangeTypedHalves = (typed) => ({
   ...typed,
   values: exchangeHalves(typed.values),
   units: exchangeHalves(typed.units),
