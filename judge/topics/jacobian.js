@@ -60,7 +60,7 @@ function compared(typed, asked, said) {
       cause: uncapitalize(formatMessage("J zero")),
     });
     const wrong = typed.values.map(() => true);
-    return { ...reported(arm, WRONG, headline, { taken: said }), wrong };
+    return { ...makeJacobianVerdict(arm, WRONG, headline, { taken: said }), wrong };
   }
   if (!angularFirst || rows < 6) return judged(typed, asked, said);
   const report = judged(exchangeTypedHalves(typed), asked, [
@@ -70,7 +70,7 @@ function compared(typed, asked, said) {
   return { ...report, wrong: exchangeHalves(report.wrong) };
 }
 
-const reported = (arm, grade, headline, fields) =>
+const makeJacobianVerdict = (arm, grade, headline, fields) =>
   makeVerdict("Jacobian", arm, grade, headline, fields);
 const exchangeHalves = (list) => [
   ...list.slice(list.length / 2),
@@ -147,7 +147,7 @@ function misshapen({ values, units, shape: [rows, width] }, { arm, at, frame }, 
     { what: "shape", where: "", mine: [rows, width], expected: [6, dof], words: `${words}.` },
   ];
   const headline = formatMessage("J wrong", { arm: arm.name, cause: `${uncapitalize(words)}.` });
-  return reported(arm, WRONG, headline, { findings, causes: [key], taken });
+  return makeJacobianVerdict(arm, WRONG, headline, { findings, causes: [key], taken });
 }
 
 const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
@@ -269,7 +269,7 @@ function good({ grade, how, wrong }, typed, arm, half) {
           },
         ];
   const said = half !== null && grade === RIGHT ? SO_FAR : grade;
-  return reported(arm, said, headline, {
+  return makeJacobianVerdict(arm, said, headline, {
     findings,
     notes: how === "cut" ? [formatMessage("cut")] : [],
   });
@@ -280,16 +280,21 @@ function bad(causes, where, arm) {
     const words = joinCauseMessages(causes);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
     const headline = formatMessage("J wrong", { arm: arm.name, cause: `${uncapitalize(words)}.` });
-    return reported(arm, WRONG, headline, { findings, causes: causes.map(causeName) });
+    return makeJacobianVerdict(arm, WRONG, headline, { findings, causes: causes.map(causeName) });
   }
   const found = where();
   if (found.length === jointNumbers(arm).length && found.every(({ what }) => what === "column")) {
     const question = formatMessage(revoluteFlags(arm)[0] ? "J turns" : "J slides", {
       joint: jointNumbers(arm)[0],
     });
-    return reported(arm, WRONG, formatMessage("J wrong everywhere", { arm: arm.name, question }), {
-      findings: found,
-    });
+    return makeJacobianVerdict(
+      arm,
+      WRONG,
+      formatMessage("J wrong everywhere", { arm: arm.name, question }),
+      {
+        findings: found,
+      },
+    );
   }
   const headline =
     found.length === 1
@@ -298,7 +303,7 @@ function bad(causes, where, arm) {
           arm: arm.name,
           places: joinList(found.map(({ where: at }) => at)),
         });
-  return reported(arm, WRONG, headline, { findings: found });
+  return makeJacobianVerdict(arm, WRONG, headline, { findings: found });
 }
 
 const column = (list, k, width) => list.filter((_, i) => i % width === k);
