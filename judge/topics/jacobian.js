@@ -35,7 +35,7 @@ export const compareJacobian = completeVerdicts(jacobianCompared);
 function jacobianCompared(mine, arm, q, options = {}) {
   const at = pose(q, arm, options.angles);
   const known = lookup(arm, at.values, options.values ?? []);
-  const typed = matrix(mine, known, arm, { ...options, at });
+  const typed = readMatrix(mine, known, arm, { ...options, at });
   const asked = { ...options, arm, at, frame: options.frame ?? 0 };
   const report = compared(typed, asked, [...typed.said, ...(at.locked ?? [])]);
   const verdict = askAboutDegrees(report, {
@@ -85,7 +85,7 @@ const exchangeTypedHalves = (typed) => ({
 // Read what was typed as a matrix; all of its entries in one row or column are taken row by row. A
 // formula needs no q; `computed` are the values of a function, which count as one.
 /** @param {any} mine @param {any} known @param {Arm} arm @param {any} asked */
-function matrix(mine, known, arm, { at, which, generic = false, computed = false }) {
+function readMatrix(mine, known, arm, { at, which, generic = false, computed = false }) {
   const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
   const wants = [...shapes(dof, arm.rows.length), ...reducedShapes(arm, dof)];
   const asked = { wants, names: NAMES, given: [at.values], which };
