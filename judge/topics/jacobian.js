@@ -53,7 +53,7 @@ function compared(typed, asked, said) {
   const { arm, at, angularFirst = false } = asked;
   const [rows, width] = typed.shape;
   const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
-  if (width !== at.values.length || !isJudged) return misshapen(typed, asked, said);
+  if (width !== at.values.length || !isJudged) return reportWrongShape(typed, asked, said);
   if (!typed.values.some(Boolean)) {
     const headline = formatMessage("J wrong", {
       arm: arm.name,
@@ -129,7 +129,7 @@ function inMetres(typed) {
 }
 
 // Another shape: what was forgotten, if the rest is right.
-function misshapen({ values, units, shape: [rows, width] }, { arm, at, frame }, taken) {
+function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, frame }, taken) {
   const right = allColumns(arm, at.values, frame).sort(([i], [j]) => i - j);
   const dof = at.values.length;
   const is = (kept) => {
