@@ -62,8 +62,8 @@ function compared(typed, asked, said) {
     const wrong = typed.values.map(() => true);
     return { ...makeJacobianVerdict(arm, WRONG, headline, { taken: said }), wrong };
   }
-  if (!angularFirst || rows < 6) return judged(typed, asked, said);
-  const report = judged(exchangeTypedHalves(typed), asked, [
+  if (!angularFirst || rows < 6) return judgeSelectedRows(typed, asked, said);
+  const report = judgeSelectedRows(exchangeTypedHalves(typed), asked, [
     ...said,
     formatMessage("taken: angular first"),
   ]);
@@ -153,7 +153,7 @@ function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, fr
 const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
 
 /** @returns {import("../verdict.js").Verdict} */
-function judged(typed, { arm, at, frame, tolerance = null }, said) {
+function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
   const slips = listJacobianSteps(arm, at.values, frame);
   const whole = makeJacobian(arm, frame);
   const selection = selectRows(typed, arm, whole(at.values));
