@@ -37,7 +37,7 @@ function jacobianCompared(mine, arm, q, options = {}) {
   const known = lookup(arm, at.values, options.values ?? []);
   const typed = readMatrix(mine, known, arm, { ...options, at });
   const asked = { ...options, arm, at, frame: options.frame ?? 0 };
-  const report = compared(typed, asked, [...typed.said, ...(at.locked ?? [])]);
+  const report = judgeReadMatrix(typed, asked, [...typed.said, ...(at.locked ?? [])]);
   const verdict = askAboutDegrees(report, {
     arm,
     values: at.values,
@@ -49,7 +49,7 @@ function jacobianCompared(mine, arm, q, options = {}) {
   return { ...verdict, typed };
 }
 
-function compared(typed, asked, said) {
+function judgeReadMatrix(typed, asked, said) {
   const { arm, at, angularFirst = false } = asked;
   const [rows, width] = typed.shape;
   const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
