@@ -89,7 +89,7 @@ function readMatrix(mine, known, arm, { at, which, generic = false, computed = f
   const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
   const wants = [...shapes(dof, arm.rows.length), ...reducedShapes(arm, dof)];
   const asked = { wants, names: NAMES, given: [at.values], which };
-  const read = inMetres(numbers(mine, what, known, undefined, asked));
+  const read = convertToMetres(numbers(mine, what, known, undefined, asked));
   const symbolic = read.symbolic || computed;
   if (generic && !symbolic) throw new ArmError(formatMessage("J needs q"));
   const one = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
@@ -120,7 +120,7 @@ function reducedShapes(arm, columns) {
 }
 
 // The linear rows in metres, where the text says that they are in mm.
-function inMetres(typed) {
+function convertToMetres(typed) {
   const { shape, says } = typed;
   if (says?.lengths !== "mm" || shape[0] !== 6) return typed;
   const scaled = (list) => list.map((x, i) => (i < 3 * shape[1] ? x / 1000 : x));
