@@ -140,7 +140,7 @@ function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, fr
   let key = "J.shape";
   if (rows === dof && width === 6) key = "J.transposed";
   else if (right.length > dof && is(every)) key = "J.locked column kept";
-  else if (right.length > dof && rows === 5 && every.some((row) => is(without(row))))
+  else if (right.length > dof && rows === 5 && every.some((row) => is(listRowsWithout(row))))
     key = "J.row for column"; // slip 3, by its words
   const words = formatMessage(key, { shape: `${rows}x${width}`, dof });
   const findings = [
@@ -150,7 +150,7 @@ function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, fr
   return makeJacobianVerdict(arm, WRONG, headline, { findings, causes: [key], taken });
 }
 
-const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
+const listRowsWithout = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
 
 /** @returns {import("../verdict.js").Verdict} */
 function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
