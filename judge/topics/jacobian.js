@@ -172,7 +172,8 @@ function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
   const truth = right(at.values);
   if (verdict.grade !== WRONG) {
     const isPartial = selection.rows.length < 6;
-    const notes = typed.symbolic || isPartial ? [] : hidden(slips, singles, at.values, truth);
+    const notes =
+      typed.symbolic || isPartial ? [] : noteHiddenMistakes(slips, singles, at.values, truth);
     const told = good(verdict, typed, arm, half);
     return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong, rowNames };
   }
@@ -236,7 +237,7 @@ function describeSelection({ rows, half }, arm) {
 }
 
 // A word on the mistakes that this pose does not show.
-function hidden(slips, singles, q, truth) {
+function noteHiddenMistakes(slips, singles, q, truth) {
   const method = singles.filter((_, k) => !slips[k].change && !("i" in slips[k].cause.fields[0]));
   const shown = method.filter(({ make }) =>
     tellable({ units: truth.map(() => 0) }, truth, make(q)),
