@@ -174,7 +174,7 @@ function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
     const isPartial = selection.rows.length < 6;
     const notes =
       typed.symbolic || isPartial ? [] : noteHiddenMistakes(slips, singles, at.values, truth);
-    const told = good(verdict, typed, arm, half);
+    const told = reportRight(verdict, typed, arm, half);
     return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong, rowNames };
   }
   const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOf(J, selection)]);
@@ -247,7 +247,7 @@ function noteHiddenMistakes(slips, singles, q, truth) {
 }
 
 // `half` is which half three rows are, null where all six are there.
-function good({ grade, how, wrong }, typed, arm, half) {
+function reportRight({ grade, how, wrong }, typed, arm, half) {
   const where = typed.symbolic ? "" : formatMessage("at this pose");
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
   const [own, other] = half ? ["angular", "linear"] : HALVES;
