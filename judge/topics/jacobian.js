@@ -180,7 +180,7 @@ function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
   const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOf(J, selection)]);
   const where = () => places(typed, columns, verdict.wrong, arm, rowNames);
   return {
-    ...bad(
+    ...reportWrong(
       verdict.slips.map((slip) => slip.cause),
       where,
       arm,
@@ -276,7 +276,7 @@ function reportRight({ grade, how, wrong }, typed, arm, half) {
   });
 }
 
-function bad(causes, where, arm) {
+function reportWrong(causes, where, arm) {
   if (causes.length) {
     const words = joinCauseMessages(causes);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
