@@ -130,7 +130,7 @@ function convertToMetres(typed) {
 
 // Another shape: what was forgotten, if the rest is right.
 function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, frame }, taken) {
-  const right = allColumns(arm, at.values, frame).sort(([i], [j]) => i - j);
+  const right = computeAllColumns(arm, at.values, frame).sort(([i], [j]) => i - j);
   const dof = at.values.length;
   const is = (kept) => {
     const truth = kept.flatMap((row) => right.map(([, column]) => column[row]));
@@ -177,7 +177,10 @@ function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
     const told = reportRight(verdict, typed, arm, half);
     return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong, rowNames };
   }
-  const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOf(J, selection)]);
+  const columns = computeAllColumns(arm, at.values, frame).map(([one, J]) => [
+    one,
+    rowsOf(J, selection),
+  ]);
   const where = () => places(typed, columns, verdict.wrong, arm, rowNames);
   return {
     ...reportWrong(
@@ -330,7 +333,7 @@ function places({ values, units, shape }, columns, wrong, arm, names) {
 }
 
 // Each joint's column in the declared frame, then those that locked joints would have.
-function allColumns(arm, q, frame) {
+function computeAllColumns(arm, q, frame) {
   const here = chains.makeChain(arm, q);
   const T = chains.chainFrames(here);
   const locked = arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [i] : []));
