@@ -70,7 +70,7 @@ function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null
   const known = lookup(arm, given[0].values);
   const target = readTarget(T, arm, known);
   const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
-  const verdict = judged({ ...given[0], units }, arm, target, tolerance, taken);
+  const verdict = judgeTarget({ ...given[0], units }, arm, target, tolerance, taken);
   const [away, turned] = missOf(chainFrames(makeChain(arm, given[0].values)).at(-1), target);
   const off = describeMiss(away, turned);
   const answer = askAboutDegrees(verdict, {
@@ -113,7 +113,7 @@ export function readTarget(T, arm, known, orPoint = true) {
 }
 
 /** @returns {import("../verdict.js").Verdict} */
-function judged(q, arm, T, tolerance, taken) {
+function judgeTarget(q, arm, T, tolerance, taken) {
   const mine = { values: T.values.flat(), units: T.units.flat() };
   const right = tipOf(arm, T);
   const slips = [...known(arm, T)];
