@@ -131,7 +131,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
   const [away, turned] = missOf(here, T);
   const rest = { taken, figures: { position_error: away, orientation_error: turned } };
   if (grade !== WRONG)
-    return reported(arm, grade, formatMessage(GOOD[grade], { arm: arm.name }), {
+    return makePoseVerdict(arm, grade, formatMessage(GOOD[grade], { arm: arm.name }), {
       ...rest,
       notes: [...limits(arm, q)],
     });
@@ -140,17 +140,21 @@ function judgeTarget(q, arm, T, tolerance, taken) {
     const findings = entries(T, verdict.wrong);
     const headline = formatMessage("pose wrong", { arm: arm.name, off });
     const causes = [...new Set(findings.map(({ what }) => what))];
-    return reported(arm, WRONG, headline, { ...rest, findings, causes });
+    return makePoseVerdict(arm, WRONG, headline, { ...rest, findings, causes });
   }
   const causes = verdict.slips.map((slip) => slip.cause);
   const words = joinCauseMessages(causes);
   const headline = formatMessage("pose cause", { arm: arm.name, off, cause: uncapitalize(words) });
   const findings = [{ what: "cause", where: "", words: `${words}.` }];
-  return reported(arm, WRONG, headline, { ...rest, findings, causes: causes.map(causeName) });
+  return makePoseVerdict(arm, WRONG, headline, {
+    ...rest,
+    findings,
+    causes: causes.map(causeName),
+  });
 }
 
 const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
-const reported = (arm, grade, headline, fields) =>
+const makePoseVerdict = (arm, grade, headline, fields) =>
   makeVerdict("pose", arm, grade, headline, fields);
 
 function missed(T, wrong, away, turned) {
