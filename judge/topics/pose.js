@@ -135,7 +135,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
       ...rest,
       notes: [...limits(arm, q)],
     });
-  const off = missed(T, verdict.wrong, away, turned);
+  const off = describeTargetMiss(T, verdict.wrong, away, turned);
   if (!verdict.slips.length) {
     const findings = entries(T, verdict.wrong);
     const headline = formatMessage("pose wrong", { arm: arm.name, off });
@@ -157,7 +157,7 @@ const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose
 const makePoseVerdict = (arm, grade, headline, fields) =>
   makeVerdict("pose", arm, grade, headline, fields);
 
-function missed(T, wrong, away, turned) {
+function describeTargetMiss(T, wrong, away, turned) {
   const tilted = T.pose && wrong.some((is, i) => is && i % 4 < 3);
   return describeMiss(away, tilted ? turned : 0);
 }
