@@ -71,7 +71,10 @@ function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null
   const target = readTarget(T, arm, known);
   const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
   const verdict = judgeTarget({ ...given[0], units }, arm, target, tolerance, taken);
-  const [away, turned] = missOf(chainFrames(makeChain(arm, given[0].values)).at(-1), target);
+  const [away, turned] = measureTargetMiss(
+    chainFrames(makeChain(arm, given[0].values)).at(-1),
+    target,
+  );
   const off = describeMiss(away, turned);
   const answer = askAboutDegrees(verdict, {
     arm,
@@ -128,7 +131,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
   const few = wrong && tolerance === null && !verdict.slips.length && agrees(mine, truth, coarse);
   const grade = few ? SO_FAR : verdict.grade;
   const here = chainFrames(makeChain(arm, q.values)).at(-1);
-  const [away, turned] = missOf(here, T);
+  const [away, turned] = measureTargetMiss(here, T);
   const rest = { taken, figures: { position_error: away, orientation_error: turned } };
   if (grade !== WRONG)
     return makePoseVerdict(arm, grade, formatMessage(GOOD[grade], { arm: arm.name }), {
@@ -203,7 +206,7 @@ function* pairs(arm, T) {
 // Return the distance (m) and angle (rad) between a frame and T: no angle for a point, half a turn
 // for left-handed axes.
 /** @returns {[number, number]} */
-function missOf(here, { values, pose }) {
+function measureTargetMiss(here, { values, pose }) {
   const o = pose ? values.map((row) => row[3]) : values[0];
   const away = norm(minus(here.o, o));
   if (!pose) return [away, 0];
