@@ -122,7 +122,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
   const slips = [...known(arm, T)];
   const digits = () =>
     exchangedDigits(arm, q).map(([cause, undo]) => ({ cause, make: (x) => right(undo(x)) }));
-  const further = [digits, () => pairs(arm, T)];
+  const further = [digits, () => listMistakePairs(arm, T)];
   const asked = { mine, q, dof: q.values.length, right, slips, tolerance, further };
   const verdict = judgeEntries(asked);
   const coarse = slackOf(q, q.values.length, right, Infinity);
@@ -195,7 +195,7 @@ function* known(arm, T) {
 
 // Combine a mistake in the joint values with one in the table.
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
-function* pairs(arm, T) {
+function* listMistakePairs(arm, T) {
   for (const [table, change] of tableMistakes(arm)) {
     const tip = tipOf(arm, T, change);
     for (const [joints, mended] of jointMistakes(arm))
