@@ -140,7 +140,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
     });
   const off = describeTargetMiss(T, verdict.wrong, away, turned);
   if (!verdict.slips.length) {
-    const findings = entries(T, verdict.wrong);
+    const findings = listWrongEntries(T, verdict.wrong);
     const headline = formatMessage("pose wrong", { arm: arm.name, off });
     const causes = [...new Set(findings.map(({ what }) => what))];
     return makePoseVerdict(arm, WRONG, headline, { ...rest, findings, causes });
@@ -215,7 +215,7 @@ function measureTargetMiss(here, { values, pose }) {
 }
 
 // The entries of T that differ, where they are few, or the coordinate of a point in formulas.
-function entries(T, wrong) {
+function listWrongEntries(T, wrong) {
   const off = wrong.flatMap((is, i) => (is ? [i] : []));
   if (!T.pose && (!T.formulas || off.length !== 1)) return [];
   if (off.length > FEW) return [];
