@@ -136,7 +136,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
   if (grade !== WRONG)
     return makePoseVerdict(arm, grade, formatMessage(GOOD[grade], { arm: arm.name }), {
       ...rest,
-      notes: [...limits(arm, q)],
+      notes: [...noteBeyondLimits(arm, q)],
     });
   const off = describeTargetMiss(T, verdict.wrong, away, turned);
   if (!verdict.slips.length) {
@@ -231,7 +231,7 @@ function listWrongEntries(T, wrong) {
   });
 }
 
-function* limits(arm, { values }) {
+function* noteBeyondLimits(arm, { values }) {
   const beyond = jointNumbers(arm).flatMap((row, k) => {
     const { lower: least, upper: most } = arm.rows[row - 1];
     const inside = (least ?? -Infinity) <= values[k] && values[k] <= (most ?? Infinity);
