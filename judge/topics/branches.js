@@ -44,7 +44,7 @@ function branchesCompared(mine, arm, target, options = {}) {
 function judgeAnswers(mine, right, target, options) {
   const { arm } = right;
   const { angles, tolerance = null } = options;
-  const { answers: given, taken, typed } = upright(mine, right, target, options);
+  const { answers: given, taken, typed } = readAnswers(mine, right, target, options);
   const { astray, ...verdict } = judged(right, given, tolerance, taken);
   const report = askAboutDegrees(verdict, {
     arm,
@@ -61,7 +61,7 @@ function judgeAnswers(mine, right, target, options) {
 }
 
 // Read answers as rows; as columns if the list is square and only its columns are branches.
-function upright(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
+function readAnswers(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
   const { arm } = right;
   const asked = { given: rowsGiven(target), which };
   const rows = answers(mine, arm, angles, asked);
