@@ -45,7 +45,7 @@ function judgeAnswers(mine, right, target, options) {
   const { arm } = right;
   const { angles, tolerance = null } = options;
   const { answers: given, taken, typed } = readAnswers(mine, right, target, options);
-  const { astray, ...verdict } = judged(right, given, tolerance, taken);
+  const { astray, ...verdict } = judgeReadAnswers(right, given, tolerance, taken);
   const report = askAboutDegrees(verdict, {
     arm,
     values: given.flatMap(({ values }) => values),
@@ -81,7 +81,7 @@ const rightOf = (arm, branches) => ({
 });
 
 /** @returns {import("../verdict.js").Verdict & { astray: number[] }} */
-function judged(right, given, tolerance, taken) {
+function judgeReadAnswers(right, given, tolerance, taken) {
   const { arm, branches } = right;
   const { hits, astray, sharp } = matchAnswers(right, given, tolerance);
   const wrong = astray.map((number) =>
