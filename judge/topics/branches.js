@@ -32,7 +32,7 @@ function branchesCompared(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null, found = null } = options;
   const isFound = found && found.arm === arm.name;
   const sought = found?.target ?? target;
-  const right = rightOf(arm, isFound ? found.branches : solveTarget(arm, sought));
+  const right = makeSolutions(arm, isFound ? found.branches : solveTarget(arm, sought));
   const given = rowsGiven(sought);
   const part = { topic: "branches", angles, tolerance, given, many: true };
   return judgeWholeOrPart(
@@ -74,7 +74,7 @@ function readAnswers(mine, right, target, { angles = "rad", tolerance = null, wh
 
 // Collect the different branches, and their count before equal ones were joined.
 /** @returns {Solutions} */
-const rightOf = (arm, branches) => ({
+const makeSolutions = (arm, branches) => ({
   arm,
   branches,
   count: branches.reduce((sum, { times }) => sum + times, 0),
