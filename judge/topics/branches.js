@@ -113,7 +113,7 @@ function judgeReadAnswers(right, given, tolerance, taken) {
     ],
     causes: [...new Set(whats)],
     taken,
-    notes: [...notesOf(right), ...twice(arm, given), ...unreachable],
+    notes: [...notesOf(right), ...noteEqualAnswers(arm, given), ...unreachable],
     figures: { found, right: found.length, of: branches.length, wrong: astray.length },
   };
 }
@@ -197,7 +197,7 @@ function outOfRange({ arm, branches }, hits, missing, found) {
 }
 
 // Report each group of equal answers.
-function* twice(arm, given) {
+function* noteEqualAnswers(arm, given) {
   for (const [n, one] of given.entries()) {
     const same = given.map((other) => isSameAnswer(arm, other, one));
     const alike = same.flatMap((is, k) => (is ? [k + 1] : []));
