@@ -106,7 +106,7 @@ function judgeReadAnswers(right, given, tolerance, taken) {
     astray,
     findings: [
       ...(all ? [{ what: "cause", where: "", words: `${causeMessage(all)}.` }] : []),
-      ...foundOnes(found, found.length < branches.length || astray.length > 0),
+      ...listFoundBranches(found, found.length < branches.length || astray.length > 0),
       ...(all ? [] : wrong.map(({ finding }) => finding)),
       ...missingOnes(missing, found.length > 0 || !astray.length),
       ...oneSided,
@@ -133,7 +133,7 @@ function gradeOf(faulty, unfinished, sharp) {
 }
 
 // Name the branches in the answer, unless it has all of them, and the missing ones.
-const foundOnes = (names, told) =>
+const listFoundBranches = (names, told) =>
   told
     ? names.map((name) => ({
         what: "found",
