@@ -108,7 +108,7 @@ function judgeReadAnswers(right, given, tolerance, taken) {
       ...(all ? [{ what: "cause", where: "", words: `${causeMessage(all)}.` }] : []),
       ...listFoundBranches(found, found.length < branches.length || astray.length > 0),
       ...(all ? [] : wrong.map(({ finding }) => finding)),
-      ...missingOnes(missing, found.length > 0 || !astray.length),
+      ...listMissingBranches(missing, found.length > 0 || !astray.length),
       ...oneSided,
     ],
     causes: [...new Set(whats)],
@@ -142,7 +142,7 @@ const listFoundBranches = (names, told) =>
       }))
     : [];
 
-const missingOnes = (names, told) =>
+const listMissingBranches = (names, told) =>
   names.length && told
     ? [
         {
