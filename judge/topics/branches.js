@@ -95,7 +95,7 @@ function judgeReadAnswers(right, given, tolerance, taken) {
   const coarse =
     tolerance === null && given.some((answer) => hits.size && looksLikeMistake(right, answer));
   const unfinished = missing.length > 0 && !unreachable.length;
-  const grade = gradeOf(astray.length > 0, unfinished || coarse, sharp);
+  const grade = chooseGrade(astray.length > 0, unfinished || coarse, sharp);
   const all = commonCause(wrong);
   const whats = [
     ...wrong.flatMap(({ causes }) => causes.map(causeName)),
@@ -126,7 +126,7 @@ function commonCause(wrong) {
   return wrong.every((one) => name(one) === name(first)) ? first.causes[0] : null;
 }
 
-function gradeOf(faulty, unfinished, sharp) {
+function chooseGrade(faulty, unfinished, sharp) {
   if (faulty) return WRONG;
   if (unfinished) return SO_FAR;
   return sharp ? RIGHT : ROUNDED;
