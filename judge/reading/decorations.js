@@ -36,11 +36,14 @@ const FACES = "math(?:bf|it|rm)|boldsymbol|text(?:bf|it)|boxed|underline|num";
 
 // Text in braces, which may hold braces.
 const BRACED = String.raw`\{((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
+// The same, three braces deep.
+const INNER = String.raw`((?:[^{}\n]|\{(?:[^{}\n]|\{[^{}\n]{0,60}\}){0,60}\}){0,80})`;
 // (corrected), (was 2.075), but (rad)
 const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi)\s*\))[A-Za-z][^()\n]{0,30}\)(?![ ]?[*/^+-])`;
 
 const UNCERTAIN =
-  String.raw`(?<![\d.,])(\d{1,9}(?:[.,]\d{0,20})?)([ ]?(?:${UNIT}|π))?` +
+  String.raw`((?<![\d.,])\d{1,9}(?:[.,]\d{0,20})?|(?<=,)\d{1,9}\.\d{1,20}|` +
+  String.raw`(?<!\d)[.,]\d{1,20}|π|\\pi)((?:[ ]?(?:π|\\?pi))?(?:[ ]?(?:${UNIT}))?)` +
   String.raw`\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*[.,]\d+)`;
 
 // Behind a value, but not behind "1", which may be a name.
@@ -59,7 +62,8 @@ const DECORATIONS = [
   [/<\/?(?:b|i|u|em|strong|code|span|mark|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
   [/\\(?:phantom|cancel)\{[^{}\n]*\}/g, " "],
   [new RegExp(String.raw`\\textcolor\{\w+\}${BRACED}`, "g"), "$1"],
-  [/\{\\color\{\w+\}\s*([^{}\n]*)\}/g, "$1"],
+  [new RegExp(String.raw`\{\\color\{\w+\}\s*${INNER}\}`, "g"), "$1"],
+  [/(?:\\[,;:! ])?\s*\\checkmark(?![a-z])/g, ""],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, (_, x, unit) => `${x} ${shortUnit(unit)}`],
   [/\\,\s*\\mathrm\{([^{}\n]*)\}/g, (_, unit) => ` ${shortUnit(unit)}`],
   [new RegExp(String.raw`\\(?:${FACES})${BRACED}`, "g"), "$1"],
@@ -80,10 +84,12 @@ const DECORATIONS = [
   [/(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})/g, ""],
   [/(?<=[\d)][ \t]+)-(?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "gm"), "$2"],
-  [/(?<=[|&][ \t]*)\*{1,3}([^*|&\n]{1,40})\*{1,3}(?=[ \t]*[|&])/g, "$1"], // an emphasised cell
+  [/(?<=[|&][ \t]*)(\*{1,3}|_)([^*|&\n]{1,40})\1(?=[ \t]*[|&])/g, "$2"], // an emphasised cell
+  [/(?<=[\p{L}\d°)}])[ ]*\((?:approx\.?|ok)\)/gu, ""],
   [new RegExp(MARK_BEHIND, "gm"), ""],
   [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
-  [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.])/g, ""], // a corrected value
+  // a corrected value
+  [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?(?:[\d.θ]|theta))/g, ""],
   [new RegExp(String.raw`${BEHIND_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
   [
@@ -125,7 +131,7 @@ const QUOTATION = /^(?:[ \t]*>(?!>)[ \t]?)+/gm; // > before each line
  */
 export const withoutMargins = (pasted) => withoutLineNumbers(pasted.replace(QUOTATION, ""));
 
-const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:]|\t|[ \t]{2,}|$)[ \t]*/;
+const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:] ?|\t| {2}|$)/;
 
 // The numbers of lines, where all lines have one and there is other text than rows of numbers.
 function withoutLineNumbers(text) {
@@ -163,7 +169,7 @@ const COMMENTS = [
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
-  /(?<=[\d\])},;°m*][ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t]|[\d.])).*$/gm,
+  /(?<=(?:[\d\])},;°m*π]|pi)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t]|[\d.])).*$/gm,
 ];
 
 const blank = (comment) => comment.replace(/[^\n]/g, " ");
