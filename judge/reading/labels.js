@@ -6,7 +6,7 @@ import { hasDecimals, plain } from "./formula.js";
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
 const JOINT =
-  /^(?:q|d|th(?:eta)?|tau|τ|[tgjalc]|\p{L}*joint|link|column|angle|torque|axis|motor)$/u;
+  /^(?:q|d|th(?:eta)?|tau|τ|[tgjalc]|[\p{L}\d]*joint|link|column|angle|torque|axis|motor)$/u;
 const ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh"];
 // As the driver of a UR10e and its pendant call them.
 const UR = new Map(
@@ -33,7 +33,7 @@ function labelOf(text) {
   const ur = UR.get(word.replace(/joint$/, ""));
   const ordinal = ORDINALS.findIndex((one) => word.replace(/^the/, "").startsWith(one));
   if (ur || ordinal >= 0) return { kind: "joint", at: ur ?? ordinal + 1 };
-  const [, stem, number] = /^(\D*)(\d{1,5})$/.exec(word) ?? [];
+  const [, stem, number] = /^(\D*|[\p{L}\d]*joint)(\d{1,5})$/u.exec(word) ?? [];
   if (number === undefined) return null;
   return { kind: JOINT.test(stem) ? "joint" : "count", at: Number(number) };
 }
@@ -63,6 +63,8 @@ const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
 const IN_DEGREES = /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]/; // np.radians([...])
 const RADIANS = /\brad(?:ians?)?\b/i;
 const MILLIMETRES = /(?<![\d.]\s?|\bN\s?[·*]?\s?)\bmm\b/;
+// 10, 20 and 30 deg
+const LIST_IN_DEGREES = /,\s*[-\u2212]?[\d.,]+,?\sand\s[-\u2212]?[\d.,]+\s?(?:deg|°)/i;
 /** @type {[RegExp, number][]} */
 const MOMENTS = [
   [/\b(?:N\s?[·*]?\s?mm|mN\s?[·*]?\s?m)\b/, 1e-3],
@@ -78,7 +80,7 @@ const MOMENTS = [
 export function unitsSaid(text) {
   const [degrees, radians] = IN_DEGREES.test(text)
     ? [true, false]
-    : [DEGREES.test(text), RADIANS.test(text)];
+    : [DEGREES.test(text) || LIST_IN_DEGREES.test(text), RADIANS.test(text)];
   return {
     angles: degrees === radians ? null : degrees ? "deg" : "rad",
     lengths: MILLIMETRES.test(text) ? "mm" : null,

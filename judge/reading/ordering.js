@@ -27,8 +27,12 @@ export function liesBy(block, { by }) {
   if (by === "row" && TURNED.test(block.name)) return true;
   const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];
   if (by === "row") return headers?.kind === "row" || rows?.kind === "joint";
-  return rows?.kind === "joint" && block.rows[0].length > 1 && headers?.kind !== "joint";
+  return rows?.kind === "joint" && block.rows[0].length > 1 && !namesJoints(block.headers);
 }
+
+// Return whether two column headers or more name joints.
+const namesJoints = (headers) =>
+  headers.filter((header) => labelIn([header])?.kind === "joint").length > 1;
 
 const TURNED = /(?:\.T|\^T|ᵀ|')$/; // behind the name of a transposed matrix
 
