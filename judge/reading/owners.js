@@ -114,10 +114,13 @@ const DATES = [
 const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 // Digits with a letter for one, 7l2 and O.5, or with a mark behind them, 0!
 const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
+const TWO_SIGNS = /\d(?:π|pi| )*(?:±|\\pm|\+\/-)|(?:π|pi) ?(?:±|\\pm|\+\/-)/; // π ± 0.1
 
 // Return whether a word holds a number with decimals that was no entry, or an odd number.
 const isMisspelt = (word) =>
-  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) || ODD_NUMBER.test(word);
+  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) ||
+  ODD_NUMBER.test(word) ||
+  TWO_SIGNS.test(word);
 
 /**
  * The lines next to a block, over empty ones.
@@ -144,7 +147,7 @@ function mayBeRow(line) {
 }
 
 const UNITS = /\b(?:rad(?:ians?)?|deg(?:rees?)?|pi|Newton-met(?:er|re)s?)\b/g;
-const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+(?:\s|$)/;
+const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+\S?(?:\s|$)/;
 
 // The words and rows that are no part of the block.
 function claimRest(tokens, block, beside, long) {
