@@ -2,7 +2,7 @@
 // rows and columns in the order that their labels say.
 
 import { blocksIn, namesOtherQuantity, plainText } from "./blocks.js";
-import { linesOf } from "./characters.js";
+import { foldBlanks, linesOf } from "./characters.js";
 import {
   labelNumberedLines,
   withoutComments,
@@ -49,7 +49,8 @@ export function findAnswer(text, question) {
   if (text.length > LONGEST)
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
-  const pasted = unwrapFrames(withoutMargins(withoutStruckText(new SpannedText(text))));
+  const typed = foldBlanks(new SpannedText(text));
+  const pasted = unwrapFrames(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
   if (live && /\d/.test(live.text)) {
     const answer = tryOrNull(() => findIn(live, text, question));

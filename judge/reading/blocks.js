@@ -53,12 +53,13 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
       known.set(cell, !isPadded(cell) && !ENUMERATOR.test(cell) && isEntry(cell));
     return known.get(cell);
   };
-  const partings = PARTINGS.filter(({ decimal }) => !decimal || /\d,\d/.test(text.text));
+  const partings = PARTINGS.filter(({ decimal }) => !decimal || DECIMAL_COMMA.test(text.text));
   return partings.map((parting) =>
     once(() => blocksOf(readRows(text, entry, parting), names, given)),
   );
 }
 
+const DECIMAL_COMMA = /\d,\d|[:=] ?[-+]?,\d/;
 const ENUMERATOR = /^\(\d{1,2}\)$/; // (1) numbers a row
 const COMMA_BEFORE_ZERO = /(?:^|[\d\s|&;-]),0\d/;
 const PADDED = /^[-+]?0\d/; // the decimals of 1,0365 where a comma parts cells
@@ -113,7 +114,9 @@ function followingRows(rows, names) {
       last = k;
     });
   }
-  return [...stretches.map(blockOf), ...joinParts(stretches)];
+  const joined = joinParts(stretches);
+  const whole = joined.length ? stretches.filter(([row]) => !row.part) : stretches;
+  return [...whole.map(blockOf), ...joined];
 }
 
 // Return whether a row goes on the row before it, with only numbers of their lines between them.
@@ -130,7 +133,8 @@ const sharesName = (row, other, names) =>
   !row.name || !other.name || isNamed(row.name, names) === isNamed(other.name, names);
 
 const OTHER_NAMES = /^(?:m|mass(?:es)?|F|f|F_?ext|force|w|wrench|g|p|[dalLhrm]_?\{?\d\}?|l_?pen)$/;
-const OTHER_WORDS = /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F)\b/i;
+const OTHER_WORDS =
+  /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F|norm|elapsed time)\b/i;
 
 /**
  * Return whether the words before a row call it a quantity that nobody asks for: masses, lengths,
@@ -139,7 +143,7 @@ const OTHER_WORDS = /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|fo
  */
 export function namesOtherQuantity({ name, words }) {
   const last = words.slice(-4).map(({ text }) => text);
-  return OTHER_NAMES.test(name) || OTHER_WORDS.test([...last, name].join(" "));
+  return OTHER_NAMES.test(name.split(" ").at(-1)) || OTHER_WORDS.test([...last, name].join(" "));
 }
 
 // Return whether two values of a column are named alike: on one line both or neither with =, on two
@@ -147,14 +151,36 @@ export function namesOtherQuantity({ name, words }) {
 function isAlike(row, other) {
   if (row.depth) return true;
   if (row.line === other.line) return !row.name === !other.name;
+  if (row.line !== other.line && !sharesStem(row, other)) return false;
   return labelKind(row) === labelKind(other) && row.tail > 1 === other.tail > 1;
 }
+
+// Return whether the labels of two rows are called alike but for their numbers, or have consecutive
+// numbers, as q2 and d3; also where one has no number.
+function sharesStem(row, other) {
+  const [label, before] = [labelIn(row.words), labelIn(other.words)];
+  if (label?.kind !== "joint" || before?.kind !== "joint") return true;
+  return stemOf(row) === stemOf(other) || label.at === before.at + 1;
+}
+
+const stemOf = ({ words }) =>
+  words
+    .at(-1)
+    .text.toLowerCase()
+    .replace(/[^\p{L}]/gu, "");
 
 const labelKind = ({ name, words }) =>
   /^\(?\d{1,3}\)?$/.test(name) ? "count" : (labelIn(words)?.kind ?? "");
 
-const scaled = ({ cells, scale }) =>
-  scale ? cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` })) : cells;
+function scaled({ cells, scale, hasAnd }) {
+  if (scale) return cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` }));
+  const inDegrees = cells.filter(({ text }) => DEGREES_BEHIND.test(text));
+  if (!hasAnd || inDegrees.length !== 1 || inDegrees[0] !== cells.at(-1)) return cells;
+  // In "10, 20 and 30 deg" the unit belongs to the whole list, which the text's unit is for.
+  return cells.map((cell) => ({ ...cell, text: cell.text.replace(DEGREES_BEHIND, "") }));
+}
+
+const DEGREES_BEHIND = / deg$/;
 
 /** @param {Row[]} rows @returns {Block} */
 function blockOf(rows) {
@@ -171,10 +197,10 @@ function blockOf(rows) {
 
 // MATLAB's parts of a wide matrix, "Columns 1 through 4" and on.
 function joinParts(found) {
-  const parts = found
+  const below = found
     .filter(([row]) => row.part > 0)
-    .sort(([one], [other]) => one.part - other.part)
-    .map(blockOf);
+    .sort(([one], [other]) => one.part - other.part || one.line - other.line);
+  const parts = below.filter(([row], k) => row.part !== below[k - 1]?.[0].part).map(blockOf);
   if (parts.length < 2 || parts.some(({ rows }) => rows.length !== parts[0].rows.length)) return [];
   const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
   const sources = parts.flatMap((part) => part.sources);

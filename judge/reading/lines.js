@@ -12,9 +12,11 @@ import { CONTINUED, ROW_END } from "./characters.js";
 /**
  * Entries of one row; the words before them since the row before on the line, and of the line
  * above; the name that they are assigned to; in how many lists they stand. `break` counts
- * the rows' ends before them; `tail` the words behind them on the line.
+ * the rows' ends before them; `tail` the words behind them on the line; `hasAnd` whether
+ * "and" stands between two of them.
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
- *   scale: string, part: number, above: Cell[], depth: number, tail: number }} Row
+ *   scale: string, part: number, above: Cell[], depth: number, tail: number,
+ *   hasAnd: boolean }} Row
  */
 /**
  * How a text is parted: whether the innermost lists are taken for one row each, whether commas
@@ -320,12 +322,16 @@ function joinedPieces(pieces, text) {
 const OPERATED = /[*/^]$|(?:^|\s)[-+±~≈]$|\\(?:times|cdot)$/; // something must follow
 const OPERATES = /^[*/^]|^[-+±]$|^\\(?:times|cdot)$/; // something must stand before
 
+const FACTOR_END = /^ *(?:rad|[\t\n|&;,]|$)/; // behind a factor π, which no entry follows
+
 function belongs(last, piece, text) {
   const [before, word] = [last, piece].map(({ from, to }) => text.slice(from, to));
   if (last.closed || isMark(before) || isMark(word)) return false;
   if (OPERATED.test(before) || OPERATES.test(word)) return true;
   if (isFunction(before.replace(/^[-+]+/, ""))) return true;
-  return unitOf(word) !== undefined && /[\d.)](?: [kmM]?N)?$/.test(before);
+  if (/^(?:π|pi)$/.test(word) && piece.from === last.to + 1)
+    return /\d[.,]\d+$/.test(before) && FACTOR_END.test(text.slice(piece.to));
+  return unitOf(word) !== undefined && /(?:[\d.)](?: [kmM]?N)?|[\d ](?:π|pi))$/.test(before);
 }
 
 // A text before a mark of naming is a name, though it may look like an entry.
@@ -353,7 +359,10 @@ function nameRow(mark, state) {
 
 function putCell(cell, line, state) {
   const { text } = cell;
-  if (text === "and" && state.row) return;
+  if (text === "and" && state.row) {
+    state.row.hasAnd = true;
+    return;
+  }
   if (isMark(text)) {
     nameRow(text, state);
     return;
@@ -364,7 +373,8 @@ function putCell(cell, line, state) {
   }
   if (!state.row) {
     const { words, name, scale, part, above, depth } = state;
-    state.row = { cells: [], words, name, line, last: line, scale, part, above, depth, tail: 0 };
+    const place = { line, last: line, part, depth };
+    state.row = { cells: [], words, name, scale, above, ...place, tail: 0, hasAnd: false };
     state.rows.push(state.row);
     state.words = [];
     state.name = "";
