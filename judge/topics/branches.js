@@ -23,7 +23,7 @@ import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 /**
  * Judge joint vectors, a text or nested lists, for a target of an arm with a closed form: three
  * coordinates or the rows of a pose.
- * @param {string | any[]} mine @param {Arm} arm @param {any[]} target
+ * @param {string | any[]} mine @param {Arm} arm @param {number[] | number[][]} target
  * @returns {import("../verdict.js").Verdict}
  */
 export const compareBranches = completeVerdicts(branchesCompared);

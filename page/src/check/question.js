@@ -186,7 +186,7 @@ export function parseQuestionLink(fragment, arms) {
 
 /**
  * Return what is wrong with a question from a link or from the storage; "" if nothing is.
- * @param {Record<string, any>} question
+ * @param {Record<string, string>} question
  * @param {string[]} arms keys
  */
 export function findQuestionFault(question, arms) {
@@ -234,7 +234,7 @@ export function findArm(question, arms) {
 /**
  * Judge an answer.
  * @param {Question} question
- * @param {any[]} arms
+ * @param {Arm[]} arms
  * @returns {Outcome}
  */
 export function judgeQuestion(question, arms) {

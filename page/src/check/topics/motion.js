@@ -41,7 +41,7 @@ function requireForm(arm) {
 }
 
 // Return the target for inverse kinematics: three coordinates, or the four rows of a pose.
-/** @param {Question} question @returns {any[]} */
+/** @param {Question} question @returns {number[] | number[][]} */
 function prepareTarget(question, arm, form) {
   const { values, pose } = readTarget(requireTarget(question), arm, undefined, !needsPose(form));
   if (needsPose(form)) return [...orthonormalize(values), [0, 0, 0, 1]];
