@@ -304,7 +304,9 @@ PYTHON = re.compile(
     r"shape \(|\(\d+,\)|\(\d, \d\)|\.\.\., |\w=[^ ]|\b(np\.|report\.|arm\.|robots\.|lambda|dof|None"
     r"|True|False|dtype|tuple|array|argument|Body|numpy|\w+Error|compare_\w+|angular_first)\b"
 )
-QUOTED = re.compile(r"""'[^']*'|"[^"]*"|“[^”]*”|\{\w+\}|\(NumPy.*\)""")
+QUOTED = re.compile(
+    r"""'[^']*'|"[^"]*"|“[^”]*”|\{call\}\(.*\)|\{\w+\}|\(NumPy.*\)"""  # a call is the student's own
+)
 TYPED = ("answer", "q", "target", "table", "values", "wrench", "steps", "radius")
 COUNTS = ["5", "1 2", "1 2 3 4", "[1 2; 3 4]", "[1, 2, 3], [4, 5, 6]", "0.1 ... 3", "± 1 2"]
 
