@@ -56,8 +56,8 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  * Explain a wrong trajectory, or return null.
  *
  * Causes in this order: coordinates of the centre left out; if the tip is `off`, a mistake in the
- * table or the path; a mistake in the joint values; any other shift; the rule of the loop, to the
- * digits or, if a mistake is `shown`, to the error of a right program; two mistakes in the path.
+ * table or the path; the rule of the loop, to the digits; a mistake in the joint values; any other
+ * shift; if a mistake is `shown`, the rule to the error of a right program; two mistakes in the path.
  * @param {Run} run @param {number[][]} tip @param {number[]} allowed
  * @param {{ off: boolean, shown: boolean }} seen
  */
@@ -71,9 +71,9 @@ export function findTraceCause(run, tip, allowed, { off, shown }) {
   if (right(run)) return shiftCause(run, named, shifted, allowed);
   return (
     wrongPathCause(run, [...others, ...named], tip, allowed, off) ??
+    loopCause(run, [...speeds(path), ...others.map(ledBy), ...matrices(run)]) ??
     jointCause(run, allowed) ??
     pathCause(shifted, path, tip, allowed) ??
-    loopCause(run, [...speeds(path), ...others.map(ledBy), ...matrices(run)]) ??
     (shown ? loopCause(run, matrices(run), [METHOD_ERROR, METHOD_TILT]) : null) ??
     (off ? pathCause(pathsWithTwoMistakes(path), path, tip, allowed) : null)
   );
