@@ -57,7 +57,8 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  *
  * Causes in this order: coordinates of the centre left out; if the tip is `off`, a mistake in the
  * table or the path; the rule of the loop, to the digits; a mistake in the joint values; any other
- * shift; if a mistake is `shown`, the rule to the error of a right program; two mistakes in the path.
+ * shift; if a mistake is `shown`, the rule to the error of a right program; two mistakes in the
+ * path.
  * @param {Run} run @param {number[][]} tip @param {number[]} allowed
  * @param {{ off: boolean, shown: boolean }} seen
  */
