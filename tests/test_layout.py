@@ -28,10 +28,11 @@ ALLOWED_FOLDERS = {
     "judge": {"judge/geometry", "judge/reading", "judge/causes", "judge/topics"},
 }
 # An arm asks the judge to read a pasted table or an entry such as "−90°", and the judge's answer
-# holds arms. Both imports are made when a text needs them.
+# holds arms. These imports are made when a text needs them.
 LATE_UPWARD_IMPORTS = {
     ("helpers.arm", "helpers.checks.tables"),
     ("helpers.expressions", "helpers.checks.engine"),
+    ("helpers.poses", "helpers.checks.compare"),
 }
 OLD_NAMES = {"helpers.sheets"}  # renamed modules, which import their new place
 
