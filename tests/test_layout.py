@@ -27,7 +27,7 @@ ALLOWED_FOLDERS = {
     "judge/topics": {"judge", "judge/geometry", "judge/reading", "judge/causes"},
     "judge": {"judge/geometry", "judge/reading", "judge/causes", "judge/topics"},
 }
-# An arm asks the judge to read a pasted table or an entry such as "−90°", and the judge's answer
+# The judge reads a pasted table, an entry such as "−90°" and a pose typed as text, and its answer
 # holds arms. These imports are made when a text needs them.
 LATE_UPWARD_IMPORTS = {
     ("helpers.arm", "helpers.checks.tables"),
