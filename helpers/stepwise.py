@@ -60,19 +60,22 @@ def stepwise_formulas(arm: Arm) -> StepwiseFormulas:
     definitions: Definitions = {}
     zero, one = sp.S.Zero, sp.S.One
     named = [[[one, zero, zero], [zero, one, zero], [zero, zero, one], [zero] * 3]]
-    frames = [_transform(named[0])]
+    frames = [_join_columns(named[0])]
     for i in range(1, len(arm.rows) + 1):
         _, _, z, origin = named[-1]
         axes = _next_axes(named[-1], arm, i)
-        names = [_names(axis, f"{c}_{i}", definitions) for c, axis in zip("xyz", axes, strict=True)]
+        names = [
+            _name_entries(axis, f"{c}_{i}", definitions)
+            for c, axis in zip("xyz", axes, strict=True)
+        ]
         d, a = exact_formula(arm, arm.rows[i - 1].d), exact_formula(arm, arm.rows[i - 1].a)
         if arm.rows[i - 1].joint.kind == "prismatic":
             d += sp.Symbol(f"q_{i}")
         tip = [o + d * w + a * u for o, w, u in zip(origin, z, names[0], strict=True)]
-        frames.append(_transform([*axes, tip]))
-        named.append([*names, _names(tip, f"o_{i}", definitions)])
+        frames.append(_join_columns([*axes, tip]))
+        named.append([*names, _name_entries(tip, f"o_{i}", definitions)])
     jacobian = Matrix(transpose([_jacobian_column(arm, i, named) for i in arm.joints]))
-    energy, torque = _gravity(arm, named, definitions) if arm.bodies else (None, None)
+    energy, torque = _compute_gravity(arm, named, definitions) if arm.bodies else (None, None)
     return StepwiseFormulas(definitions, frames, jacobian, energy, torque)
 
 
@@ -97,7 +100,7 @@ def _cos_sin(arm: Arm, entry: Entry, variable: sp.Expr = sp.S.Zero) -> tuple[sp.
     return ((c, s), (-s, c), (-c, -s), (s, -c))[turns % 4]
 
 
-def _names(vector: Vector, name: str, definitions: Definitions) -> Vector:
+def _name_entries(vector: Vector, name: str, definitions: Definitions) -> Vector:
     """Return names for a vector's entries, defined in `definitions`; short entries stay."""
     names = []
     for axis, formula in zip("xyz", vector, strict=True):
@@ -108,7 +111,7 @@ def _names(vector: Vector, name: str, definitions: Definitions) -> Vector:
     return names
 
 
-def _transform(columns: list[Vector]) -> Matrix:
+def _join_columns(columns: list[Vector]) -> Matrix:
     """Return the 4x4 transform with these columns x, y, z and origin."""
     return Matrix([*transpose(columns), [0, 0, 0, 1]])
 
@@ -122,7 +125,7 @@ def _jacobian_column(arm: Arm, i: int, named: list[list[Vector]]) -> Vector:
     return [*cross_product(z, lever), *z]
 
 
-def _gravity(
+def _compute_gravity(
     arm: Arm, named: list[list[Vector]], definitions: Definitions
 ) -> tuple[sp.Expr, Matrix]:
     """Compute the potential energy and the gravity torques.
@@ -140,7 +143,7 @@ def _gravity(
             o + sum(u * v for u, v in zip(offsets, row, strict=True))
             for o, row in zip(origin, columns, strict=True)
         ]
-        centres.append(_names(centre, f"p_{i}", definitions) if masses[-1] else centre)
+        centres.append(_name_entries(centre, f"p_{i}", definitions) if masses[-1] else centre)
     torques = []
     for i in arm.joints:
         _, _, z, origin = named[i - 1]

@@ -119,7 +119,7 @@ def test_first_row_as_in_craigs_convention_warns():
         (lambda arm: prismatic(limits=(0, 400)), "millimetres divide by 1000"),
     ],
 )
-def test_limits_and_lengths_in_other_units_warn(make, message):
+def test_value_in_another_unit_warns(make, message):
     with pytest.warns(UserWarning, match=message):
         make(Arm("two", [revolute(a=0.3), prismatic()]))
 

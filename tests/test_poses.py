@@ -5,21 +5,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from helpers import inverse
-from helpers.arm import Arm, ArmError, revolute
+from helpers.arm import ArmError
 from helpers.kinematics import forward_kinematics
 from helpers.poses import rigid_poses
+from tests.test_inverse import PUMA as TILTED_PUMA
 
-PUMA = Arm(
-    "Puma",
-    (
-        revolute(alpha="pi/2"),
-        revolute(a=0.4318),
-        revolute(a=0.0203, d=0.15005, alpha="-pi/2"),
-        revolute(d=0.4318, alpha="pi/2"),
-        revolute(alpha="-pi/2"),
-        revolute(),
-    ),
-)
+PUMA = TILTED_PUMA.with_row(6, a=0, d=0, alpha=0, theta=0)  # without its tool
 Q = np.array([0.3, 0.6, 0.5, 0.2, 0.7, -0.4])
 POSE = forward_kinematics(PUMA, Q)
 

@@ -89,7 +89,7 @@ def test_determinant_of_six_skew_joints_names_manipulability():
         symbolic.determinant(skew_arm(6))
 
 
-def test_sheet_of_eight_skew_joints_is_small_and_right():
+def test_sheet_of_eight_skew_joints_computes_its_numbers():
     arm = skew_arm(8)
     page = document(arm)
     assert len(page) < 1e6

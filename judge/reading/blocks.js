@@ -151,8 +151,9 @@ export function namesOtherQuantity({ name, words }) {
 function isAlike(row, other) {
   if (row.depth) return true;
   if (row.line === other.line) return !row.name === !other.name;
-  if (row.line !== other.line && !sharesStem(row, other)) return false;
-  return labelKind(row) === labelKind(other) && row.tail > 1 === other.tail > 1;
+  return (
+    sharesStem(row, other) && labelKind(row) === labelKind(other) && row.tail > 1 === other.tail > 1
+  );
 }
 
 // Return whether the labels of two rows are called alike but for their numbers, or have consecutive
@@ -172,7 +173,7 @@ const stemOf = ({ words }) =>
 const labelKind = ({ name, words }) =>
   /^\(?\d{1,3}\)?$/.test(name) ? "count" : (labelIn(words)?.kind ?? "");
 
-function scaled({ cells, scale, hasAnd }) {
+function applyUnits({ cells, scale, hasAnd }) {
   if (scale) return cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` }));
   const inDegrees = cells.filter(({ text }) => DEGREES_BEHIND.test(text));
   if (!hasAnd || inDegrees.length !== 1 || inDegrees[0] !== cells.at(-1)) return cells;
@@ -185,7 +186,7 @@ const DEGREES_BEHIND = / deg$/;
 /** @param {Row[]} rows @returns {Block} */
 function blockOf(rows) {
   return {
-    rows: rows.map(scaled),
+    rows: rows.map(applyUnits),
     labels: rows.map(({ words }) => words),
     headers: rows[0].above,
     name: rows[0].name || (rows[0].words.at(-1)?.text ?? ""),
@@ -310,7 +311,9 @@ function headersAbove(lines, end, width) {
 
 // Lines that hold a single cell, an entry or a word, in order.
 function singleCells(rows, words) {
-  const entries = rows.flatMap((row) => scaled(row).map((cell) => ({ line: row.line, cell, row })));
+  const entries = rows.flatMap((row) =>
+    applyUnits(row).map((cell) => ({ line: row.line, cell, row })),
+  );
   const all = [...entries, ...words.map((cell) => ({ line: cell.line, cell, row: null }))];
   const counts = new Map();
   for (const { line } of all) counts.set(line, (counts.get(line) ?? 0) + 1);

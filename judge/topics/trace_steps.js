@@ -1,5 +1,4 @@
-// How the joints of a typed trajectory move from step to step: jumps, whole turns, singular poses,
-// ranges and speeds.
+// Looks at the steps of a typed trajectory: jumps, whole turns, singular poses, ranges and speeds.
 
 import { makeCause } from "../causes/ranking.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
