@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { commentLines, includeSign, includeWord, putBehindHash, replaceSpan } from "../../page/src/check/corrections.js";
+import { commentLines, putBehindHash, replaceSpan } from "../../page/src/check/corrections.js";
+import { includeSign, includeWord, listMarks } from "../../judge/marks.js";
 import { compareTables } from "../../judge/topics/table.js";
-import { listMarks } from "../../page/src/check/marked_text.js";
 import { AnswerMemory, clearAnswers } from "../../page/src/check/memory.js";
 import { splitNumbers } from "../../page/src/check/number_grid.js";
 import { EMPTY, findQuestionFault } from "../../page/src/check/question.js";

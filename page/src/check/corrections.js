@@ -1,28 +1,5 @@
 // Corrections of a pasted text: a number is changed, or put behind a # because it is no entry.
 
-const SIGNS = "+-−–";
-
-/**
- * Return the stretch of a number with its sign.
- * @param {string} text
- * @param {{ from: number, to: number }} token its digits
- */
-export function includeSign(text, { from, to }) {
-  const isSigned = SIGNS.includes(text[from - 1] ?? " ") && !/[\w)\]]/.test(text[from - 2] ?? " ");
-  return { from: isSigned ? from - 1 : from, to };
-}
-
-/**
- * Return the stretch of the word that a number stands in, up to blanks and separators of cells.
- * @param {string} text
- * @param {{ from: number, to: number }} token
- */
-export function includeWord(text, { from, to }) {
-  const before = /[^\s|&;[\],(){}]*$/.exec(text.slice(0, from))[0].length;
-  const after = /^[^\s|&;[\],(){}]*/.exec(text.slice(to))[0].length;
-  return { from: from - before, to: to + after };
-}
-
 /**
  * Replace a stretch of the text.
  * @param {string} text

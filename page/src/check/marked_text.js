@@ -2,35 +2,12 @@
 // corrected in place; each correction changes the text itself.
 
 import { h, setText } from "../dom.js";
-import {
-  commentLines,
-  includeSign,
-  includeWord,
-  putBehindHash,
-  replaceSpan,
-} from "./corrections.js";
-import { formatEntryValue, getMatrix } from "./shown.js";
-import { IN_NAME } from "../../../judge/reading/table.js";
+import { commentLines, putBehindHash, replaceSpan } from "./corrections.js";
+import { listMarks, splitAtMarks } from "../../../judge/marks.js";
 
 /** @typedef {import("./question.js").Question} Question */
 /** @typedef {import("./question.js").Outcome} Outcome */
-/**
- * @typedef {object} Token a number of the text, as the judge lists it
- * @property {number} from
- * @property {number} to
- * @property {string} owner "entry", "label", "header", "given", "context" or "unread"
- * @property {number} [row] of an entry, from 0
- * @property {number} [column] of an entry, from 0
- * @property {string} [reason] why it was set aside
- */
-/**
- * @typedef {object} Mark a number of the text as it is shown
- * @property {number} from
- * @property {number} to
- * @property {string} kind "entry", "label", "header", "given", "context" or "unread"
- * @property {boolean} isWrong
- * @property {string} description what it was taken for
- */
+/** @typedef {import("../../../judge/marks.js").Mark} Mark */
 
 const MAX_LENGTH = 20_000; // characters; a longer text is not marked
 const HELP = "Choose a number to correct it; arrow keys move from number to number.";
@@ -42,75 +19,6 @@ const LEGEND = {
   context: "set aside",
   unread: "not read: nothing is graded",
 };
-
-/**
- * List the numbers of an answer with what each was taken for.
- * @param {Question} question
- * @param {Outcome} outcome
- * @returns {Mark[]}
- */
-export function listMarks(question, outcome) {
-  const text = question.answer;
-  const matrix = getMatrix(question, outcome);
-  return (outcome.tokens ?? []).map((token) => {
-    const isUnread = token.owner === "unread";
-    const kind = token.owner === "header" ? "label" : token.owner;
-    const index = kind === "entry" ? getEntryIndex(token, matrix) : -1;
-    const table = kind === "entry" ? outcome.verdict?.table : undefined;
-    const description = table?.wrong.length
-      ? describeTableEntry(token, table)
-      : describeToken(token, question, matrix, index);
-    return {
-      ...(isUnread ? includeWord(text, token) : includeSign(text, token)),
-      kind,
-      isWrong: Boolean(matrix?.wrong[index] || table?.wrong[token.row]?.[token.column]),
-      description,
-    };
-  });
-}
-
-// Return the index of an entry among the typed values, -1 if it is unknown.
-const getEntryIndex = (/** @type {Token} */ { row, column }, matrix) =>
-  matrix ? row * matrix.typed.shape[1] + column : -1;
-
-const TABLE_COLUMNS = ["a", "α", "d", "θ"];
-
-/** @param {Token} token @param {import("../../../judge/verdict.js").ReadTable} table */
-function describeTableEntry({ row, column }, { cells, wrong }) {
-  const value = cells[row][column].replaceAll("-", "−");
-  const unit = column % 2 ? "" : " m";
-  const end = wrong[row][column] ? ", wrong" : "";
-  return `entry of row ${row + 1}, ${TABLE_COLUMNS[column]}, read as ${value}${unit}${end}`;
-}
-
-function describeToken(token, question, matrix, index) {
-  switch (token.owner) {
-    case "entry":
-      return describeEntry(token, question, matrix, index);
-    case "label":
-      if (token.reason === IN_NAME) return "part of a name, such as q_1";
-      return token.reason ? `set aside: ${token.reason}` : "a label: it orders the answer";
-    case "header":
-      return "part of a column's header";
-    case "given":
-      return "given by the question";
-    case "unread":
-      return "not read: nothing is graded";
-    default:
-      return token.reason ? `set aside: ${token.reason}` : "set aside";
-  }
-}
-
-function describeEntry({ row, column }, { ask }, matrix, index) {
-  if (!matrix) return `entry in row ${row + 1}, column ${column + 1}`;
-  const [height, width] = matrix.shape;
-  const [i, k] = [Math.floor(index / width), index % width];
-  const place = height === 1 ? matrix.columns[k] : `${matrix.rows[i]}, ${matrix.columns[k]}`;
-  const value = `read as ${formatEntryValue(matrix.typed, index).replace("-", "−")}`;
-  const isOne = ask === "torques" || ask === "pose";
-  const name = isOne && height > 1 && width === 1 ? matrix.rows[i] : place;
-  return `entry of ${name}, ${value}${matrix.wrong[index] ? ", wrong" : ""}`;
-}
 
 /**
  * Make the region of the marked text.
@@ -142,25 +50,14 @@ export function makeMarkedText(onCorrect) {
     editor.close();
     if (root.hidden) return;
     const buttons = marks.map((mark) => makeNumber(mark, question.answer, { status, editor }));
-    text.replaceChildren(...joinText(question.answer, marks, buttons));
+    const pieces = splitAtMarks(question.answer, marks);
+    text.replaceChildren(...pieces.map((piece) => buttons[piece.index ?? -1] ?? piece.text));
     makeTabStop(buttons, marks);
     setText(status, marks.length ? HELP : "");
     legend.replaceChildren(...makeLegend(marks));
     choices.replaceChildren(...makeChoices(question.answer, outcome.answers ?? [], onCorrect));
   }
   return { root, update };
-}
-
-// Return the text's stretches, with a button in place of each number.
-function joinText(text, marks, buttons) {
-  const nodes = [];
-  let end = 0;
-  marks.forEach(({ from, to }, i) => {
-    if (from < end) return;
-    nodes.push(text.slice(end, from), buttons[i]);
-    end = to;
-  });
-  return [...nodes, text.slice(end)];
 }
 
 function makeNumber(mark, text, { status, editor }) {

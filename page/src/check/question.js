@@ -218,13 +218,14 @@ export function findArm(question, arms) {
 }
 
 /** @typedef {import("../../../judge/advice.js").Advice} Advice */
+/** @typedef {import("../../../judge/marks.js").Token} Token */
 /**
  * Judge an answer: the verdict on it, or why there is none.
  * @typedef {object} Outcome
  * @property {Verdict} [verdict]
  * @property {string} [error] why there is no verdict
  * @property {Advice[]} [advice] settings that the reader may have meant
- * @property {import("./marked_text.js").Token[]} [tokens] the numbers of the text with their owners
+ * @property {Token[]} [tokens] the numbers of the text with their owners
  * @property {{ from: number, to: number }[]} [answers] lines of several answers that differ
  * @property {Arm & { explorer?: string, reading?: string }} [arm] `reading` says how a typed table
  *   was read

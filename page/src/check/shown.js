@@ -1,57 +1,19 @@
 // Shows how an answer was read, cell by cell, and the verdict on it.
 
-import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";
 import { blocksIn, plainText } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { lookup } from "../../../judge/reading/numbers.js";
 import { SpannedText } from "../../../judge/reading/spans.js";
+import { formatEntryValue, getHeaders, getMatrix } from "../../../judge/marks.js";
 import { listDetails, GRADE_MARKS } from "../../../judge/verdict.js";
 import { ArmError } from "../../../judge/sentences.js";
 
-const ROW_NAMES = {
-  v: ["vx", "vy", "vz", "ωx", "ωy", "ωz"],
-  omega: ["ωx", "ωy", "ωz", "vx", "vy", "vz"],
-};
 const TABLE_HEADERS = ["a (m)", "α", "d (m)", "θ"];
 const MAX_ROWS = 40;
 const MAX_CELLWISE_LENGTH = 8000; // characters of an answer that is shown without a verdict
 
 /** @typedef {import("./question.js").Question} Question */
-
-/**
- * Return the column and row headers of an answer.
- * @param {Question} question
- * @param {import("../../../judge/geometry/arm.js").Arm} arm
- * @param {number[]} shape
- */
-export function getHeaders({ ask, first }, arm, [rows, width]) {
-  const numbers = movingRows(arm).map((i) => i + 1);
-  const above = (k) => (numbers.length === width ? `joint ${numbers[k]}` : String(k + 1));
-  const lines =
-    { torques: rows === 1 ? ["τ"] : [], jacobian: rows === 6 ? ROW_NAMES[first] : [] }[ask] ?? [];
-  return {
-    columns: Array.from({ length: width }, (_, k) => above(k)),
-    rows: Array.from({ length: rows }, (_, i) => lines[i] ?? `row ${i + 1}`),
-  };
-}
-
-/**
- * Return the answer as rows of cells, or null if it is not a matrix.
- * @param {Question} question
- * @param {import("./question.js").Outcome} outcome
- */
-export function getMatrix(question, { verdict, arm }) {
-  const typed = verdict?.typed;
-  if (!typed || typed.shape.length !== 2) return null;
-  const column = question.ask === "torques" && typed.shape[1] === 1;
-  const [rows, width] = column ? [1, typed.values.length] : typed.shape;
-  const wrong = verdict.wrong?.length === typed.values.length ? verdict.wrong : [];
-  const headers = getHeaders(question, arm, [rows, width]);
-  if (rows < 6 && verdict.rowNames)
-    headers.rows = verdict.rowNames.map((name) => name.replace("w", "ω"));
-  return { ...headers, typed, wrong, shape: [rows, width] };
-}
 
 /**
  * Show how the answer was read: formulas typeset, wrong cells marked, unreadable cells as typed.
@@ -156,11 +118,6 @@ function isReadable(ask, text, arm, q) {
     if (error instanceof ArmError) return false;
     throw error;
   }
-}
-
-export function formatEntryValue({ values, units }, i) {
-  const decimals = Math.min(6, units[i] ? Math.max(0, Math.round(-Math.log10(units[i]))) : 4);
-  return (Number(values[i].toFixed(decimals)) + 0).toFixed(decimals);
 }
 
 const typesetNumber = (words) => typeset(words.replaceAll("-", "−"));

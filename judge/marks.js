@@ -1,0 +1,193 @@
+// The marks on a pasted text: for each number its stretch, its owner, whether it is wrong, and a
+// description. The page and Python (helpers/checks/marked_text.py) show the same marks.
+
+import { movingRows } from "./geometry/kinematics.js";
+import { IN_NAME } from "./reading/table.js";
+
+/** @typedef {import("./geometry/arm.js").Arm} Arm */
+/** @typedef {import("./reading/owners.js").Token} Token */
+/** @typedef {import("./reading/spans.js").Span} Span */
+/** @typedef {import("./verdict.js").ReadTable} ReadTable */
+/** @typedef {import("./verdict.js").Verdict} Verdict */
+/**
+ * A question whose answer is a text: `ask` is its topic, `first` "v" or "omega".
+ * @typedef {{ answer: string, ask: string, first: string }} TextQuestion
+ */
+/**
+ * The result of a question: the verdict, or no verdict if a number was not read.
+ * @typedef {{ verdict?: Verdict, arm?: Arm, tokens?: Token[] }} TextOutcome
+ */
+/**
+ * A number of the text as it is shown.
+ * @typedef {object} Mark
+ * @property {number} from
+ * @property {number} to
+ * @property {string} kind "entry", "label", "given", "context" or "unread"
+ * @property {boolean} isWrong
+ * @property {string} description what the number was taken for
+ */
+/**
+ * An answer as a matrix, with headers, and which of its values are wrong.
+ * @typedef {{ columns: string[], rows: string[], shape: number[], wrong: boolean[],
+ *   typed: import("./reading/numbers.js").Typed }} Matrix
+ */
+
+const ROW_NAMES = {
+  v: ["vx", "vy", "vz", "ωx", "ωy", "ωz"],
+  omega: ["ωx", "ωy", "ωz", "vx", "vy", "vz"],
+};
+const TABLE_COLUMNS = ["a", "α", "d", "θ"];
+const SIGNS = "+-−–";
+
+/**
+ * List the numbers of an answer with what each was taken for.
+ * @param {TextQuestion} question
+ * @param {TextOutcome} outcome
+ * @returns {Mark[]}
+ */
+export function listMarks(question, outcome) {
+  const text = question.answer;
+  const matrix = getMatrix(question, outcome);
+  return (outcome.tokens ?? []).map((token) => {
+    const isUnread = token.owner === "unread";
+    const kind = token.owner === "header" ? "label" : token.owner;
+    const index = kind === "entry" ? getEntryIndex(token, matrix) : -1;
+    const table = kind === "entry" ? outcome.verdict?.table : undefined;
+    const description = table?.wrong.length
+      ? describeTableEntry(token, table)
+      : describeToken(token, question, matrix, index);
+    return {
+      ...(isUnread ? includeWord(text, token) : includeSign(text, token)),
+      kind,
+      isWrong: Boolean(matrix?.wrong[index] || table?.wrong[token.row]?.[token.column]),
+      description,
+    };
+  });
+}
+
+/**
+ * Cut a text into the stretches of its marks and those between them. A mark that begins within
+ * the mark before it is left out.
+ * @param {string} text
+ * @param {Mark[]} marks
+ * @returns {{ text: string, index?: number }[]} `index` is that of the stretch's mark
+ */
+export function splitAtMarks(text, marks) {
+  const pieces = [];
+  let end = 0;
+  marks.forEach(({ from, to }, index) => {
+    if (from < end) return;
+    pieces.push({ text: text.slice(end, from) }, { text: text.slice(from, to), index });
+    end = to;
+  });
+  return [...pieces, { text: text.slice(end) }].filter((piece) => piece.text);
+}
+
+// Return the index of an entry among the typed values, -1 if it is unknown.
+/** @param {Token} token @param {Matrix | null} matrix */
+const getEntryIndex = ({ row = 0, column = 0 }, matrix) =>
+  matrix ? row * matrix.typed.shape[1] + column : -1;
+
+/** @param {Token} token @param {ReadTable} table */
+function describeTableEntry({ row = 0, column = 0 }, { cells, wrong }) {
+  const value = cells[row][column].replaceAll("-", "−");
+  const unit = column % 2 ? "" : " m";
+  const end = wrong[row][column] ? ", wrong" : "";
+  return `entry of row ${row + 1}, ${TABLE_COLUMNS[column]}, read as ${value}${unit}${end}`;
+}
+
+/** @param {Token} token @param {TextQuestion} question @param {Matrix | null} matrix */
+function describeToken(token, question, matrix, index) {
+  switch (token.owner) {
+    case "entry":
+      return describeEntry(token, question, matrix, index);
+    case "label":
+      if (token.reason === IN_NAME) return "part of a name, such as q_1";
+      return token.reason ? `set aside: ${token.reason}` : "a label: it orders the answer";
+    case "header":
+      return "part of a column's header";
+    case "given":
+      return "given by the question";
+    case "unread":
+      return "not read: nothing is graded";
+    default:
+      return token.reason ? `set aside: ${token.reason}` : "set aside";
+  }
+}
+
+/** @param {Token} token @param {TextQuestion} question @param {Matrix | null} matrix */
+function describeEntry({ row = 0, column = 0 }, { ask }, matrix, index) {
+  if (!matrix) return `entry in row ${row + 1}, column ${column + 1}`;
+  const [height, width] = matrix.shape;
+  const [i, k] = [Math.floor(index / width), index % width];
+  const position = height === 1 ? matrix.columns[k] : `${matrix.rows[i]}, ${matrix.columns[k]}`;
+  const value = `read as ${formatEntryValue(matrix.typed, index).replace("-", "−")}`;
+  const isColumn = (ask === "torques" || ask === "pose") && height > 1 && width === 1;
+  const name = isColumn ? matrix.rows[i] : position;
+  return `entry of ${name}, ${value}${matrix.wrong[index] ? ", wrong" : ""}`;
+}
+
+/**
+ * Return the column and row headers of an answer.
+ * @param {{ ask: string, first: string }} question
+ * @param {Arm} arm
+ * @param {number[]} shape
+ */
+export function getHeaders({ ask, first }, arm, [rows, width]) {
+  const numbers = movingRows(arm).map((i) => i + 1);
+  const above = (k) => (numbers.length === width ? `joint ${numbers[k]}` : String(k + 1));
+  const lines =
+    { torques: rows === 1 ? ["τ"] : [], jacobian: rows === 6 ? ROW_NAMES[first] : [] }[ask] ?? [];
+  return {
+    columns: Array.from({ length: width }, (_, k) => above(k)),
+    rows: Array.from({ length: rows }, (_, i) => lines[i] ?? `row ${i + 1}`),
+  };
+}
+
+/**
+ * Return the answer as rows of cells, or null if it is not a matrix.
+ * @param {{ ask: string, first: string }} question
+ * @param {TextOutcome} outcome
+ * @returns {Matrix | null}
+ */
+export function getMatrix(question, { verdict, arm }) {
+  const typed = verdict?.typed;
+  if (!arm || !typed || typed.shape.length !== 2) return null;
+  const column = question.ask === "torques" && typed.shape[1] === 1;
+  const [rows, width] = column ? [1, typed.values.length] : typed.shape;
+  const wrong = verdict.wrong?.length === typed.values.length ? verdict.wrong : [];
+  const headers = getHeaders(question, arm, [rows, width]);
+  if (rows < 6 && verdict.rowNames)
+    headers.rows = verdict.rowNames.map((name) => name.replace("w", "ω"));
+  return { ...headers, typed, wrong, shape: [rows, width] };
+}
+
+/**
+ * Format a typed value with the decimals that were typed, six at most.
+ * @param {import("./reading/numbers.js").Typed} typed @param {number} i
+ */
+export function formatEntryValue({ values, units }, i) {
+  const decimals = Math.min(6, units[i] ? Math.max(0, Math.round(-Math.log10(units[i]))) : 4);
+  return (Number(values[i].toFixed(decimals)) + 0).toFixed(decimals);
+}
+
+/**
+ * Return the stretch of a number with its sign.
+ * @param {string} text
+ * @param {Span} token its digits
+ */
+export function includeSign(text, { from, to }) {
+  const isSigned = SIGNS.includes(text[from - 1] ?? " ") && !/[\w)\]]/.test(text[from - 2] ?? " ");
+  return { from: isSigned ? from - 1 : from, to };
+}
+
+/**
+ * Return the stretch of the word that a number stands in, up to blanks and separators of cells.
+ * @param {string} text
+ * @param {Span} token
+ */
+export function includeWord(text, { from, to }) {
+  const before = /[^\s|&;[\],(){}]*$/.exec(text.slice(0, from))?.[0].length ?? 0;
+  const after = /^[^\s|&;[\],(){}]*/.exec(text.slice(to))?.[0].length ?? 0;
+  return { from: from - before, to: to + after };
+}
