@@ -2,7 +2,7 @@
 // description. The page and Python (helpers/checks/marked_text.py) show the same marks.
 
 import { movingRows } from "./geometry/kinematics.js";
-import { IN_NAME } from "./reading/table.js";
+import { IN_NAME } from "./reading/table_owners.js";
 
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
 /** @typedef {import("./reading/owners.js").Token} Token */
@@ -59,7 +59,7 @@ export function listMarks(question, outcome) {
     return {
       ...(isUnread ? includeWord(text, token) : includeSign(text, token)),
       kind,
-      isWrong: Boolean(matrix?.wrong[index] || table?.wrong[token.row]?.[token.column]),
+      isWrong: Boolean(matrix?.wrong[index] || isWrongEntry(table, token)),
       description,
     };
   });
@@ -83,23 +83,34 @@ export function splitAtMarks(text, marks) {
   return [...pieces, { text: text.slice(end) }].filter((piece) => piece.text);
 }
 
+/** @param {ReadTable | undefined} table @param {Token} token */
+const isWrongEntry = (table, { row = -1, column = -1 }) => table?.wrong[row]?.[column];
+
 // Return the index of an entry among the typed values, -1 if it is unknown.
 /** @param {Token} token @param {Matrix | null} matrix */
 const getEntryIndex = ({ row = 0, column = 0 }, matrix) =>
   matrix ? row * matrix.typed.shape[1] + column : -1;
 
 /** @param {Token} token @param {ReadTable} table */
-function describeTableEntry({ row = 0, column = 0 }, { cells, wrong }) {
+function describeTableEntry(token, { cells, wrong }) {
+  const { row = 0, column, matrix } = token;
+  const position = matrix ? describeMatrixEntry(token) : `entry of row ${row + 1}`;
+  if (column === undefined) return position;
   const value = cells[row][column].replaceAll("-", "−");
   const unit = column % 2 ? "" : " m";
-  const end = wrong[row][column] ? ", wrong" : "";
-  return `entry of row ${row + 1}, ${TABLE_COLUMNS[column]}, read as ${value}${unit}${end}`;
+  const reading = matrix ? `gives ${TABLE_COLUMNS[column]} =` : `${TABLE_COLUMNS[column]}, read as`;
+  return `${position}, ${reading} ${value}${unit}${wrong[row][column] ? ", wrong" : ""}`;
 }
+
+/** @param {Token} token of a link matrix */
+const describeMatrixEntry = ({ row = 0, matrix: [i, k] = [0, 0] }) =>
+  `entry of A_${row + 1}, row ${i + 1}, column ${k + 1}`;
 
 /** @param {Token} token @param {TextQuestion} question @param {Matrix | null} matrix */
 function describeToken(token, question, matrix, index) {
   switch (token.owner) {
     case "entry":
+      if (token.matrix) return describeMatrixEntry(token);
       return describeEntry(token, question, matrix, index);
     case "label":
       if (token.reason === IN_NAME) return "part of a name, such as q_1";

@@ -1,6 +1,9 @@
 """Formulas, grids and tables as people type and hold them, against what they were made from."""
 
 import math
+import re
+from collections import defaultdict
+from functools import partial
 
 import numpy as np
 import pytest
@@ -8,9 +11,11 @@ import pytest
 from helpers.arm import Arm
 from helpers.inputs import ArmError
 from tests import reading, typed_tables
+from tests.cases import QUESTIONS
 from tests.node import needs_node
 
 pytestmark = needs_node
+TABLES = [case for case in QUESTIONS if case["ask"] == "table"]
 
 NO_ROWS = "the table is {}; expected rows of four entries"
 NO_ENTRIES = "the table is {}; expected lists such as 'a': [...], or entries such as 'd1': 0.3"
@@ -292,6 +297,60 @@ def test_random_tables_are_read(seed):
             for rows in map(reading.list_rows, read)
         ]
         assert any(right), (text, options)
+
+
+# A number that is not part of a name, such as q_1, q_{1}, q1, q[1] and deg2rad.
+_NUMBER = re.compile(r"(?<![A-Za-zα-ω_₀-₉])(?<!_\{)(?<![qθa][\[(])(?:\d+(?:\.\d*)?|\.\d+)")
+
+
+def list_wrong_marks(table):
+    """List the entries whose marked numbers are not those of the text that was read there.
+
+    Zeros do not count, because the text may leave them out. Link matrices have no text for an
+    entry of the table; a matrix is listed if none of its numbers is marked.
+    """
+    owners = {token["owner"] for token in table["tokens"]}
+    assert owners <= {"entry", "label", "header", "given", "context"}, owners
+    marked = defaultdict(str)
+    for token in table["tokens"]:
+        if token["owner"] == "entry":
+            marked[token["row"], token.get("column")] += token["text"]
+    if any("matrix" in token for token in table["tokens"]):
+        return [row for row in range(len(table["rows"])) if (row, None) not in marked]
+    texts = {
+        (row, column): entries["texts"][name]
+        for row, entries in enumerate(table["rows"])
+        for column, name in enumerate(typed_tables.NAMES)
+    }
+    digits = partial(re.sub, "[0.]", "")
+    return [
+        (at, text, marked[at])
+        for at, text in texts.items()
+        if digits("".join(_NUMBER.findall(text))) != digits(marked[at])
+    ]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_numbers_of_random_tables_have_owners(seed):
+    rng = np.random.default_rng(seed)
+    for _ in range(30):
+        text, options, _, _ = typed_tables.made(rng)
+        assert not list_wrong_marks(reading.read_tables(text, **options)[0]), text
+
+
+def test_numbers_of_stored_tables_have_owners():
+    options = "columns", "lengths", "angles", "convention"
+    count = 0
+    for case in TABLES:
+        try:
+            [table, *_] = reading.read_tables(
+                case["answer"], **{key: case[key] for key in options if key in case}
+            )
+        except ArmError:
+            continue
+        count += 1
+        assert not list_wrong_marks(table), case["answer"]
+    assert count > 70  # of 94; the others are refused, or use symbols of their arm
 
 
 @pytest.mark.parametrize("seed", range(5))

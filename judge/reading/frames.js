@@ -1,6 +1,8 @@
 // Frames that pandas printed in parts, one below the other, because the screen was too narrow: each
 // part but the last has a \ at the end of its column headers. They are put side by side again.
 
+import { listLines } from "./spans.js";
+
 /** @typedef {import("./spans.js").Span} Span */
 
 /**
@@ -9,7 +11,7 @@
  */
 export function unwrapFrames(pasted) {
   if (!WRAPPED.test(pasted.text)) return pasted;
-  const lines = linesWithPlaces(pasted.text);
+  const lines = listLines(pasted.text);
   const parts = [];
   for (let k = 0; k < lines.length;) {
     const frame = WRAPPED.test(lines[k].text) ? frameAt(lines, k) : null;
@@ -24,16 +26,6 @@ const WRAPPED = /\S[ \t]+\\[ \t]*$/m;
 const LEAST_GAP = 2; // blanks between two columns
 
 /** @typedef {Span & { text: string }} Line */
-
-/** @param {string} text @returns {Line[]} */
-function linesWithPlaces(text) {
-  let from = 0;
-  return text.split("\n").map((line) => {
-    const place = { from, to: from + line.length, text: line };
-    from += line.length + 1;
-    return place;
-  });
-}
 
 /**
  * Return the rows of the frame whose first part begins at a line, each as its pieces, and the

@@ -10,7 +10,8 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
  * and `column`, from 0), "label" (a joint's number, a row's name, an index, a time), "header" of a
  * column, "given" by the question itself, "context" with its `reason`, or "unread".
  * @typedef {{ text: string, from: number, to: number, line: number, owner: string, row?: number,
- *   column?: number, reason?: string }} Token
+ *   column?: number, matrix?: number[], reason?: string }} Token `matrix`, of a link
+ *   matrix A_row, is its row and column there; `column` is then the entry that it gives
  */
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {import("./lines.js").Row} Row */
@@ -20,7 +21,7 @@ const LINE_END = /\r\n?|[\n\v\f]/g;
 const LONG = 9; // rows of a block, from which a row of its width apart from it is a part of it
 
 /** The numbers of a text, to be claimed once each. */
-class Tokens {
+export class Tokens {
   /** @param {string} text */
   constructor(text) {
     const ends = [...text.matchAll(LINE_END)].map((end) => end.index + end[0].length);

@@ -3,6 +3,19 @@
 
 /** A stretch of the pasted text. @typedef {{ from: number, to: number }} Span */
 
+/**
+ * List the lines of a text with the stretches that they cover.
+ * @param {string} text @returns {(Span & { text: string })[]}
+ */
+export function listLines(text) {
+  let from = 0;
+  return text.split("\n").map((line) => {
+    const span = { from, to: from + line.length, text: line };
+    from = span.to + 1;
+    return span;
+  });
+}
+
 export class SpannedText {
   /** @param {string} text @param {number[]} [starts] @param {number[]} [ends] of each character */
   constructor(text, starts = null, ends = null) {

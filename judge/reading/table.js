@@ -7,9 +7,10 @@ import { hasDecimals, number, plain, simple } from "./formula.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { tablesIn } from "./table_blocks.js";
-import { fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
+import { EXCHANGED, fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
-import { few, named } from "./table_notations.js";
+import { readNamedTable, refuseManyRows } from "./table_notations.js";
+import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
 import { ENTRIES, entryText, isVariable, rowOf, toMetres, UNITS } from "./table_rows.js";
 import {
   ArmError,
@@ -22,7 +23,6 @@ import {
 
 const MILLIMETRES = 10; // a length this large is no number of metres
 const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of radians
-const EXCHANGED = { alpha: "theta", theta: "alpha" };
 
 /** @typedef {import("../geometry/arm.js").TableRow} Numbers */
 
@@ -65,8 +65,12 @@ export function read(text, { columns, ...options } = {}, values = []) {
   const own = defined(pasted.text);
   const known = new Map([...values, ...own].map(([name, x]) => [simple(name), x]));
   const live = withoutComments(pasted);
-  const found = (live && named(live.text)) ?? named(pasted.text);
-  if (found) return tablesOf(found, { columns, options, known });
+  for (const plainText of [live, pasted]) {
+    const named = plainText && readNamedTable(plainText.text);
+    if (!named) continue;
+    const tokens = listNamedNumbers(plainText, text, named);
+    return tablesOf(named, { columns, options, known }).map((table) => ({ ...table, tokens }));
+  }
   const tables =
     live &&
     tryOrNull(() => tablesOfBlocks(text, tablesIn(text, known, live), { columns, options, known }));
@@ -77,52 +81,26 @@ export function read(text, { columns, ...options } = {}, values = []) {
 function tablesOfBlocks(text, blocks, asked) {
   let refused = null;
   for (const block of blocks) {
+    let tokens = [];
     try {
-      const tokens = refuseBlock(block, text);
-      const tables = tablesOf({ ...block, said: [] }, asked);
-      return tables.map((table) => ({
+      tokens = refuseBlock(block, text);
+      return tablesOf({ ...block, said: [] }, asked).map((table) => ({
         ...table,
-        tokens: placeEntries(tokens, block, table, text),
+        tokens: table.order
+          ? placeBlockNumbers(tokens, block, table, text)
+          : placeMatrixNumbers(tokens, text),
       }));
     } catch (error) {
-      if (!(error instanceof ArmError) || error instanceof NoLink) throw error;
+      if (!(error instanceof ArmError)) throw error;
+      if (error instanceof NoLink) {
+        error.tokens = placeMatrixNumbers(tokens, text);
+        throw error;
+      }
       refused ??= error;
     }
   }
   if (refused) throw refused;
   throw new ArmError(formatMessage("no rows", { given: quoteText(text) }));
-}
-
-// Give each number of an entry its row and its column in the order of ENTRIES. A number of another
-// column, or within a name such as q_1, is a label. The numbers of link matrices are not marked: no
-// column of the table is theirs.
-/**
- * @param {import("./owners.js").Token[]} tokens
- * @param {import("./table_blocks.js").TableBlock} block
- * @param {{ order?: string[] }} table @param {string} text
- */
-function placeEntries(tokens, { cells, heads, isTurned = false }, { order = [] }, text) {
-  const names = heads.length ? nameColumns(heads) : order;
-  if (!names.length) return undefined;
-  return tokens.map((token) => {
-    if (token.owner !== "entry") return token;
-    const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];
-    const column = ENTRIES.indexOf(names[at - (cells[row].length - names.length)]);
-    if (column < 0) return { ...token, owner: "label", row: undefined, column: undefined };
-    if (/[\p{L}_][{]?$/u.test(text.slice(Math.max(0, token.from - 2), token.from)))
-      return { ...token, owner: "label", reason: IN_NAME, row: undefined, column: undefined };
-    return { ...token, row, column };
-  });
-}
-
-export const IN_NAME = "part of a name";
-
-// Name the entry that each column header stands for; an offset beside d is one of theta.
-function nameColumns(heads) {
-  const names = heads.map(headOf);
-  const isTwice = names.filter((name) => name === "d").length > 1;
-  const isOffset = (head) => head.toLowerCase().includes("offset");
-  return names.map((name, k) => (isTwice && isOffset(heads[k]) ? "theta" : name));
 }
 
 // An error for numbers that are not read, rows torn in two, and frames where links are asked for.
@@ -168,7 +146,7 @@ function tablesOf(found, { columns, options, known }) {
   const links = matrices(typed.cells);
   if (links) return [{ ...ofMatrices(links, known, options), left: typed.left }];
   const { cells, heads } = withoutIndex(typed);
-  few(cells.length);
+  refuseManyRows(cells.length);
   const order = ordered(cells, heads, columns);
   const named = { ...fromHeads(heads), ...(found.convention && { convention: found.convention }) };
   const units = unitsOf(options, withContext(named, typed.context));
@@ -178,7 +156,7 @@ function tablesOf(found, { columns, options, known }) {
     ...units,
     ...table,
     order: order.typedOrder ?? table.order,
-    left: typed.entries ? typed.left : [...typed.left, ...unused],
+    left: [...typed.left, ...unused],
     said: [...typed.said, ...table.said],
   }));
 }
@@ -203,7 +181,7 @@ const unitsOf = ({ lengths, angles, convention }, heads = {}) => ({
 });
 
 function ofMatrices(found, known, options) {
-  few(found.length);
+  refuseManyRows(found.length);
   const rows = found.map((A, k) => fromMatrix(k + 1, A, known));
   return { ...unitsOf(options), rows, said: [formatMessage("taken: matrices")] };
 }

@@ -38,6 +38,17 @@ export function headOf(cell) {
 const withoutSubscripts = (text) =>
   text.replace(/[ᵢⱼₖₙ₋₁]/g, (one) => "ijkn-1"["ᵢⱼₖₙ₋₁".indexOf(one)]).replaceAll("⍺", "α");
 
+/** The entry that is meant where the headers of alpha and theta are exchanged. */
+export const EXCHANGED = { alpha: "theta", theta: "alpha" };
+
+// Name the entry that each column header stands for; an offset beside d is one of theta.
+export function nameColumns(heads) {
+  const names = heads.map(headOf);
+  const isTwice = names.filter((name) => name === "d").length > 1;
+  const isOffset = (head) => head.toLowerCase().includes("offset");
+  return names.map((name, k) => (isTwice && isOffset(heads[k]) ? "theta" : name));
+}
+
 export function fromHeads(heads) {
   const text = withoutSubscripts(heads.join(" "));
   const [, lengths = null] = /[[(/_ ]\s?(mm|cm|m)(?!\w)/.exec(text) ?? [];

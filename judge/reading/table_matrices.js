@@ -50,6 +50,19 @@ const entriesOf = (A) => ({
   theta: Math.atan2(A[1][0], A[0][0]),
 });
 
+const READ_ENTRIES = [
+  ["theta", "", "", "a"],
+  ["theta", "", "", "a"],
+  ["", "alpha", "alpha", "d"],
+];
+
+/**
+ * Find the entry of the table that is read at a position of a link matrix.
+ * @param {number[]} position row and column, from 0
+ * @returns {string} empty if the number there only confirms others
+ */
+export const findReadEntry = ([row, column]) => READ_ENTRIES[row]?.[column] ?? "";
+
 // A matrix that no row of a table gives, or not as it stands; the cause, if it is known.
 export class NoLink extends ArmError {
   constructor(key, fields = {}) {

@@ -1,261 +1,319 @@
-// Tables whose entries have names: Link(...) and its kin, dictionaries, pairs such as a_1 = 0, and
-// lists such as a = [...], each as rows of cells and the heads above them.
+// Tables whose entries have names: Link(...) lines and their kin, dictionaries, pairs such as
+// a_1 = 0, and lists such as a = [...]. Each becomes rows of entries below column headers.
 
 import { number } from "./formula.js";
+import { listLines } from "./spans.js";
 import { headOf } from "./table_columns.js";
 import { ENTRIES, isVariable } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const MOST_ROWS = 32;
 
+/** @typedef {import("./spans.js").Span} Span */
 /**
- * A bracket of a text: the words before it and between it and its end; `pairs` where it holds some
- * and none within it does.
- * @typedef {{ from: number, to: number, sign: string, before: string, body: string,
- *   pairs: boolean }} Group
+ * A bracket of a text: its character, the text before it and inside it; `hasPairs` if it holds
+ * pairs of names and values and no bracket inside it does. `start` is where `body` begins.
+ * @typedef {{ from: number, to: number, open: string, before: string, body: string, start: number,
+ *   hasPairs: boolean }} Bracket
+ */
+/** An entry, with the stretches of the text it was typed in; none if it was left out.
+ * @typedef {{ text: string, spans: Span[] }} Entry
  */
 /**
- * Rows of cells; `parts` of the text that hold them, from and to, `entries` as typed where the
- * cells were put together from them.
- * @typedef {{ cells: string[][], heads: string[], said: string[], parts: number[][],
- *   entries?: string[], context?: string, left?: string[] }} Cells
+ * Rows of entries below their headers; `parts` are the stretches of the text that hold them.
+ * @typedef {{ rows: Entry[][], headers: string[], parts: Span[], said?: string[],
+ *   convention?: string }} EntryRows
  */
-
-/** @returns {Cells} */
-const plainly = (cells, parts, heads = ENTRIES) => ({ cells, parts, heads, said: [] });
-
-const unquoted = (text) => text.trim().replace(/^['"]+|['"]+$/g, "");
+/**
+ * A table whose entries have names: `sources` says where each entry stands in the text, `context`
+ * is the text around the table, and `left` lists what was not used.
+ * @typedef {{ cells: string[][], heads: string[], said: string[], convention?: string,
+ *   sources: Source[], parts: Span[], context: string, left: string[] }} NamedTable
+ */
+/** @typedef {Span & { row: number, column: number }} Source `column` in the order of ENTRIES */
 
 /**
- * The cells of a table whose entries have names, in the first such notation that the text is
- * written in, and what else stands there; null where there is none.
- * @returns {Cells | null}
+ * Read a table whose entries have names, in the first notation that fits.
+ * @param {string} typedText
+ * @returns {NamedTable | null} null if the text is in no such notation
  */
-export function named(typed) {
-  const text = typed.replace(/[“”„‟‘’]/g, '"');
-  const groups = groupsIn(text);
-  const found = ofLinks(groups) ?? ofRecords(text, groups) ?? ofLists(groups);
-  return found && { ...found, ...outside(text, found) };
+export function readNamedTable(typedText) {
+  const text = typedText.replace(/[“”„‟‘’]/g, '"');
+  const brackets = listBrackets(text);
+  const table = readLinks(brackets) ?? readDictionaries(text, brackets) ?? readLists(brackets);
+  if (!table) return null;
+  const { rows, headers, parts, said = [], convention } = table;
+  refuseManyRows(rows.length);
+  const sources = rows.flatMap((entries, row) =>
+    entries.flatMap(({ spans }, k) => {
+      const column = ENTRIES.indexOf(headOf(headers[k]));
+      return spans.map((span) => ({ ...span, row, column }));
+    }),
+  );
+  const cells = rows.map((entries) => entries.map((entry) => entry.text));
+  const named = { cells, heads: headers, said, sources, parts };
+  return { ...named, ...(convention && { convention }), ...listUnused(text, parts, sources) };
 }
 
 const NEAR = 40; // characters before a bracket that may name it
 
-/** @returns {Group[]} */
-function groupsIn(text) {
-  const [found, open] = [[], []];
+/** List the brackets of a text. @param {string} text @returns {Bracket[]} */
+function listBrackets(text) {
+  const [brackets, unclosed] = [[], []];
   for (let at = 0; at < text.length; at++) {
-    const sign = text[at];
-    if ("[({".includes(sign)) open.push({ from: at, sign, marked: false, within: false });
-    else if ("=:".includes(sign) && open.length) open.at(-1).marked = true;
-    else if ("])}".includes(sign) && open.length) {
-      const { from, sign, marked, within } = open.pop();
+    const character = text[at];
+    if ("[({".includes(character))
+      unclosed.push({ from: at, open: character, hasSign: false, isOuter: false });
+    else if ("=:".includes(character) && unclosed.length) unclosed.at(-1).hasSign = true;
+    else if ("])}".includes(character) && unclosed.length) {
+      const { from, open, hasSign, isOuter } = unclosed.pop();
       const before = text.slice(Math.max(0, from - NEAR), from);
-      if (open.length && (marked || within)) open.at(-1).within = true;
-      const pairs = marked && !within;
-      found.push({ from, to: at + 1, sign, before, body: text.slice(from + 1, at), pairs });
+      if (unclosed.length && (hasSign || isOuter)) unclosed.at(-1).isOuter = true;
+      const [start, body] = [from + 1, text.slice(from + 1, at)];
+      brackets.push({ from, to: at + 1, open, before, body, start, hasPairs: hasSign && !isOuter });
     }
   }
-  return found.sort((one, other) => one.from - other.from);
+  return brackets.sort((left, right) => left.from - right.from);
 }
 
-// List what no part that was read covers: lines, and decimals within the parts
-// or beside them.
-function outside(text, { parts, cells, entries = cells.flat() }) {
-  const hidden = (from, to) => text.slice(from, to).replace(/[^\n]+/g, READ);
-  const ends = [0, ...parts.flat(), text.length];
-  const rest = ends
-    .slice(1)
-    .map((to, k) => (k % 2 ? hidden(ends[k], to) : text.slice(ends[k], to)));
-  const all = rest.join("").split("\n");
-  const lines = all.filter((line) => !line.includes(READ));
-  const held = new Set(entries.join(" ").match(DECIMAL));
-  const decimals = (list) => list.flatMap((part) => part.match(DECIMAL) ?? []);
-  const lost = decimals(parts.map(([from, to]) => text.slice(from, to))).filter(
-    (x) => !held.has(x),
+/**
+ * List what was not used: lines outside the table, and decimals on its lines.
+ * @param {string} text @param {Span[]} parts @param {Span[]} sources
+ */
+function listUnused(text, parts, sources) {
+  const isInside = (/** @type {Span} */ { from, to }) =>
+    parts.some((part) => part.from < to && part.to > from);
+  const [ownLines, otherLines] = [[], []];
+  for (const line of listLines(text)) (isInside(line) ? ownLines : otherLines).push(line);
+  const isUsed = (from) => sources.some((source) => source.from <= from && from < source.to);
+  const decimals = ownLines.flatMap(({ text: line, from }) =>
+    [...line.matchAll(DECIMAL)].filter(({ index }) => !isUsed(from + index)).map(([x]) => x),
   );
-  const told = lines.map((line) => line.trim()).filter((line) => /[\p{L}\d]{2}/u.test(line));
-  const beside = all.filter((line) => line.includes(READ));
-  return { context: lines.join("\n"), left: [...told, ...decimals(beside), ...lost] };
+  const trimmed = otherLines.map((line) => line.text.trim());
+  const told = trimmed.filter((line) => /[\p{L}\d]{2}/u.test(line));
+  return { context: trimmed.join("\n"), left: [...told, ...decimals] };
 }
 
-const READ = "\u0000";
 const DECIMAL = /(?<!\d)\d*\.\d+/g;
+
+/**
+ * Make an entry of a stretch of a text, without blanks and quotes around it.
+ * @param {string} text of the stretch @param {number} from where it begins
+ * @returns {Entry}
+ */
+function makeEntry(text, from) {
+  const inner = text.trim().replace(/^['"]+|['"]+$/g, "");
+  const start = from + text.indexOf(inner);
+  return { text: inner, spans: inner ? [{ from: start, to: start + inner.length }] : [] };
+}
+
+/** Make an entry that the text leaves out. @param {string} text @returns {Entry} */
+const makeUntyped = (text) => ({ text, spans: [] });
 
 const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|mm|cm|m)?[)}]?`;
 const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ])([A-Za-zαθ]+${INDEX})['"]?\s*[:=]\s*`, "g");
 
-// A row for each dictionary, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), and each line of
-// pairs; where the names have numbers, a_1 = 0, a row for each number. A dictionary of
-// nothing else may leave out what is 0; of other pairs a row has three at least. In a dictionary
-// that counts alpha0, a0, d1, ... (Craig) a row is alpha0, a0, d1.
-function ofRecords(text, groups) {
-  const braced = groups.filter(
-    ({ sign, before, pairs }) => pairs && (sign === "{" || before.endsWith("dict")),
+/**
+ * Read a row from each dictionary, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), or from each
+ * line of pairs. If the names have numbers, a_1 = 0, each number is a row. A dictionary may leave
+ * out what is 0; other pairs make a row if there are three. A dictionary that counts alpha0, a0,
+ * d1, ... follows Craig: its rows are alpha0, a0, d1.
+ * @param {string} text @param {Bracket[]} brackets @returns {EntryRows | null}
+ */
+function readDictionaries(text, brackets) {
+  const braced = brackets.filter(
+    ({ open, before, hasPairs }) => hasPairs && (open === "{" || before.endsWith("dict")),
   );
-  const bodies = braced.length ? braced : linesIn(text);
-  const rows = new Map();
-  const pairsByBody = bodies.map(({ body }) => pairsIn(body));
+  const lines = listLines(text).map((line) => ({ ...line, body: line.text, start: line.from }));
+  const bodies = braced.length ? braced : lines;
+  const pairsByBody = bodies.map(listPairs);
   const isCraig = countsTwistsFromZero(pairsByBody.flat());
+  const rows = new Map();
   bodies.forEach(({ body, from, to }, k) => {
     const pairs = isCraig ? pairsByBody[k].map(countFromOne) : pairsByBody[k];
-    const whole = braced.length && body.match(/[:=]/g)?.length === pairs.length;
-    for (const { entry, name, i, x } of pairs) {
-      const fewest = whole && !i ? 1 : 3;
-      const row = rows.get(i ?? bodies[k]) ?? { entries: new Map(), parts: [], fewest };
-      rows.set(i ?? bodies[k], row);
-      row.entries.set(entry, { name, x });
-      row.parts.push([from, to]);
+    const isWhole = braced.length && body.match(/[:=]/g)?.length === pairs.length;
+    for (const { column, name, index, entry } of pairs) {
+      const fewest = isWhole && !index ? 1 : 3;
+      const row = rows.get(index ?? k) ?? { columns: new Map(), parts: [], fewest };
+      rows.set(index ?? k, row);
+      row.columns.set(column, { name, entry });
+      row.parts.push({ from, to });
     }
   });
-  const found = [...rows.values()].filter(({ entries, fewest }) => entries.size >= fewest);
-  if (found.length < 2) return null;
-  const heads = ENTRIES.map((entry) => found[0].entries.get(entry)?.name ?? entry);
-  const cells = found.map(({ entries }, k) =>
-    ENTRIES.map((entry) => entries.get(entry)?.x ?? blank(entry, k + 1)),
-  );
-  const parts = new Map(found.flatMap((row) => row.parts).map((part) => [part[0], part]));
-  const table = plainly(
-    cells,
-    [...parts.values()].sort(([one], [other]) => one - other),
-    heads,
-  );
+  const kept = [...rows.values()].filter(({ columns, fewest }) => columns.size >= fewest);
+  if (kept.length < 2) return null;
+  const table = {
+    rows: kept.map(({ columns }, k) =>
+      ENTRIES.map((name) => columns.get(name)?.entry ?? makeOmitted(name, k + 1)),
+    ),
+    headers: ENTRIES.map((name) => kept[0].columns.get(name)?.name ?? name),
+    parts: kept.flatMap(({ parts }) => parts),
+  };
   return isCraig ? { ...table, convention: "craig" } : table;
 }
 
-const isTwist = ({ entry }) => entry === "a" || entry === "alpha";
+const isTwist = ({ column }) => column === "a" || column === "alpha";
 
 // Return whether the numbers of a and alpha begin with 0 and those of d and theta with 1.
 function countsTwistsFromZero(pairs) {
-  const least = (list) => Math.min(...list.map(({ i }) => Number(i ?? Infinity)));
+  const least = (list) => Math.min(...list.map(({ index }) => Number(index ?? Infinity)));
   const others = pairs.filter((pair) => !isTwist(pair));
   return least(pairs.filter(isTwist)) === 0 && least(others) === 1;
 }
 
 const countFromOne = (pair) =>
-  isTwist(pair) && pair.i ? { ...pair, i: String(Number(pair.i) + 1) } : pair;
+  isTwist(pair) && pair.index ? { ...pair, index: String(Number(pair.index) + 1) } : pair;
 
-function linesIn(text) {
-  let from = 0;
-  return text.split("\n").map((body) => {
-    const to = from + body.length;
-    const line = { body, from, to };
-    from = to + 1;
-    return line;
+// List the entries that a text names; a value reaches to the next name.
+function listPairs({ body, start }) {
+  const names = [...body.matchAll(PAIR)];
+  return names.flatMap(({ 0: all, 1: name, 2: index, index: at }, k) => {
+    const from = at + all.length;
+    const [value] = body.slice(from, names[k + 1]?.index).split(/[,;[]/);
+    const entry = makeEntry(value, start + from);
+    const column = headOf(index ? name.replace(index, "") : name);
+    if (!ENTRIES.includes(column) || !entry.text) return [];
+    return [{ column, name: index ? column : name, index, entry }];
   });
 }
 
-// The entries of a table that a text names, a value reaching to the next name.
-function pairsIn(text) {
-  const names = [...text.matchAll(PAIR)];
-  return names.flatMap(({ 0: all, 1: name, 2: i, index }, k) => {
-    const value = text.slice(index + all.length, names[k + 1]?.index);
-    const x = unquoted(value.split(/[,;[]/)[0]);
-    const entry = headOf(i ? name.replace(i, "") : name);
-    return ENTRIES.includes(entry) && x ? [{ entry, name: i ? entry : name, i, x }] : [];
-  });
-}
-
-const blank = (entry, i) => (entry === "theta" ? `q_${i}` : "0");
+const makeOmitted = (column, row) => makeUntyped(column === "theta" ? `q_${row}` : "0");
 
 const LIST = /([\p{L}_][\p{L}\p{N}_]*)['"]?\s*[=:]\s*(?:(?:np\.array|Matrix)?\s*\(\s*)?$/u;
 
-// Four parallel lists, or three.
-function ofLists(groups) {
-  const found = groups.flatMap(({ sign, before, body, from, to }) => {
-    const name = sign === "(" ? null : LIST.exec(before);
-    return name ? [{ entry: headOf(name[1]) ?? "", body, part: [from - name[0].length, to] }] : [];
+/**
+ * Read a table from four parallel lists, or from those of a, alpha and d.
+ * @param {Bracket[]} brackets @returns {EntryRows | null}
+ */
+function readLists(brackets) {
+  const lists = brackets.flatMap(({ open, before, body, start, from, to }) => {
+    const name = open === "(" ? null : LIST.exec(before);
+    if (!name) return [];
+    const part = { from: from - name[0].length, to };
+    return [{ column: headOf(name[1]) ?? "", entries: listEntries(body, start), part }];
   });
-  if (found.length < 3 || !found.every(({ entry }) => ENTRIES.includes(entry))) return null;
-  const named = new Map(found.map(({ entry, body }) => [entry, listIn(body)]));
-  const lists = [...named.values()];
-  const counts = [...new Set(lists.map((list) => list.length))].sort((p, q) => p - q);
+  if (lists.length < 3 || !lists.every(({ column }) => ENTRIES.includes(column))) return null;
+  const columns = new Map(lists.map(({ column, entries }) => [column, entries]));
+  const counts = [...new Set([...columns.values()].map(({ length }) => length))];
   if (counts.length !== 1)
-    throw new ArmError(formatMessage("uneven lists", { counts: counts.join(", ") }));
-  const rows = lists[0].map((_, k) => lists.map((list) => list[k]));
-  const parts = found.map(({ part }) => part);
-  const table = plainly(rows, parts, [...named.keys()]);
-  return named.size === 3 && !named.has("theta") ? withTheta(table, named.get("d")) : table;
+    throw new ArmError(
+      formatMessage("uneven lists", { counts: counts.sort((p, q) => p - q).join(", ") }),
+    );
+  const table = {
+    rows: Array.from({ length: counts[0] }, (_, k) => [...columns.values()].map((list) => list[k])),
+    headers: [...columns.keys()],
+    parts: lists.map(({ part }) => part),
+  };
+  return columns.size === 3 && !columns.has("theta") ? addTheta(table, columns.get("d")) : table;
 }
 
 // Add the joints' angles to lists of d, a and alpha; a row whose d is a variable slides.
-/** @param {Cells} table @param {string[]} distances @returns {Cells} */
-function withTheta(table, distances) {
-  const angles = distances.map((d, k) => (isVariable(d) ? "0" : `q_${k + 1}`));
+/** @param {EntryRows} table @param {Entry[]} distances @returns {EntryRows} */
+function addTheta(table, distances) {
+  const angles = distances.map(({ text }, k) => makeUntyped(isVariable(text) ? "0" : `q_${k + 1}`));
   return {
     ...table,
-    cells: table.cells.map((row, k) => [...row, angles[k]]),
-    heads: [...table.heads, "theta"],
+    rows: table.rows.map((row, k) => [...row, angles[k]]),
+    headers: [...table.headers, "theta"],
     said: [formatMessage("taken: no theta")],
   };
 }
 
-// The entries of a list; commas part them, else blanks.
-function listIn(body) {
-  const parted = body.trim().split(/[,;\n]+/);
-  const entries = parted.length > 1 ? parted : body.trim().split(/\s+/);
-  return entries.map(unquoted).filter(Boolean);
+/** List the entries between commas, else between blanks. @returns {Entry[]} */
+function listEntries(body, start) {
+  const pattern = /[,;\n]/.test(body.trim()) ? /[^,;\n]+/g : /\S+/g;
+  return [...body.matchAll(pattern)]
+    .map(({ 0: text, index }) => makeEntry(text, start + index))
+    .filter(({ text }) => text);
 }
 
 const LINK = /(?<!\p{L})(?:(?:DH)?Link|(?:Revolute|Prismatic)[\p{L}\d_]*)\s*$/u;
 
-// Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3, ...).
-function ofLinks(groups) {
-  const links = groups.flatMap(({ sign, before, body, from, to }) => {
-    const [kind] = (sign === "(" && LINK.exec(before)) || [""];
-    return kind ? [{ ...linkOf(kind, body), part: [from - kind.length, to] }] : [];
+/**
+ * Read Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]), RevoluteDH(d=0.3).
+ * @param {Bracket[]} brackets @returns {EntryRows | null}
+ */
+function readLinks(brackets) {
+  const links = brackets.flatMap((bracket) => {
+    const [call] = (bracket.open === "(" && LINK.exec(bracket.before)) || [""];
+    return call
+      ? [{ ...readLink(call, bracket), part: { from: bracket.from - call.length, to: bracket.to } }]
+      : [];
   });
   if (!links.length) return null;
-  const cells = links.map(({ row, slides }, k) => {
-    const moves = slides ? "d" : "theta";
-    const still = number(row[moves]) ? row[moves] : row.offset;
-    return ENTRIES.map((entry) => (entry === moves ? `q_${k + 1} + (${still})` : row[entry]));
-  });
-  const entries = links.flatMap(({ given }) => Object.values(given));
-  const parts = links.map(({ part }) => part);
-  const isModified = links.some(({ calls }) => MODIFIED.test(calls));
-  const found = { ...plainly(cells, parts), said: [formatMessage("taken: links")], entries };
-  return isModified ? { ...found, convention: "craig" } : found;
+  const table = {
+    rows: links.map(({ values, slides }, k) => {
+      const moving = slides ? "d" : "theta";
+      const variable = makeVariable(k + 1, values[moving], values.offset);
+      return ENTRIES.map((name) =>
+        name === moving ? variable : (values[name] ?? makeUntyped("0")),
+      );
+    }),
+    headers: ENTRIES,
+    parts: links.map(({ part }) => part),
+    said: [formatMessage("taken: links")],
+  };
+  return links.some(({ call }) => MODIFIED.test(call)) ? { ...table, convention: "craig" } : table;
+}
+
+/**
+ * Make the entry of a joint's variable from what stands in its place and its offset. A number in
+ * its place is the offset; another text in its place, as q1 or 0, only says that it moves.
+ * @param {number} row @param {Entry} [typed] @param {Entry} [offset]
+ */
+function makeVariable(row, typed = makeUntyped("0"), offset = makeUntyped("0")) {
+  const still = number(typed.text) ? typed : offset;
+  const spans = still === typed ? typed.spans : [...typed.spans, ...offset.spans];
+  return { text: `q_${row} + (${still.text})`, spans };
 }
 
 const MODIFIED = /MDH\b|\bmodified\b|\bmdh\s*=\s*(?:True|1)/;
 const LISTED = ["d", "a", "alpha", "offset"]; // arguments of RevoluteDH without names
 
-const PLACES = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
+const POSITIONS = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
 const NAMED = /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset|sigma)['"]?\s*[,=]\s*([^,]+)/gu;
 
-function linkOf(kind, body) {
-  const none = { a: "0", alpha: "0", d: "0", theta: "0", offset: "0" };
-  const list = body.trim().startsWith("[") ? listIn(body.trim().slice(1).split("]")[0]) : [];
-  const pairs = list.length
-    ? PLACES.slice(0, list.length).map((name, i) => [name, list[i]])
-    : (namedPairs(body) ?? listedPairs(kind, body));
-  const given = Object.fromEntries(pairs);
-  const sigma = number(given.sigma ?? "0");
-  if (list.length > PLACES.length || (sigma !== 0 && sigma !== 1))
-    throw new ArmError(formatMessage("link sigma", { given: quoteText(`${kind}(${body})`) }));
-  const slides =
-    `${kind}${body}`.toLowerCase().includes("prismatic") ||
-    sigma === 1 ||
-    ("theta" in given && !("d" in given));
-  return { row: { ...none, ...given }, slides, given, calls: `${kind}(${body})` };
+/** Read the values of one Link(...). @param {string} name @param {Bracket} bracket */
+function readLink(name, { body, start }) {
+  const call = `${name}(${body})`;
+  const pairs =
+    listVector(body, start) ?? listNamedValues(body, start) ?? listUnnamedValues(name, body, start);
+  /** @type {Record<string, Entry>} */
+  const values = Object.fromEntries(pairs);
+  const sigma = number(values.sigma?.text ?? "0");
+  if ("" in values || (sigma !== 0 && sigma !== 1))
+    throw new ArmError(formatMessage("link sigma", { given: quoteText(call) }));
+  const isPrismatic = call.toLowerCase().includes("prismatic") || sigma === 1;
+  return { values, slides: isPrismatic || Boolean(values.theta && !values.d), call };
 }
 
-function namedPairs(body) {
-  const pairs = [...body.matchAll(NAMED)].map(([, name, x]) => [name, x.trim()]);
+// List the values of Link([...]); a name is empty if there are too many.
+function listVector(body, start) {
+  const [, vector] = /^\s*\[([^\]]*)/.exec(body) ?? [];
+  const entries = vector ? listEntries(vector, start + body.indexOf(vector)) : [];
+  return entries.length ? entries.map((entry, k) => [POSITIONS[k] ?? "", entry]) : null;
+}
+
+function listNamedValues(body, start) {
+  const pairs = [...body.matchAll(NAMED)].map(({ 0: all, 1: name, 2: value, index }) => [
+    name,
+    makeEntry(value, start + index + all.length - value.length),
+  ]);
   return pairs.length || !body.trim() ? pairs : null;
 }
 
-// Arguments by their order, which the Robotics Toolbox gives Revolute and Prismatic alone.
-function listedPairs(kind, body) {
-  const values = listIn(body).filter((value) => !value.includes("="));
-  const names = /prismatic/i.test(kind) ? ["theta", ...LISTED.slice(1)] : LISTED;
-  if (!/^(?:revolute|prismatic)/i.test(kind) || values.length > names.length)
+// List arguments by their order, which only Revolute and Prismatic of the Robotics Toolbox fix.
+function listUnnamedValues(name, body, start) {
+  const entries = listEntries(body, start).filter(({ text }) => !text.includes("="));
+  const names = /prismatic/i.test(name) ? ["theta", ...LISTED.slice(1)] : LISTED;
+  if (!/^(?:revolute|prismatic)/i.test(name) || entries.length > names.length)
     throw new ArmError(
-      formatMessage("link order", { given: quoteText(`${kind}(${body})`), call: kind.trim() }),
+      formatMessage("link order", { given: quoteText(`${name}(${body})`), call: name.trim() }),
     );
-  return values.map((value, k) => [names[k], value]);
+  return entries.map((entry, k) => [names[k], entry]);
 }
 
-export function few(count) {
+/** Refuse a table of too many rows. @param {number} count */
+export function refuseManyRows(count) {
   if (count > MOST_ROWS) throw new ArmError(formatMessage("many rows", { count, most: MOST_ROWS }));
 }

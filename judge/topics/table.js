@@ -134,7 +134,7 @@ function withLocked(table, kinds) {
 const fixed = (row) => ({ ...row, kind: "fixed", joint: null });
 
 /** @returns {Verdict} */
-function noLink({ message, causes }, { name }) {
+function noLink({ message, causes, tokens }, { name }) {
   const findings = [{ what: "cause", where: "", words: `${message}.` }];
   const fields = {
     mine: formatMessage("your table"),
@@ -144,6 +144,7 @@ function noLink({ message, causes }, { name }) {
   return makeVerdict("table", { name }, WRONG, formatMessage("table wrong", fields), {
     findings,
     causes,
+    tokens,
   });
 }
 

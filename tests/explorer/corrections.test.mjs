@@ -16,7 +16,10 @@ test("a number is taken with its sign but not with a minus between numbers", () 
     const { from, to } = includeSign(text, spanOf(text, digits));
     return text.slice(from, to);
   };
-  assert.deepEqual([signOf("| -1.5 |", "1.5"), signOf("(−1.5", "1.5"), signOf("2-1.5", "1.5")], ["-1.5", "−1.5", "1.5"]);
+  assert.deepEqual(
+    [signOf("| -1.5 |", "1.5"), signOf("(−1.5", "1.5"), signOf("2-1.5", "1.5")],
+    ["-1.5", "−1.5", "1.5"],
+  );
 });
 
 test("the word of a number ends at blanks and separators", () => {
@@ -43,11 +46,17 @@ test("a corrected number replaces only its own span", () => {
 });
 
 test("choosing an answer comments the numbers of the others", () => {
-  assert.equal(commentLines("a\n1 2\n\n3 4", (line) => line < 3), "a\n# 1 2\n\n3 4");
+  assert.equal(
+    commentLines("a\n1 2\n\n3 4", (line) => line < 3),
+    "a\n# 1 2\n\n3 4",
+  );
 });
 
 const ARM = { name: "two", rows: [{ kind: "revolute" }, { kind: "revolute" }] };
-const VERDICT = { typed: { values: [1.5, -2], units: [0.1, 1], shape: [2, 1], entries: [] }, wrong: [false, true] };
+const VERDICT = {
+  typed: { values: [1.5, -2], units: [0.1, 1], shape: [2, 1], entries: [] },
+  wrong: [false, true],
+};
 
 test("marks say the place and the value of each entry", () => {
   const answer = "1 | 1.5\n2 | -2\n99";
@@ -100,10 +109,58 @@ test("numbers of a table typed by columns are entries of their rows", () => {
   assert.equal(length[3], "entry of row 3, a, read as 0.3 m");
 });
 
-test("the numbers of link matrices are not marked", () => {
-  const turn = (q, a) => `cos(${q}) -sin(${q}) 0 ${a}*cos(${q})\nsin(${q}) cos(${q}) 0 ${a}*sin(${q})\n0 0 1 0\n0 0 0 1`;
+const wrongIn = (marks) =>
+  marks.filter(([, , isWrong]) => isWrong).map(([text, , , description]) => [text, description]);
+
+test("numbers of link matrices say which entry they give", () => {
+  const turn = (q, a) =>
+    `cos(${q}) -sin(${q}) 0 ${a}*cos(${q})\nsin(${q}) cos(${q}) 0 ${a}*sin(${q})\n0 0 1 0\n0 0 0 1`;
   const first = "cos(q1) 0 sin(q1) 0\nsin(q1) 0 -cos(q1) 0\n0 1 0 0.5\n0 0 0 1";
-  assert.deepEqual(describeTable([first, turn("q2", 0.4), turn("q3", 0.3)].join("\n\n")), []);
+  const marks = describeTable([first, turn("q2", 0.4), turn("q3", 0.35)].join("\n\n"));
+  assert.equal(marks[0][3], "part of a name, such as q_1");
+  assert.equal(marks[1][3], "entry of A_1, row 1, column 2");
+  assert.equal(marks.find(([text]) => text === "0.5")[3], "entry of A_1, row 3, column 4, gives d = 0.5 m");
+  assert.deepEqual(wrongIn(marks), [
+    ["0.35", "entry of A_3, row 1, column 4, gives a = 0.35 m, wrong"],
+    ["0.35", "entry of A_3, row 2, column 4, gives a = 0.35 m, wrong"],
+  ]);
+});
+
+test("numbers of a matrix that is no link matrix are marked", () => {
+  const link = "[[cos(q1), 0, sin(q1), 0], [sin(q1), 0, -cos(q1), 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]";
+  const marks = describeTable(`${link}\n${link.replace("0, 1, 0, 0.5", "0, 2, 0, 0.5").replaceAll("q1", "q2")}`);
+  assert.equal(marks.filter(([, kind]) => kind === "entry").length, 24);
+});
+
+test("numbers of dictionaries are entries", () => {
+  const marks = describeTable(
+    '[{"a": 0, "alpha": "pi/2", "d": 0.5},\n {"a": 0.4},\n {"a": -0.35, "theta": "q3"}]  # from line 7',
+  );
+  assert.deepEqual(marks.map(([text, kind]) => [text, kind]), [
+    ["0", "entry"], ["2", "entry"], ["0.5", "entry"], ["0.4", "entry"], ["-0.35", "entry"], ["3", "label"],
+    ["7", "context"],
+  ]); // prettier-ignore
+  assert.deepEqual(wrongIn(marks), [["-0.35", "entry of row 3, a, read as −0.35 m, wrong"]]);
+});
+
+test("numbers of Link lines are entries of their rows", () => {
+  const marks = describeTable(
+    "L(1) = Link('d', 0.5, 'alpha', pi/2);\nL(2) = Link([0 0 0.4 0 0 0.25]);\nL(3) = Link('a', 0.35, 'qlim', [-2 2]);",
+  );
+  const description = (text) => marks.find((mark) => mark[0] === text)[3];
+  assert.equal(description("0.5"), "entry of row 1, d, read as 0.5 m");
+  assert.equal(description("0.25"), "entry of row 2, θ, read as q_2 + 14.3239°");
+  assert.equal(description("-2"), "set aside: not an entry of the table");
+  assert.deepEqual(wrongIn(marks), [["0.35", "entry of row 3, a, read as 0.35 m, wrong"]]);
+});
+
+test("numbers of parallel lists are entries of their rows", () => {
+  const marks = describeTable("a = [0, 0.4, 0.35]\nalpha = [pi/2, 0, 0]\nd = [0.5, 0, 0]\ntheta = [q1, q(2), q[3]]");
+  assert.deepEqual(wrongIn(marks), [["0.35", "entry of row 3, a, read as 0.35 m, wrong"]]);
+  assert.deepEqual(
+    marks.slice(-3).map(([, kind]) => kind),
+    ["label", "label", "label"],
+  );
 });
 
 test("only a plain list is split into a grid of numbers", () => {
@@ -127,7 +184,12 @@ const give = (storage) => Object.defineProperty(globalThis, "localStorage", { ..
 test("each question keeps its last answer until all are cleared", () => {
   give({ value: fakeStorage() });
   const memory = new AnswerMemory("check");
-  const [first, second] = ["jacobian", "torques"].map((ask) => ({ ...EMPTY, ask, arm: "PANDA", answer: ask }));
+  const [first, second] = ["jacobian", "torques"].map((ask) => ({
+    ...EMPTY,
+    ask,
+    arm: "PANDA",
+    answer: ask,
+  }));
   memory.save(first);
   memory.save(second);
   assert.deepEqual([memory.load(first), memory.loadLast()], [first, second]);

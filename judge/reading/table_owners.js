@@ -1,0 +1,76 @@
+// Owners of the numbers of a table: the number of an entry gets its row and its column, from the
+// same data as the reading of that entry.
+
+import { Tokens } from "./owners.js";
+import { EXCHANGED, nameColumns } from "./table_columns.js";
+import { findReadEntry } from "./table_matrices.js";
+import { ENTRIES } from "./table_rows.js";
+
+/** @typedef {import("./owners.js").Token} Token */
+
+export const IN_NAME = "part of a name";
+
+// A name that a number belongs to, as in q1, q_1, q_{1}, q[1] and q(1).
+const NAME_BEFORE = /(?:[\p{L}_]\{?|(?<!\p{L})(?:q|θ|theta)[[(])$/u;
+
+// Make a number within a name a label; return other tokens unchanged.
+function labelName(token, text) {
+  const before = text.slice(Math.max(0, token.from - 7), token.from);
+  return NAME_BEFORE.test(before) ? makeLabel(token, IN_NAME) : token;
+}
+
+function makeLabel({ text, from, to, line }, reason) {
+  const label = { text, from, to, line, owner: "label" };
+  return reason ? { ...label, reason } : label;
+}
+
+/**
+ * Place the numbers of a block whose columns are known: a number of another column is a label.
+ * @param {Token[]} tokens with their row and column in the block
+ * @param {import("./table_blocks.js").TableBlock} block
+ * @param {import("./table.js").TypedTable} table that was read from it
+ * @param {string} text
+ * @returns {Token[]}
+ */
+export function placeBlockNumbers(tokens, { cells, heads, isTurned = false }, table, text) {
+  const headers = heads.length ? nameColumns(heads) : table.order;
+  const names = table.exchanged ? headers.map((name) => EXCHANGED[name] ?? name) : headers;
+  return tokens.map((token) => {
+    if (token.owner !== "entry") return token;
+    const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];
+    const column = ENTRIES.indexOf(names[at - (cells[row].length - names.length)]);
+    return column < 0 ? makeLabel(token) : labelName({ ...token, row, column }, text);
+  });
+}
+
+/**
+ * Place the numbers of link matrices A_1 ... A_n, which stand one below the other. `matrix` says
+ * the row and column within A_i, from 0; `column` the entry that is read there, if any.
+ * @param {Token[]} tokens @param {string} text
+ * @returns {Token[]}
+ */
+export const placeMatrixNumbers = (tokens, text) =>
+  tokens.map((token) => {
+    if (token.owner !== "entry") return token;
+    const [row, matrix] = [Math.floor(token.row / 4), [token.row % 4, token.column]];
+    const column = ENTRIES.indexOf(findReadEntry(matrix));
+    return labelName({ ...token, row, matrix, column: column < 0 ? undefined : column }, text);
+  });
+
+/**
+ * List the numbers of a table whose entries have names, with their owners.
+ * @param {import("./spans.js").SpannedText} pasted the text that was read
+ * @param {string} text as it was pasted
+ * @param {import("./table_notations.js").NamedTable} table
+ * @returns {Token[]}
+ */
+export function listNamedNumbers(pasted, text, { sources, parts }) {
+  const tokens = new Tokens(text);
+  for (const { from, to, row, column } of sources)
+    tokens.claim(pasted.span(from, to), "entry", { row, column });
+  for (const { from, to } of parts)
+    tokens.claim(pasted.span(from, to), "label", { reason: "not an entry of the table" });
+  for (const token of tokens.list)
+    if (!token.owner) Object.assign(token, { owner: "context", reason: "outside the table" });
+  return tokens.list.map((token) => (token.owner === "context" ? token : labelName(token, text)));
+}
