@@ -13,9 +13,10 @@ import {
   jointColumn,
 } from "../geometry/rows.js";
 import { meant, read } from "../reading/table.js";
-import { ENTRIES } from "../reading/table_rows.js";
-import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import { NoLink } from "../reading/table_matrices.js";
+import { withoutOtherColumns } from "../reading/table_other_columns.js";
+import { ENTRIES } from "../reading/table_rows.js";
+import { formatMessage, formatNumber, uncapitalize } from "../sentences.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { judgeFirstRows } from "./table_part.js";
 import { judgeSameArm } from "./table_same.js";
@@ -116,7 +117,14 @@ function readOrNot(text, options, known) {
     return read(text, options, known);
   } catch (error) {
     if (error instanceof NoLink) return error;
-    throw error;
+    const { text: fewerColumns, others } = withoutOtherColumns(text);
+    if (!others.length) throw error;
+    // The numbers' positions are those in the shorter text, so that none can be marked.
+    return read(fewerColumns, options, known).map((table) => ({
+      ...table,
+      left: [...table.left, ...others],
+      tokens: undefined,
+    }));
   }
 }
 
