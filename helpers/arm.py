@@ -7,7 +7,6 @@ about or along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries ar
 """
 
 import math
-import re
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -269,8 +268,12 @@ class Arm:
             convention=convention,
             values=values,
         )
-        if columns is None and table.has_guessed_order:
-            _warn_of_a_guessed_order(source, table.reading)
+        if table.has_guessed_order:
+            warn_caller(
+                "the table has no column headers and no joint variables, so a guess reads it as:"
+                f" {table.reading}; say columns='theta d a alpha' or your order, and"
+                " convention='standard' or 'craig'"
+            )
         for warning in table.warnings:
             warn_caller(f"{name}: {warning}")
         return cls(name, table.rows, source=table.reading)
@@ -561,18 +564,6 @@ def require_joints(arm: object) -> None:
     require_type(arm, Arm, "arm")
     if isinstance(arm, Arm) and not arm.dof:
         raise ArmError(f"{arm.name} has no joints; expected an arm with one joint or more")
-
-
-def _warn_of_a_guessed_order(source: object, reading: str) -> None:
-    """Warn where a table of numbers alone has no headers, so that its columns are a guess."""
-    from helpers.checks.tables import format_table
-
-    if not re.search(r"[qθϑ]|th", format_table(source).lower()):
-        warn_caller(
-            "the table has no column headers and no joint variables, so a guess reads it as:"
-            f" {reading}; say columns='theta d a alpha' or your order, and convention='standard'"
-            " or 'craig'"
-        )
 
 
 def _entries_by_name(row: Row) -> dict[str, Entry]:

@@ -17,7 +17,7 @@ class TableReading(NamedTuple):
     Attributes:
         rows: The rows of the arm.
         reading: How the table was read, in words.
-        has_guessed_order: Whether the order of the columns is a guess.
+        has_guessed_order: Whether the order of the columns is a guess from numbers alone.
         warnings: What the reader must know, a sentence each.
     """
 

@@ -10,14 +10,16 @@ import { noteRightAngles } from "./table_same.js";
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("../reading/table.js").TypedTable} TypedTable */
 
+const JOINT_NAME = /[qθϑ]|th/i; // shows which column holds the joints
+
 /**
  * Read a table.
  * @param {string} text
  * @param {{ columns?: string, lengths?: string, angles?: string, convention?: string,
  *   values: [string, number][] }} options
  * @returns {{ rows: TableRow[], reading: string, guessed: boolean, warnings: string[] }} standard
- *   rows in m and rad, how the text was read, whether the order of the columns is a guess, and what
- *   the reader of the arm must know
+ *   rows in m and rad, how the text was read, whether the order of the columns is a guess from
+ *   numbers alone, and what the reader of the arm must know
  */
 export function readArmTable(text, options) {
   const whole = withoutOtherColumns(text);
@@ -35,12 +37,14 @@ export function readArmTable(text, options) {
     ...renumbered,
     ...noteRightAngles(table),
   ];
+  // The warning about a guessed order asks for the convention too.
+  const guessed = !options.columns && Boolean(typed.guessed) && !JOINT_NAME.test(text);
   const warnings = [
     ...renumbered,
-    ...noteLikelyCraig(typed, text, rows),
+    ...(guessed ? [] : noteLikelyCraig(typed, text, rows)),
     ...noteRightAngles(table, ANGLE_TOLERANCE),
   ];
-  return { rows, reading: parts.join("; "), guessed: Boolean(typed.guessed), warnings };
+  return { rows, reading: parts.join("; "), guessed, warnings };
 }
 
 // The joints of an arm are numbered by its rows: name those that the table numbers otherwise.
