@@ -98,10 +98,9 @@ def test_other_angle_is_kept(typed):
 
 
 def test_bare_numbers_give_one_warning():
-    with pytest.warns(UserWarning) as warned:
+    with pytest.warns(UserWarning, match="convention='standard' or 'craig'") as warned:
         Arm.from_table("0 0 0.3 0\n0.4 90 0 0\n0.2 0 0 0")
-    [warning] = warned
-    assert "convention='standard' or 'craig'" in str(warning.message)
+    assert len(warned) == 1
 
 
 def test_first_row_as_in_craigs_convention_warns():
