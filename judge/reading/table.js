@@ -6,7 +6,8 @@ import { withoutComments, withoutStruckText } from "./decorations.js";
 import { hasDecimals, number, plain, simple } from "./formula.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
-import { tablesIn } from "./table_blocks.js";
+import { entryIn, tablesIn } from "./table_blocks.js";
+import { joinCellLines } from "./table_cell_lines.js";
 import { EXCHANGED, fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
@@ -54,16 +55,17 @@ const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of r
 /**
  * The readings of a table, the likeliest first: more than one only where the order of the columns
  * had to be guessed. One whose heads of alpha and theta are exchanged is read too.
- * @param {string} text
+ * @param {string} typedText
  * @param {{ columns?: string, lengths?: string, angles?: string, convention?: string }} options
  * @param {[string, number][]} values of its symbols
  * @returns {TypedTable[]}
  */
-export function read(text, { columns, ...options } = {}, values = []) {
-  refuseSize(text);
-  const pasted = withoutStruckText(new SpannedText(text));
-  const own = defined(pasted.text);
+export function read(typedText, { columns, ...options } = {}, values = []) {
+  refuseSize(typedText);
+  const own = defined(withoutStruckText(new SpannedText(typedText)).text);
   const known = new Map([...values, ...own].map(([name, x]) => [simple(name), x]));
+  const text = joinCellLines(typedText, entryIn(known));
+  const pasted = withoutStruckText(new SpannedText(text));
   const live = withoutComments(pasted);
   for (const plainText of [live, pasted]) {
     const named = plainText && readNamedTable(plainText.text);

@@ -212,7 +212,7 @@ const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbe])$/i;
 const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
 // Return whether a cell may stand in a table: a number, a formula of symbols, what stands for a
 // variable.
-function entryIn(known) {
+export function entryIn(known) {
   const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {
     if (FRAMES.test(cell)) return false;

@@ -1,0 +1,91 @@
+// A table copied out of Word or a PDF has each cell on a line of its own, column headers first.
+
+import { listLines } from "./spans.js";
+import { headOf } from "./table_columns.js";
+import { ENTRIES } from "./table_rows.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/** @typedef {import("./spans.js").Span & { text: string }} Line */
+
+const UNIT = /^[([](?:deg|degrees|°|rad|mm|cm|m)[)\]]$/; // on a line below its header
+const OTHER_HEADER = /^(?:joint )?(?:type|kind)$/i;
+const ROW_NAME = /^(?:[\p{L}#]+[ _]?)?\d{1,2}(?:[.)]| ?[-–→] ?\d{1,2})?$/u; // Link 1, 1., 0-1
+
+/**
+ * Join the cells of such a table to rows; other texts are returned as they are. No character moves:
+ * a line's end becomes "|" within a row, and a blank beside a blank line.
+ * @param {string} text
+ * @param {(cell: string) => boolean} isEntry whether a cell may be an entry of a table
+ */
+export function joinCellLines(text, isEntry) {
+  const lines = listLines(text).filter((line) => line.text.trim());
+  const start = lines.findIndex((_, k) => countHeaderLines(lines.slice(k, k + 20)));
+  if (start < 0) return text;
+  const behind = start + countHeaderLines(lines.slice(start, start + 20));
+  const headerLines = lines.slice(start, behind);
+  const cells = takeCells(lines.slice(behind), isEntry);
+  const headers = headerLines.filter((line) => !UNIT.test(line.text.trim()));
+  const width = cells.length && findWidth(headers, cells, lines[behind + cells.length]);
+  const lasts = cells.filter((_, k) => (k + 1) % width === 0);
+  const rowEnds = new Set([headerLines.at(-1), ...lasts]);
+  const characters = text.split("");
+  lines.slice(start, behind + cells.length - 1).forEach((line, k) => {
+    const next = lines[start + k + 1];
+    const end = line.from + line.text.trimEnd().length;
+    characters.fill(" ", end, next.from);
+    const isUnit = UNIT.test(next.text.trim());
+    characters[line.to] = rowEnds.has(line) ? "\n" : isUnit ? " " : "|";
+  });
+  return characters.join("");
+}
+
+// Count the lines of column headers that lines begin with; 0 unless they name all four entries.
+/** @param {Line[]} lines */
+function countHeaderLines(lines) {
+  const names = new Set();
+  let count = 0;
+  for (const { text } of lines) {
+    const header = text.trim();
+    const name = headOf(header);
+    const isOffset = name === "d" && /offset/i.test(header);
+    if (!UNIT.test(header) && !OTHER_HEADER.test(header)) {
+      if (name === undefined || /[|&\t;]/.test(header)) break;
+      if (names.has(name) && !isOffset) break;
+      names.add(name);
+    }
+    count++;
+  }
+  return ENTRIES.every((entry) => names.has(entry)) ? count : 0;
+}
+
+// Take the lines that hold one cell each, up to the first other one.
+/** @param {Line[]} lines @param {(cell: string) => boolean} isEntry */
+function takeCells(lines, isEntry) {
+  const isCell = ({ text }) => {
+    const cell = text.trim();
+    const words = cell.replace(/ ?[-+*/] ?/g, "+").split(/\s+/);
+    return words.length <= 2 && (isEntry(cell) || ROW_NAME.test(cell));
+  };
+  const end = lines.findIndex((line) => !isCell(line));
+  return end < 0 ? lines : lines.slice(0, end);
+}
+
+/**
+ * Find the number of columns. A column that counts the rows may have no header.
+ * @param {Line[]} headers @param {Line[]} cells
+ * @param {Line | undefined} next the line behind the cells
+ */
+function findWidth(headers, cells, next) {
+  const { length } = headers;
+  const widths = headers.some((line) => headOf(line.text.trim()) === "i")
+    ? [length]
+    : [length + 1, length];
+  const isWhole = (width) => cells.length % width === 0 && cells.length >= 2 * width;
+  const isCounted = (width) =>
+    cells.every(({ text }, k) => k % width || Number(/\d+/.exec(text)) === k / width + 1);
+  const width = widths.find((w) => isWhole(w) && (w === length || isCounted(w)));
+  if (width) return width;
+  const fields = { columns: length, count: cells.length };
+  const behind = next ? ` before ${quoteText(next.text.trim())}` : "";
+  throw new ArmError(formatMessage("cell lines", { ...fields, behind }));
+}
