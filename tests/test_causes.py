@@ -283,15 +283,53 @@ def test_zero_exchanged_with_a_digit_is_named():
     assert checks.compare_pose("0.078, 0.412, -0.653", ELBOW, target).causes == ("ik.digits:q_1",)
 
 
-def test_centres_placed_in_the_frame_before_are_named():
-    """The centre of link i at T_{i-1} in P, whose gradient is the torque."""
+def differentiate_energy(shift):
+    """Return dP/dq (N m) with each centre of mass in the frame `shift` after its link's own."""
     m = KNOWN["PANDA"]
 
     def potential(q):
         frames = m.frames(q)
-        return sum(9.81 * k * (frames[i] @ [*c, 1])[2] for i, (k, *c) in enumerate(LINKS))
+        places = [frames[min(i + shift, 7)] for i in range(1, 8)]
+        return sum(9.81 * k * (T @ [*c, 1])[2] for T, (k, *c) in zip(places, LINKS, strict=True))
 
     steps = 1e-6 * np.eye(7)
-    tau = [(potential(SEVEN + h) - potential(SEVEN - h)) / 2e-6 for h in steps]
-    verdict = checks.compare_torques(np.round(tau, 4), PANDA, SEVEN)
-    assert verdict.causes == ("tau.centres one frame off",)
+    return np.array([(potential(SEVEN + h) - potential(SEVEN - h)) / 2e-6 for h in steps])
+
+
+def place_centres(shift):
+    """Return the same torques by the rise of the centres, under the joints before each link."""
+    m, moved = KNOWN["PANDA"], []
+    frames = m.frames(SEVEN)
+    for i, (mass, *centre) in enumerate(LINKS, 1):
+        place = np.linalg.inv(frames[i]) @ frames[min(i + shift, 7)] @ [*centre, 1]
+        moved.append((mass, *place[:3]))
+    return weight(m, moved, SEVEN)
+
+
+@pytest.mark.parametrize("make", [differentiate_energy, place_centres])
+@pytest.mark.parametrize(
+    ("shift", "cause"), [(-1, "tau.centres one frame off"), (1, "tau.centres one frame late")]
+)
+def test_centres_placed_in_another_frame_are_named(make, shift, cause):
+    verdict = checks.compare_torques(make(shift).round(4), PANDA, SEVEN)
+    assert verdict.causes == (cause,)
+
+
+MASSES, CENTRES = [mass for mass, *_ in LINKS], [centre for _, *centre in LINKS]
+
+
+@pytest.mark.parametrize(
+    ("masses", "centres", "cause"),
+    [
+        (MASSES, [*CENTRES[1:], (0, 0, 0)], "tau.centres moved"),
+        (MASSES, np.roll(CENTRES, -1, axis=0), "tau.centres moved"),
+        (MASSES, np.roll(CENTRES, 1, axis=0), "tau.centres moved"),
+        (np.roll(MASSES, -1), CENTRES, "tau.masses moved"),
+        (np.roll(MASSES, 1), CENTRES, "tau.masses moved"),
+        (np.roll(MASSES, 1), np.roll(CENTRES, 1, axis=0), "tau.masses moved + tau.centres moved"),
+    ],
+)
+def test_list_of_links_moved_by_one_is_named(masses, centres, cause):
+    links = [(mass, *centre) for mass, centre in zip(masses, centres, strict=True)]
+    tau = weight(KNOWN["PANDA"], links, SEVEN)
+    assert checks.compare_torques(tau.round(4), PANDA, SEVEN).causes == (cause,)

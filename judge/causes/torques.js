@@ -3,7 +3,7 @@
 // seen: a slip of homework.md by its number, a section of it, or work that was handed in.
 
 import * as chains from "../geometry/chains.js";
-import { jointNumbers, movingRows } from "../geometry/kinematics.js";
+import { jointNumbers, movingRows, plus, scaled } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
 import { rowsOf } from "../reading/numbers.js";
 import { formatNumber, joinList } from "../sentences.js";
@@ -194,9 +194,14 @@ function* listWritingMistakes(arm) {
     }
 }
 
-// Move each centre of mass: its numbers are taken as coordinates in the frame before its link.
-const moveCentresOneFrame = ({ centres, T }) =>
-  centres.map((centre, row) => chains.changeFrame(T[row], T[row + 1], centre));
+// Read each centre of mass as coordinates in the frame that is `shift` after its link's own.
+const moveCentres =
+  (shift) =>
+  ({ centres, T }) =>
+    centres.map((centre, row) => {
+      const frame = T[Math.min(row + 1 + shift, T.length - 1)];
+      return chains.changeFrame(frame, T[row + 1], centre);
+    });
 
 // Compute the torque of each joint's own link, without those behind it.
 function sumOwnLinks(at) {
@@ -254,20 +259,22 @@ function* listForceMistakes({ wrenches, c }) {
 
 /** Mistakes in masses, centres and g. @param {Arm} arm @returns {Generator<TorqueStep>} */
 function* listBodyMistakes(arm, load) {
-  const put = (key, change, fields = {}) => ({ cause: makeCause(key, fields), change });
+  const makeBodyMistake = (key, change, fields = {}) => ({ cause: makeCause(key, fields), change });
   const g = Math.hypot(...load.gravity);
   const withGravity = (value) => ({ gravity: load.gravity.map((x) => (x / g) * value) });
   for (const other of [9.8, 10]) {
     // slip 8; handed in
     const fields = { g: other, _here: formatNumber(g, 4) };
     if (g && Math.abs(g - other) > 1e-9)
-      yield put("tau.gravity", (at) => ({ ...at, ...withGravity(other) }), fields);
+      yield makeBodyMistake("tau.gravity", (at) => ({ ...at, ...withGravity(other) }), fields);
   }
   // masses in kilograms taken for forces
   if (g)
-    yield put("tau.no g", (at) => ({ ...at, ...withGravity(1) }), { _here: formatNumber(g, 4) });
-  yield* listMassMistakes(arm, load, put);
-  yield* listCentreMistakes(arm, load, put);
+    yield makeBodyMistake("tau.no g", (at) => ({ ...at, ...withGravity(1) }), {
+      _here: formatNumber(g, 4),
+    });
+  yield* listMassMistakes(arm, load, makeBodyMistake);
+  yield* listCentreMistakes(arm, load, makeBodyMistake);
   if (arm.lumped) {
     const { report, links, gravity } = arm.lumped;
     // Other links keep what another mistake made of them.
@@ -279,54 +286,101 @@ function* listBodyMistakes(arm, load) {
     });
     const fields = { _links: joinList(links), _report: report };
     const withG = { ...fields, _g: gravity, _here: formatNumber(g, 4) };
-    yield put("tau.lumped", lumpLinks, fields);
-    yield put("tau.report", (at) => ({ ...lumpLinks(at), ...withGravity(gravity) }), withG);
+    yield makeBodyMistake("tau.lumped", lumpLinks, fields);
+    yield makeBodyMistake(
+      "tau.report",
+      (at) => ({ ...lumpLinks(at), ...withGravity(gravity) }),
+      withG,
+    );
   }
 }
 
-function* listMassMistakes(arm, load, put) {
+function* listMassMistakes(arm, load, makeBodyMistake) {
   const all = load.masses;
   const withMasses = (change) => (at) => ({ ...at, masses: at.masses.map(change) });
   const inGrams = withMasses((mass) => 1000 * mass); // handed in
-  yield put("tau.grams", inGrams);
-  for (const step of [1, -1]) {
-    const moved = withMasses((_, k) => all[k + step] ?? 0); // handed in
-    yield put("tau.masses moved", moved);
+  yield makeBodyMistake("tau.grams", inGrams);
+  // handed in: an index that is one off
+  for (const [step, end] of [
+    [1, 0],
+    [1, all[0]],
+    [-1, 0],
+  ]) {
+    const moved = moveList(all, step, end);
+    yield makeBodyMistake(
+      "tau.masses moved",
+      withMasses((_, k) => moved[k]),
+    );
   }
   const other = (arm.robots ?? []).find((robot) => robot.masses); // section 4
   if (other) {
     const theirs = withMasses((_, k) => other.masses[k]);
-    yield put("tau.robot", theirs, { name: other.name });
+    yield makeBodyMistake("tau.robot", theirs, { name: other.name });
   }
   for (const [i, mass] of all.entries()) {
     const link = i + 1;
     const missing = withMasses((x, k) => (k === i ? 0 : x));
-    if (mass) yield put("tau.mass missing", missing, { link });
+    if (mass) yield makeBodyMistake("tau.mass missing", missing, { link });
     if (link === all.length) continue;
     const exchanged = withMasses((_, k) => all[k === i ? link : k === link ? i : k]); // handed in
-    yield put("tau.masses exchanged", exchanged, { i: link, j: link + 1 });
+    yield makeBodyMistake("tau.masses exchanged", exchanged, { i: link, j: link + 1 });
   }
 }
 
-function* listCentreMistakes(arm, { centres: all, masses }, put) {
-  const set = (key, list, fields = {}) => put(key, (at) => ({ ...at, centres: list }), fields);
-  if (arm.paper) yield set("tau.paper centres", arm.paper); // slip 7
-  const origins = all.map(() => [0, 0, 0]);
-  yield set("tau.centres at origins", origins); // handed in
-  yield {
-    cause: makeCause("tau.centres one frame off"), // handed in: in the frame before the link's own
-    weight: (at) => weightOf({ ...at, centres: moveCentresOneFrame(at) }),
-  };
-  // The same in g = dP/dq: the joint behind that frame turns nothing.
+// Move a list by a row: entry k + step takes the place of entry k, and `end` that of a missing one.
+const moveList = (list, step, end) => list.map((_, k) => list[k + step] ?? end);
+
+function* listCentreMistakes(arm, { centres: all, masses }, makeBodyMistake) {
+  const withCentres = (centres) => (at) => ({ ...at, centres });
+  if (arm.paper) yield makeBodyMistake("tau.paper centres", withCentres(arm.paper)); // slip 7
   const origin = [0, 0, 0];
-  const bodiesBefore = {
-    masses: masses.map((_, k) => masses[k + 1] ?? 0),
-    centres: all.map((_, k) => all[k + 1] ?? origin),
-  };
-  yield put("tau.centres one frame off", (at) => ({ ...at, ...bodiesBefore }));
+  const atOrigins = withCentres(all.map(() => origin));
+  yield makeBodyMistake("tau.centres at origins", atOrigins); // handed in
+  yield* listFrameMistakes({ centres: all, masses }, makeBodyMistake);
+  // An index that is one off; Python's list[-1] is the last entry, and np.roll moves both ends.
+  for (const [step, end] of [
+    [1, origin],
+    [1, all[0]],
+    [-1, all.at(-1)],
+  ])
+    yield makeBodyMistake("tau.centres moved", withCentres(moveList(all, step, end)));
   for (const { name, other, rows } of arm.alike ?? []) {
     // handed in: a centre in the paper's frame less the other length
     const shifted = all.map(([x, y, z], i) => [x + arm.rows[i].a - rows[i].a, y, z]);
-    yield set("tau.centres other length", shifted, { name, other });
+    yield makeBodyMistake("tau.centres other length", withCentres(shifted), { name, other });
   }
+}
+
+/**
+ * List centres of mass in the frame before or after their link's own: T_0 counts as frame 1 or is
+ * left out of the list of frames. With torques from P by g = dP/dq the link moves with that frame.
+ */
+function* listFrameMistakes({ centres, masses }, makeBodyMistake) {
+  for (const [key, shift] of /** @type {const} */ ([
+    ["tau.centres one frame off", -1], // handed in
+    ["tau.centres one frame late", 1],
+  ])) {
+    const moved = moveCentres(shift);
+    yield { cause: makeCause(key), weight: (at) => weightOf({ ...at, centres: moved(at) }) };
+    const bodies = moveBodies(masses, centres, shift);
+    yield makeBodyMistake(key, (at) => ({ ...at, ...bodies }));
+  }
+}
+
+// Move each link's mass and centre to the row that is `shift` after its own. The base carries the
+// first link, and the last row also the links that would lie behind it.
+function moveBodies(masses, centres, shift) {
+  const last = masses.length - 1;
+  const moved = { masses: masses.map(() => 0), centres: centres.map(() => [0, 0, 0]) };
+  masses.forEach((mass, k) => {
+    const row = Math.min(k + shift, last);
+    if (row < 0 || !mass) return;
+    const total = moved.masses[row] + mass;
+    moved.centres[row] = plus(
+      scaled(moved.masses[row] / total, moved.centres[row]),
+      scaled(mass / total, centres[k]),
+    );
+    moved.masses[row] = total;
+  });
+  return moved;
 }
