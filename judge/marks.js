@@ -32,6 +32,16 @@ import { IN_NAME } from "./reading/table_owners.js";
  *   typed: import("./reading/numbers.js").Typed }} Matrix
  */
 
+/** The name of each kind of mark, in the order of a legend. */
+export const MARK_NAMES = {
+  entry: "entry",
+  wrong: "wrong entry",
+  label: "label",
+  given: "given by the question",
+  context: "set aside",
+  unread: "not read: nothing is graded",
+};
+const MAX_LENGTH = 20_000; // characters; a longer text is not marked
 const ROW_NAMES = {
   v: ["vx", "vy", "vz", "ωx", "ωy", "ωz"],
   omega: ["ωx", "ωy", "ωz", "vx", "vy", "vz"],
@@ -47,11 +57,12 @@ const SIGNS = "+-−–";
  */
 export function listMarks(question, outcome) {
   const text = question.answer;
+  if (text.length > MAX_LENGTH) return [];
   const matrix = getMatrix(question, outcome);
   return (outcome.tokens ?? []).map((token) => {
     const isUnread = token.owner === "unread";
     const kind = token.owner === "header" ? "label" : token.owner;
-    const index = kind === "entry" ? getEntryIndex(token, matrix) : -1;
+    const index = kind === "entry" && matrix ? (token.index ?? -1) : -1;
     const table = kind === "entry" ? outcome.verdict?.table : undefined;
     const description = table?.wrong.length
       ? describeTableEntry(token, table)
@@ -64,6 +75,9 @@ export function listMarks(question, outcome) {
     };
   });
 }
+
+/** Return the kind that a mark is shown as. @param {Mark} mark @returns {string} */
+export const getShownKind = ({ kind, isWrong }) => (isWrong ? "wrong" : kind);
 
 /**
  * Cut a text into the stretches of its marks and those between them. A mark that begins within
@@ -85,11 +99,6 @@ export function splitAtMarks(text, marks) {
 
 /** @param {ReadTable | undefined} table @param {Token} token */
 const isWrongEntry = (table, { row = -1, column = -1 }) => table?.wrong[row]?.[column];
-
-// Return the index of an entry among the typed values, -1 if it is unknown.
-/** @param {Token} token @param {Matrix | null} matrix */
-const getEntryIndex = ({ row = 0, column = 0 }, matrix) =>
-  matrix ? row * matrix.typed.shape[1] + column : -1;
 
 /** @param {Token} token @param {ReadTable} table */
 function describeTableEntry(token, { cells, wrong }) {
@@ -128,7 +137,7 @@ function describeToken(token, question, matrix, index) {
 
 /** @param {Token} token @param {TextQuestion} question @param {Matrix | null} matrix */
 function describeEntry({ row = 0, column = 0 }, { ask }, matrix, index) {
-  if (!matrix) return `entry in row ${row + 1}, column ${column + 1}`;
+  if (!matrix || index < 0) return `entry in row ${row + 1}, column ${column + 1}`;
   const [height, width] = matrix.shape;
   const [i, k] = [Math.floor(index / width), index % width];
   const position = height === 1 ? matrix.columns[k] : `${matrix.rows[i]}, ${matrix.columns[k]}`;

@@ -19,12 +19,14 @@ export function formatMessage(key, fields = {}) {
 export class ArmError extends Error {
   /**
    * @param {string} message @param {import("./advice.js").Advice[]} advice
-   * @param {import("./reading/owners.js").Token[]} [tokens] the numbers of a text, some unread
+   * @param {import("./reading/owners.js").Token[]} [tokens] the numbers of `text`, some unread
+   * @param {string} [text] the answer, or what was typed into another field
    */
-  constructor(message, advice = [], tokens = undefined) {
+  constructor(message, advice = [], tokens = undefined, text = undefined) {
     super(message);
     this.advice = advice;
     this.tokens = tokens;
+    this.text = text;
     /** @type {import("./reading/spans.js").Span[] | undefined} lines of answers that differ */
     this.answers = undefined;
   }

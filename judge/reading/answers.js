@@ -69,13 +69,14 @@ function findIn(pasted, text, question) {
   const found = firstBlock(own, whole, question);
   if (!found) throw refusal(text, question, own);
   const { block, want } = found;
-  const tokens = tokensOf(text, block);
+  const { rows, said } = inListedOrder(block, want, text);
+  const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
   if (block.sources.every(isOld)) throw oldAnswerError(text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block) && /\p{L}/u.test(text)) throw refusal(text, question, own);
   const left = setAside(text, block, pasted);
-  return { ...inListedOrder(block, want, text), left, tokens };
+  return { ...block, rows, said, left, tokens };
 }
 
 // The block that fits, with the first shape wanted and the first way to part the text; what

@@ -6,12 +6,13 @@ import { labelIn } from "./labels.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /**
- * A number of the pasted text: its digits, its place, and what it was taken for: "entry" (of `row`
- * and `column`, from 0), "label" (a joint's number, a row's name, an index, a time), "header" of a
- * column, "given" by the question itself, "context" with its `reason`, or "unread".
+ * A number of the pasted text: its digits, its place, and what it was taken for: "entry", "label"
+ * (a joint's number, a row's name, an index, a time), "header" of a column, "given" by the
+ * question itself, "context" with its `reason`, or "unread". An entry has its `row` and `column`,
+ * from 0, and its `index` among all entries, row by row. `matrix`, of a link matrix A_row, is its
+ * row and column there; `column` is then the entry that it gives.
  * @typedef {{ text: string, from: number, to: number, line: number, owner: string, row?: number,
- *   column?: number, matrix?: number[], reason?: string }} Token `matrix`, of a link
- *   matrix A_row, is its row and column there; `column` is then the entry that it gives
+ *   column?: number, index?: number, matrix?: number[], reason?: string }} Token
  */
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {import("./lines.js").Row} Row */
@@ -69,7 +70,8 @@ export function tokensOf(text, block, long = LONG) {
   block.rows.forEach((cells, row) =>
     cells.forEach((cell, column) => {
       const unread = strayRows.has(row) || lacksFactor(text, cell, starts);
-      tokens.claim(cell, unread ? "unread" : "entry", { row, column });
+      const index = row * cells.length + column;
+      tokens.claim(cell, unread ? "unread" : "entry", { row, column, index });
     }),
   );
   for (const cell of [...block.labels.flat(), ...block.headers]) claimWord(tokens, cell, "label");
@@ -78,9 +80,22 @@ export function tokensOf(text, block, long = LONG) {
   for (const { cells } of block.lines.given) for (const cell of cells) tokens.claim(cell, "given");
   claimRest(tokens, block, linesBeside(text, block), long);
   for (const token of tokens.list)
-    if (!token.owner) Object.assign(token, { owner: "context", reason: "markup or comment" });
+    if (!token.owner)
+      Object.assign(
+        token,
+        isLineNumber(text, token)
+          ? { owner: "label" }
+          : { owner: "context", reason: "markup or comment" },
+      );
   return tokens.list;
 }
+
+// Return whether a number leads its line and is set off, as in "2: 0.5" or "2 | 0.5".
+/** @param {string} text @param {Token} token */
+const isLineNumber = (text, { from, to }) =>
+  /(?:^|\n)[ \t]*$/.test(text.slice(Math.max(0, from - 20), from)) &&
+  to - from < 4 &&
+  /^[ \t]*[|:.)\t]/.test(text.slice(to, to + 4));
 
 // The rows without a label, of a block whose other rows are named after those of a Jacobian.
 function unlabelledRows({ labels }) {
@@ -222,7 +237,7 @@ export function refuseUnread(text, tokens, what) {
   if (!token) return;
   const word = wordAround(text, token);
   const fields = { what, word: quoteText(word), line: token.line + 1, where: whereOf(text, token) };
-  throw new ArmError(formatMessage("unread", fields), [], tokens);
+  throw new ArmError(formatMessage("unread", fields), [], tokens, text);
 }
 
 // The word in which a number stands, up to blanks and what parts cells.

@@ -87,7 +87,13 @@ function judgeTorques(typed, context) {
   const arranged = arrangeByPose(typed, count, arm);
   if (arranged) {
     const said = [...typed.said, ...arranged.said, ...taken];
-    return { ...judgeArrangedTorques({ ...arranged, said }, q, load, { arm, tolerance }), typed };
+    const verdict = judgeArrangedTorques({ ...arranged, said }, q, load, { arm, tolerance });
+    if (!arranged.isPerJoint) return { ...verdict, typed };
+    return {
+      ...verdict,
+      typed,
+      wrong: transpose(verdict.wrong ?? [], [count, movingRows(arm).length]),
+    };
   }
   const verdict = count === 1 ? judgeFirstTorques(typed, context) : null;
   return verdict ?? { ...reportWrongShape(typed, count, arm), typed };
@@ -165,6 +171,7 @@ function arrangeByPose({ values, units, shape }, count, arm) {
         values: dropLocked(transposeList(values)),
         units: dropLocked(transposeList(units)),
         said: [formatMessage("taken: list per joint"), ...noteLocked(transposeList(values))],
+        isPerJoint: true,
       };
     }
   }

@@ -7,7 +7,7 @@ import { includeSign, includeWord, listMarks } from "../../judge/marks.js";
 import { compareTables } from "../../judge/topics/table.js";
 import { AnswerMemory, clearAnswers } from "../../page/src/check/memory.js";
 import { splitNumbers } from "../../page/src/check/number_grid.js";
-import { EMPTY, findQuestionFault } from "../../page/src/check/question.js";
+import { EMPTY, findQuestionFault, judgeQuestion } from "../../page/src/check/question.js";
 
 const spanOf = (text, word) => ({ from: text.indexOf(word), to: text.indexOf(word) + word.length });
 
@@ -62,8 +62,8 @@ test("marks say the place and the value of each entry", () => {
   const answer = "1 | 1.5\n2 | -2\n99";
   const tokens = [
     { from: 0, to: 1, owner: "label" },
-    { from: 4, to: 7, owner: "entry", row: 0, column: 0 },
-    { from: 13, to: 14, owner: "entry", row: 1, column: 0 },
+    { from: 4, to: 7, owner: "entry", row: 0, column: 0, index: 0 },
+    { from: 13, to: 14, owner: "entry", row: 1, column: 0, index: 1 },
     { from: 15, to: 17, owner: "context", reason: "another list" },
   ];
   const marks = listMarks({ ...EMPTY, ask: "torques", answer }, { verdict: VERDICT, arm: ARM, tokens });
@@ -161,6 +161,18 @@ test("numbers of parallel lists are entries of their rows", () => {
     marks.slice(-3).map(([, kind]) => kind),
     ["label", "label", "label"],
   );
+});
+
+test("a misspelt number is marked in the answer, not one of the pose", () => {
+  const elbow = { key: "ELBOW", name: "Elbow arm", rows: ELBOW_ROWS, home: [0, 0, 0], values: [] };
+  const rows = ["1 2 3", "4 5 6", "7 8 9", "1 2 3", "4 5 6", "7 8 9"];
+  const question = { ...EMPTY, ask: "jacobian", arm: "ELBOW", q: "0.1 0.2 0.3", answer: rows.join("\n") };
+  const answer = question.answer.replace("5", "5.1l2");
+  const unread = judgeQuestion({ ...question, answer }, [elbow]).tokens.filter(({ owner }) => owner === "unread");
+  assert.equal(answer.slice(unread[0].from, unread[0].to), "5.1");
+  const outcome = judgeQuestion({ ...question, q: "0.1 0.2 0.3l7" }, [elbow]);
+  assert.match(outcome.error, /^I cannot read '0\.3l7'/);
+  assert.equal(outcome.tokens, undefined);
 });
 
 test("only a plain list is split into a grid of numbers", () => {

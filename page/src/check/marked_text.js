@@ -3,22 +3,13 @@
 
 import { h, setText } from "../dom.js";
 import { commentLines, putBehindHash, replaceSpan } from "./corrections.js";
-import { listMarks, splitAtMarks } from "../../../judge/marks.js";
+import { getShownKind, listMarks, MARK_NAMES, splitAtMarks } from "../../../judge/marks.js";
 
 /** @typedef {import("./question.js").Question} Question */
 /** @typedef {import("./question.js").Outcome} Outcome */
 /** @typedef {import("../../../judge/marks.js").Mark} Mark */
 
-const MAX_LENGTH = 20_000; // characters; a longer text is not marked
 const HELP = "Choose a number to correct it; arrow keys move from number to number.";
-const LEGEND = {
-  entry: "entry",
-  wrong: "wrong entry",
-  label: "label",
-  given: "given by the question",
-  context: "set aside",
-  unread: "not read: nothing is graded",
-};
 
 /**
  * Make the region of the marked text.
@@ -45,7 +36,7 @@ export function makeMarkedText(onCorrect) {
 
   /** @param {Question} question @param {Outcome} outcome @param {boolean} isExample */
   function update(question, outcome, isExample) {
-    const marks = question.answer.length > MAX_LENGTH ? [] : listMarks(question, outcome);
+    const marks = listMarks(question, outcome);
     root.hidden = isExample || !(marks.length || outcome.answers?.length);
     editor.close();
     if (root.hidden) return;
@@ -103,8 +94,8 @@ function moveFocus(event) {
 }
 
 function makeLegend(marks) {
-  const kinds = new Set(marks.map(({ kind, isWrong }) => (isWrong ? "wrong" : kind)));
-  return Object.entries(LEGEND)
+  const kinds = new Set(marks.map(getShownKind));
+  return Object.entries(MARK_NAMES)
     .filter(([kind]) => kinds.has(kind))
     .map(([kind, name]) =>
       h(

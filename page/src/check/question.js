@@ -253,7 +253,8 @@ export function judgeQuestion(question, arms) {
     return { verdict, arm, q, advice: verdict.advice, tokens: findTokens(verdict) };
   } catch (error) {
     if (!(error instanceof ArmError)) throw error;
-    const { advice, tokens, answers } = error;
+    const { advice, answers } = error;
+    const tokens = error.text === question.answer ? error.tokens : undefined; // not those of q
     return { error: capitalize(error.message), arm, q, advice, tokens, answers };
   }
 }
