@@ -4,6 +4,7 @@ import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
 import { ENTRIES } from "./reading/table_rows.js";
 import { numbers, pose } from "./reading/numbers.js";
+import { getShownKind, listMarks, MARK_NAMES, splitAtMarks } from "./marks.js";
 import { evaluateFormulas, findTableMistake, listMistakes } from "./mistakes.js";
 import { ArmError, formatMessage } from "./sentences.js";
 import { readArmTable } from "./topics/arm_table.js";
@@ -90,20 +91,42 @@ function listEntries({ typed, table }) {
 }
 
 /**
+ * Mark the numbers of an answer that is a text.
+ * @param {Question} question
+ * @param {{ verdict?: Verdict, tokens?: import("./marks.js").Token[] }} outcome
+ * @returns the pieces of the text, those that are numbers with a kind and a description, and the
+ *   name of each kind; undefined for an answer without marks
+ */
+function markAnswer({ topic, mine, arm, options }, outcome) {
+  if (typeof mine !== "string") return undefined;
+  const first = options?.angularFirst ? "omega" : "v";
+  const marks = listMarks({ answer: mine, ask: topic, first }, { ...outcome, arm });
+  if (!marks.length) return undefined;
+  const pieces = splitAtMarks(mine, marks).map(({ text, index }) =>
+    index === undefined ? [text] : [text, getShownKind(marks[index]), marks[index].description],
+  );
+  return { pieces, names: MARK_NAMES };
+}
+
+/**
  * Answer a question, or say why it cannot be answered.
  * @param {string} text a `Question` as JSON
- * @returns {string} JSON: `{ answer }`, or `{ refused, advice }` with a message
+ * @returns {string} JSON: `{ answer }`, or `{ refused, advice }` with a message; with `marked`, the
+ *   text with its marks, where the answer is one
  */
 export function ask(text) {
   /** @type {Question} */
   const question = JSON.parse(text);
   try {
     const answer = TOPICS[question.topic](question);
-    return JSON.stringify({ answer: answer?.grade ? withoutPageFields(answer) : answer });
+    if (!answer?.grade) return JSON.stringify({ answer });
+    const marked = markAnswer(question, { verdict: answer, tokens: answer.tokens });
+    return JSON.stringify({ answer: { ...withoutPageFields(answer), marked } });
   } catch (error) {
-    if (error instanceof ArmError)
-      return JSON.stringify({ refused: error.message, advice: error.advice });
-    throw error;
+    if (!(error instanceof ArmError)) throw error;
+    const { message: refused, advice, tokens } = error;
+    const marked = error.text === question.mine ? markAnswer(question, { tokens }) : undefined;
+    return JSON.stringify({ refused, advice, marked });
   }
 }
 

@@ -308,6 +308,7 @@ SPECIAL = [
 MADE = {
     "derive.Derivation", "derive.Line", "derive.DerivationStep",
     "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Verdict",
+    "checks.UnreadNumberError",
     "inverse.NumericSolution", "inverse.Solutions", "motion.TraceReport",
     "motion.TraceReport.rows", "motion.SingularError", "motion.Trace",
     "motion.UnreachableError",

@@ -9,11 +9,13 @@ from helpers.checks.compare import (
     compare_torques,
     compare_trace,
 )
+from helpers.checks.marked_text import UnreadNumberError
 from helpers.checks.verdict import Finding, Verdict
 from helpers.deprecated import deprecated_names
 
 __all__ = [
     "Finding",
+    "UnreadNumberError",
     "Verdict",
     "check",
     "compare_branches",

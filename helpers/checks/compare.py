@@ -148,7 +148,8 @@ def compare_tables(
         "table", mine=table, arm=judge_data(reference), options=options | reading_options
     )
     joint_map = make_joint_map(found["map"], reference) if "map" in found else None
-    return make_verdict(found, joint_map)
+    verdict = make_verdict(found, joint_map)
+    return verdict if isinstance(answer, str) else replace(verdict, marked_text=None)
 
 
 def _arm_table(arm: Arm) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from helpers.checks.marked_text import UnreadNumberError, make_marked_text
 from helpers.checks.verdict import format_advice
 from helpers.inputs import ArmError
 
@@ -26,7 +27,10 @@ def ask_judge(topic: str, **question: Any) -> Any:
         _engines.ask = _start_engine()
     answer = json.loads(_engines.ask(json.dumps({"topic": topic, **question}, allow_nan=False)))
     if "refused" in answer:
-        raise ArmError(". ".join([answer["refused"], *map(format_advice, answer["advice"])]))
+        message = ". ".join([answer["refused"], *map(format_advice, answer["advice"])])
+        if "marked" in answer:
+            raise UnreadNumberError(message, make_marked_text(answer["marked"]))
+        raise ArmError(message)
     return answer["answer"]
 
 

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from helpers.checks.marked_text import MarkedText, make_marked_text
 from helpers.checks.student_arm import JointMap
 
 RIGHT, RIGHT_BY_MAP, WRONG = "right", "right by map", "wrong"
@@ -79,6 +80,7 @@ class Verdict:
         read: the numbers of the answer with their owners, the entries first, row by row.
         mark: the grade whose mark is shown, if it differs.
         joint_map: how the joints of a table that is "right by map" count; else None.
+        marked_text: the answer with its numbers marked, if it was a text; else None.
     """
 
     topic: str
@@ -94,6 +96,7 @@ class Verdict:
     read: tuple[NumberRead, ...] = field(default=(), compare=False)
     mark: str = ""
     joint_map: JointMap | None = field(default=None, compare=False)
+    marked_text: MarkedText | None = field(default=None, compare=False)
 
     @property
     def agrees(self) -> bool:
@@ -115,9 +118,17 @@ class Verdict:
     __repr__ = __str__
 
     def _repr_markdown_(self) -> str:
-        head = f"{_MARKS[self.mark or self.grade]} **{self.headline}**"
-        text = "\n".join([head, "", *(f"- {line}" for line in self.lines)])
-        return f"{text}\n\n{self.joint_map.format_markdown()}" if self.joint_map else text
+        headline = f"{_MARKS[self.mark or self.grade]} **{self.headline}**"
+        text = "\n".join([headline, "", *(f"- {line}" for line in self.lines)])
+        joint_map = [self.joint_map.format_markdown()] if self.joint_map else []
+        return "\n\n".join([text, *joint_map, *self._format_marks()])
+
+    def _format_marks(self) -> list[str]:
+        """Return the marked text as HTML if it explains more than the sentences do."""
+        marked = self.marked_text
+        if marked is None or (self.agrees and not marked.has_notable_marks):
+            return []
+        return list(filter(None, [marked.format_html()]))
 
 
 def make_verdict(
@@ -138,6 +149,7 @@ def make_verdict(
         tuple(NumberRead(**number) for number in answer.get("read", ())),
         answer.get("mark", ""),
         joint_map,
+        make_marked_text(answer["marked"]) if "marked" in answer else None,
     )
 
 
