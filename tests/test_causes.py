@@ -268,6 +268,28 @@ def test_wrong_trajectory_from_a_round_start_is_not_called_drift():
     assert causes_of_trace(task, rows, PANDA)[0] == "wrong"
 
 
+def format_slides(rows, decimals):
+    """Return one line per pose, each with its own number of decimals."""
+    return "\n".join(f"{z:.{n}f} {x:.{n}f}" for (z, x), n in zip(rows, decimals, strict=True))
+
+
+def test_pose_in_two_decimals_is_right_to_its_digits():
+    """Row 3 of the circle is 4.7 mm off, and the other rows have five decimals."""
+    decimals = [2 if k == 3 else 5 for k in range(len(CIRCLE.positions))]
+    text = format_slides(CIRCLE.positions[:, [2, 0]], decimals)
+    assert text.splitlines()[3] == "0.35 0.39"
+    assert check_slides(text).grade == "right"
+
+
+def test_round_start_does_not_excuse_later_poses():
+    """Half a unit of the start is 50 mm, and the rows behind it are 20 mm off."""
+    path = motion.circle((0.3123, 0.0, 0.3046), 0.1, "xz", 5.0, 40)
+    rows = path.positions[:, [2, 0]] + [0.02, 0.0]
+    text = format_slides(rows, [1, *[5] * (len(rows) - 1)])
+    assert text.startswith("0.3 0.4\n")
+    assert checks.compare_trace(text, SLEDGE, path).grade == "wrong"
+
+
 # Single mistakes of a table, of digits and of centres of mass
 
 
