@@ -7,6 +7,8 @@ import time
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
+import pytest
+
 from tests.browser.reader import EVERYTHING, SIZES, TWO_FRAMES, UNTOUCHED, WINDOWS, Reader
 from tests.searches import SEARCHES, STUDENT_SEARCHES
 from tests.test_book import HTML, NAMES
@@ -74,6 +76,35 @@ def test_linked_equation_is_shown_beside_its_link(browser):
     assert page.locator(".cell_input").locator("visible=true").count()
     assert reader.troubles == []
     reader.context.close()
+
+
+class SlowBar(SimpleHTTPRequestHandler):
+    """A server that sends the parts of a page's bar a tenth of a second apart."""
+
+    def do_GET(self):
+        if not self.path.endswith(".html"):
+            return super().do_GET()
+        page = (HTML / self.path.lstrip("/")).read_bytes()
+        before, bar, after = re.split(rb'(?=<header class="bar")|(?<=</header>)', page, maxsplit=2)
+        self.send_response(200)
+        self.end_headers()
+        for piece in (before, *re.split(rb"(?=\n  <)", bar), after):
+            self.wfile.write(piece)
+            time.sleep(0.1)
+
+
+@pytest.mark.parametrize("size", ["wide", "phone"])
+def test_bar_that_arrives_slowly_does_not_move(browser, size):
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(SlowBar, directory=HTML))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    address = f"http://127.0.0.1:{server.server_port}"
+    reader = Reader(browser, "light", size, address)
+    reader.page.add_init_script(UNTOUCHED)
+    reader.page.goto(f"{address}/check_your_homework.html")
+    assert reader.page.locator(".bar-links").is_visible()
+    assert reader.page.evaluate("window.moved") < 0.001
+    reader.context.close()
+    server.shutdown()
 
 
 # True once the text is painted in the book's typeface.
