@@ -306,13 +306,31 @@ def chapter(browser):
 
 
 def near(place):
-    """Scroll until a small judge is there: what comes to life on the way moves the page."""
+    """Scroll until a small judge is live: what comes to life on the way moves the page."""
     for _ in range(300):
         place.evaluate(THERE)
-        if place.locator("form").count():
+        if not place.locator(".unscripted").count():
             return place
         place.page.wait_for_timeout(100)
     raise AssertionError("no judge came to life")
+
+
+def test_typing_goes_on_when_the_script_arrives(chapter):
+    """The script replaces a field that already has the focus."""
+    page = chapter("glossary")
+    place = page.locator(".arm-judge")
+    answer = place.get_by_label("Your answer", exact=True)
+
+    def late(route):
+        answer.focus()
+        route.continue_()
+
+    page.route("**/judge.js", late)
+    chapter("03_circle_tracing")
+    place.evaluate(THERE)
+    place.locator(".unscripted").wait_for(state="detached")
+    page.keyboard.insert_text("1 2 3")
+    assert answer.input_value() == "1 2 3"
 
 
 def test_chapter_form_hides_given_fields(chapter):
@@ -376,7 +394,6 @@ def test_answer_field_is_on_first_screen(page):
     field = page.get_by_label("Your answer", exact=True).bounding_box()
     assert field["y"] + 100 < page.viewport_size["height"]
     assert page.evaluate("scrollY") == 0
-    # A page that is painted while it is parsed moves the bar's links by up to 0.0003.
     assert page.evaluate("moved") < 0.001
 
 

@@ -25,6 +25,7 @@ import { AnswerMemory, clearAnswers } from "./memory.js";
 import { showOwnJoints } from "./own_joints.js";
 import { showPath } from "./path_picture.js";
 import { showReading, showVerdict } from "./shown.js";
+import { readStillForm, restoreFocus } from "./still_form.js";
 import { addToolButtons } from "./tools.js";
 
 /** @typedef {import("./question.js").Question} Question */
@@ -57,15 +58,20 @@ export function mount(stub, book, id) {
   addToolButtons(check, book);
   addFileInput(check, stub);
   addReportButton(check);
-  const { focusedKey, patch } = readStillForm(stub, Object.keys(form.fields));
+  const { focus, patch } = readStillForm(stub, Object.keys(form.fields));
   const isLinked = !given && readLinks(check, stub);
   const isAnswered = isLinked || (!("answer" in patch) && check.restore());
-  if (!isAnswered && !Object.keys(patch).length && keepStillVerdict(check, stub)) return;
+  const isUntouched = !isAnswered && !Object.keys(patch).length;
+  if (!isUntouched || !keepStillVerdict(check, stub)) replaceStillForm(check, stub, patch);
+  restoreFocus(form.fields, focus);
+}
+
+// Show the form with its verdict, and what the reader entered in the still form.
+function replaceStillForm(check, stub, patch) {
   const { beside, below } = groupParts(check);
-  stub.replaceChildren(h("div.desk", {}, form.form, ...beside), ...below);
+  stub.replaceChildren(h("div.desk", {}, check.form.form, ...beside), ...below);
   if (DEFAULT_FIELDS.some((key) => key in patch)) check.changeQuestion(patch);
   check.update(patch);
-  form.fields[focusedKey]?.focus();
 }
 
 // Return the parts that stand beside the form, and those below both.
@@ -107,21 +113,6 @@ function nameScope(given, id) {
   if (!given) return "check";
   const page = globalThis.location?.pathname?.split("/").at(-1) ?? "";
   return `${page.replace(".html", "")}-${id}`;
-}
-
-// Return what the reader entered in the still form before the script loaded, and which field has
-// the focus.
-function readStillForm(stub, keys) {
-  const fields = keys
-    .map((key) => [key, stub.querySelector(`[id$="-${key}"]`)])
-    .filter(([, field]) => field);
-  const defaultOf = (field) =>
-    field.defaultValue ?? (field.querySelector("[selected]") ?? field.options[0])?.value;
-  const changed = fields.filter(([, field]) => field.value !== (defaultOf(field) ?? ""));
-  return {
-    focusedKey: fields.find(([, field]) => field === document.activeElement)?.[0],
-    patch: Object.fromEntries(changed.map(([key, field]) => [key, field.value])),
-  };
 }
 
 // Load the question from the link, now and whenever the address changes. Returns whether the
