@@ -2,10 +2,15 @@
 
 Python, Node and the browser tests read the same file. Each of its `entries` is a text for one
 field: the quantity and unit of that field, and the expected value, or null if the text is rejected.
-Each of its `questions` fills the fields of the judge's page. It also has a topic (`about`), the
-expected `grade` (or "refused"), the expected `cause` ("" for none), and parts of the message that
-must appear (`said`) or must not (`unsaid`). The right numbers come from `helpers`, from
-tests/corpus or from a calculation by hand, never from `judge/`.
+Each of its `formulas` has its value at x = 0.7 and q_1 = 0.4, each of its `matrices` its rows of
+numbers. Each of its `tables` has its rows as kind of joint (R, P or F), a, alpha, d and theta, in m
+and degrees, and the `options` that say how it is read; where the order of its columns is `guessed`,
+one of the readings has these rows. The three hold each layout, spelling, header, unit and notation
+of NumPy, MATLAB, LaTeX, spreadsheets and people once. Each of its `questions` fills the fields of
+the judge's page. It also has a topic (`about`), the expected `grade` (or "refused"), the expected
+`cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`).
+The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
+`judge/`.
 """
 
 import json
@@ -13,6 +18,7 @@ from pathlib import Path
 
 _CASES = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="utf-8"))
 ENTRIES, QUESTIONS = _CASES["entries"], _CASES["questions"]
+FORMULAS, MATRICES, TABLES = _CASES["formulas"], _CASES["matrices"], _CASES["tables"]
 _EXPECTED = ("about", "grade", "cause", "said", "unsaid")
 
 

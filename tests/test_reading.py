@@ -10,12 +10,12 @@ import pytest
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError
-from tests import reading, typed_tables
-from tests.cases import QUESTIONS
+from tests import reading
+from tests.cases import FORMULAS, QUESTIONS, TABLES
 from tests.node import needs_node
 
 pytestmark = needs_node
-TABLES = [case for case in QUESTIONS if case["ask"] == "table"]
+QUESTIONS_ABOUT_TABLES = [case for case in QUESTIONS if case["ask"] == "table"]
 
 NO_ROWS = "the table is {}; expected rows of four entries"
 NO_ENTRIES = "the table is {}; expected lists such as 'a': [...], or entries such as 'd1': 0.3"
@@ -257,7 +257,7 @@ def test_offset_column_is_added_to_the_joint_entry(text, still):
     assert [(n["theta"], n["d"]) for n in numbers] == still
 
 
-FORMULAS = [
+EXACT_NUMBERS = [
     (r"\sin^{2}{\left(\frac{\pi}{6} \right)} + cos^2 0", 1.25),
     ("sin^-1 0.5", None),
     ("√2/2 + √ 4", 2 + 2**0.5 / 2),
@@ -276,27 +276,32 @@ FORMULAS = [
 ]
 
 
-@pytest.mark.parametrize(("text", "wanted"), FORMULAS)
+@pytest.mark.parametrize(("text", "wanted"), EXACT_NUMBERS)
 def test_number_is_read_exactly_or_rejected(text, wanted):
     found = reading.ask_reader("number", text=text)
     assert found == (wanted if wanted is None else pytest.approx(wanted, rel=1e-12))
 
 
-# Random tables and formulas
+@pytest.mark.parametrize("case", FORMULAS, ids=lambda case: case["text"])
+def test_typed_formula_is_evaluated(case):
+    found = reading.read_formula(case["text"], x=0.7, q_1=0.4)["value"]
+    assert found == pytest.approx(case["value"], rel=1e-9, abs=1e-12)
 
 
-@pytest.mark.parametrize("seed", range(10))
-def test_random_tables_are_read(seed):
-    rng = np.random.default_rng(seed)
-    for _ in range(30):
-        text, options, wanted, sure = typed_tables.made(rng)
-        read = reading.read_tables(text, **options)[: 1 if sure else None]
-        right = [
-            [kind[0].upper() for kind, *_ in rows] == [w[0] for w in wanted]
-            and np.allclose([r[1:] for r in rows], [w[1:] for w in wanted], atol=2e-5)
-            for rows in map(reading.list_rows, read)
-        ]
-        assert any(right), (text, options)
+@pytest.mark.parametrize("case", TABLES, ids=range(len(TABLES)))
+def test_typed_table_is_read(case):
+    tables = reading.read_tables(case["text"], **case.get("options", {}))
+    kinds, *numbers = zip(*case["rows"], strict=True)
+    expected = np.array(numbers) * np.array([[1], [math.radians(1)], [1], [math.radians(1)]])
+
+    def is_right(rows):
+        found_kinds, *found = zip(*rows, strict=True)
+        return [kind[0].upper() for kind in found_kinds] == [*kinds] and np.allclose(
+            found, expected, atol=2e-5
+        )
+
+    readings = [*map(reading.list_rows, tables)]
+    assert any(map(is_right, readings if case.get("guessed") else readings[:1])), readings[0]
 
 
 # A number that is not part of a name, such as q_1, q_{1}, q1, q[1] and deg2rad.
@@ -320,7 +325,7 @@ def list_wrong_marks(table):
     texts = {
         (row, column): entries["texts"][name]
         for row, entries in enumerate(table["rows"])
-        for column, name in enumerate(typed_tables.NAMES)
+        for column, name in enumerate(("a", "alpha", "d", "theta"))
     }
     digits = partial(re.sub, "[0.]", "")
     return [
@@ -330,18 +335,16 @@ def list_wrong_marks(table):
     ]
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_numbers_of_random_tables_have_owners(seed):
-    rng = np.random.default_rng(seed)
-    for _ in range(30):
-        text, options, _, _ = typed_tables.made(rng)
-        assert not list_wrong_marks(reading.read_tables(text, **options)[0]), text
+@pytest.mark.parametrize("case", TABLES, ids=range(len(TABLES)))
+def test_numbers_of_typed_table_have_owners(case):
+    [table, *_] = reading.read_tables(case["text"], **case.get("options", {}))
+    assert not list_wrong_marks(table)
 
 
 def test_numbers_of_stored_tables_have_owners():
     options = "columns", "lengths", "angles", "convention"
     count = 0
-    for case in TABLES:
+    for case in QUESTIONS_ABOUT_TABLES:
         try:
             [table, *_] = reading.read_tables(
                 case["answer"], **{key: case[key] for key in options if key in case}
@@ -351,15 +354,6 @@ def test_numbers_of_stored_tables_have_owners():
         count += 1
         assert not list_wrong_marks(table), case["answer"]
     assert count > 70  # of 94; the others are refused, or use symbols of their arm
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_random_formulas_are_evaluated(seed):
-    rng = np.random.default_rng(seed)
-    for _ in range(60):
-        text, wanted = typed_tables.formula_of(rng)
-        found = reading.read_formula(text, x=0.7, q_1=0.4)["value"]
-        assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12), text
 
 
 # JavaScript does not count a pattern's steps, so its time is measured: a text four times as long
