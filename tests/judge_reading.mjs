@@ -3,16 +3,17 @@
 import { createInterface } from "node:readline";
 import { number, parse, symbols, value } from "../judge/reading/formula.js";
 import { lookup, numbers } from "../judge/reading/numbers.js";
-import { meant, read } from "../judge/reading/table.js";
+import { readTables } from "../judge/reading/table.js";
+import { convertTable } from "../judge/reading/table_conversion.js";
 import { ArmError } from "../judge/sentences.js";
 
 const tableOf = (kinds) => (table) => ({
   ...table,
   rows: table.rows.map((row) => ({ ...row, radians: [...row.radians] })),
-  meant: meant(table, kinds),
+  converted: convertTable(table, kinds),
 });
 
-const READERS = { table: read, numbers: (text) => numbers(text, "mine") };
+const READERS = { table: readTables, numbers: (text) => numbers(text, "mine") };
 
 // Return the processor's time to read a text, in microseconds. Unlike a clock's time it hardly
 // depends on the machine's load.
@@ -45,7 +46,7 @@ const JOBS = {
     const tree = parse(text, what);
     return { names: [...symbols(tree)].sort(), value: known && value(tree, (name) => known[name]) };
   },
-  tables: ({ text, options, values, kinds }) => read(text, options, values).map(tableOf(kinds)),
+  tables: ({ text, options, values, kinds }) => readTables(text, options, values).map(tableOf(kinds)),
   names({ names, arm, q, values }) {
     return Object.fromEntries(lookup(arm, q, values)(new Set(names)));
   },

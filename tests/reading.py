@@ -41,4 +41,4 @@ def read_tables(typed_table: Any, *, values=(), kinds=(), **options: str) -> lis
 def list_rows(table: dict) -> list[tuple]:
     """Return kind, a, alpha, d and theta of each row of a reading."""
     names = ("kind", "a", "alpha", "d", "theta")
-    return [tuple(row[name] for name in names) for row in table["meant"]["rows"]]
+    return [tuple(row[name] for name in names) for row in table["converted"]["rows"]]

@@ -167,7 +167,9 @@ def test_matrix_that_fits_no_row_is_rejected():
 
 
 def test_columns_without_headers_are_a_alpha_d_theta():
-    assert reading.read_tables("0 0 0.5 q1\n0 0 0.3 q2")[0]["said"] == ["columns a alpha d theta"]
+    assert reading.read_tables("0 0 0.5 q1\n0 0 0.3 q2")[0]["assumptions"] == [
+        "columns a alpha d theta"
+    ]
 
 
 def test_matrix_with_symbols_has_a_joint():
@@ -215,7 +217,7 @@ def test_contradictory_table_option_is_rejected(options, words):
 def test_exchanged_headers_are_corrected():
     text = "a,alpha,d,theta\n0,q1,0.5,90\n0.4,q2,0,0\n0.3,q3,0,0"
     [read] = reading.read_tables(text, lengths="m", angles="deg", convention="craig")
-    assert read["exchanged"]
+    assert read["isExchanged"]
     assert (read["lengths"], read["angles"], read["convention"]) == ("m", "deg", "craig")
     assert [row["numbers"]["alpha"] for row in read["rows"]] == [90, 0, 0]
 

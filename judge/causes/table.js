@@ -4,7 +4,7 @@
 import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
 import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geometry/rows.js";
 import { combinations } from "../geometry/walk.js";
-import { fromCraig } from "../reading/table.js";
+import { convertFromCraig } from "../reading/table_conversion.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
@@ -95,7 +95,7 @@ function mends(count, modified) {
     [null, (read) => read],
     [makeCause("table.alpha and theta"), (read) => read.map(swap("alpha", "theta"))],
     [makeCause("table.a and d"), (read) => read.map(swap("a", "d"))],
-    ...(modified ? [] : [/** @type {any} */ ([makeCause("table.craig"), fromCraig])]),
+    ...(modified ? [] : [/** @type {any} */ ([makeCause("table.craig"), convertFromCraig])]),
     [makeCause("table.into craig"), toCraig],
     ...rows.map((k) => aAndDOf(k)),
     ...combinations(rows, 2).map(([i, j]) => exchanged(i, j)),

@@ -1,7 +1,7 @@
 // A table copied out of Word or a PDF has each cell on a line of its own, column headers first.
 
 import { listLines } from "./spans.js";
-import { headOf } from "./table_columns.js";
+import { findEntry } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
@@ -46,7 +46,7 @@ function countHeaderLines(lines) {
   let count = 0;
   for (const { text } of lines) {
     const header = text.trim();
-    const name = headOf(header);
+    const name = findEntry(header);
     const isOffset = name === "d" && /offset/i.test(header);
     if (!UNIT.test(header) && !OTHER_HEADER.test(header)) {
       if (name === undefined || /[|&\t;]/.test(header)) break;
@@ -77,7 +77,7 @@ function takeCells(lines, isEntry) {
  */
 function findWidth(headers, cells, next) {
   const { length } = headers;
-  const widths = headers.some((line) => headOf(line.text.trim()) === "i")
+  const widths = headers.some((line) => findEntry(line.text.trim()) === "i")
     ? [length]
     : [length + 1, length];
   const isWhole = (width) => cells.length % width === 0 && cells.length >= 2 * width;

@@ -1,40 +1,45 @@
-// A table given as the matrices A_1 ... A_n of its rows.
+// Reads a table from the link matrices A_1 ... A_n of its rows.
 
 import { number, parse, simple, symbols, value } from "./formula.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, formatMessage, formatNumber } from "../sentences.js";
 
-// The rows of cells as matrices A_i, where they are such.
-export function matrices(cells) {
+// Split rows of cells into link matrices; null if they are none.
+export function splitMatrices(cells) {
   const last = (row) => row.every((text, k) => number(text) === (k === 3 ? 1 : 0));
   if (cells.length < 8 || cells.length % 4 || !cells.every((row) => row.length === 4)) return null;
   if (!cells.every((row, i) => i % 4 !== 3 || last(row))) return null;
   return Array.from({ length: cells.length / 4 }, (_, k) => cells.slice(4 * k, 4 * k + 4));
 }
 
-/** @returns {import("./table.js").TypedRow} */
-export function fromMatrix(i, A, known) {
+/**
+ * Read one row of the table from its link matrix.
+ * @param {number} i the number of the row, from 1
+ * @param {string[][]} A the matrix @param {Map<string, number>} known symbols that have numbers
+ * @returns {import("./table.js").TypedRow}
+ */
+export function readLinkMatrix(i, A, known) {
   const trees = A.map((row) => row.map((text) => parse(text, `A_${i}`)));
   const free = [...symbols(["all", ...trees.flat()])].filter((name) => !known.has(simple(name)));
   const at = (x) => {
-    const look = (name) => (free.includes(name) ? short(name, x) : known.get(simple(name)));
+    const look = (name) => (free.includes(name) ? evaluateName(name, x) : known.get(simple(name)));
     return trees.map((row) => row.map((tree) => value(tree, look)));
   };
   const [zero, one] = [at(0), at(0.5)];
-  const numbers = entriesOf(zero);
+  const numbers = computeEntries(zero);
   const slid = one[2][3] - zero[2][3];
   const slides = Math.abs(slid) > 1e-9;
   const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - numbers.theta);
   const texts = Object.fromEntries(ENTRIES.map((name) => [name, formatNumber(numbers[name], 6)]));
-  mustBeLink(i, zero, numbers);
-  mustBeLink(i, one, numbers);
+  requireLinkMatrix(i, zero, numbers);
+  requireLinkMatrix(i, one, numbers);
   const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
   const backwards = (slides ? slid : turned) < 0;
   return { kind, numbers, texts, backwards, radians: new Set(), metres: new Set() };
 }
 
-// A joint's value, or its cosine or sine where the name is c_1 or s1.
-function short(name, x) {
+// Return a joint's value, or its cosine or sine for a name such as c_1 or s1.
+function evaluateName(name, x) {
   const match = /^([cs])_?\d+$/i.exec(name);
   if (!match) return x;
   return match[1].toLowerCase() === "c" ? Math.cos(x) : Math.sin(x);
@@ -42,8 +47,8 @@ function short(name, x) {
 
 const OFF = 2e-2; // of sines and cosines that were rounded to two digits
 
-// The entries of the row whose matrix A is, if it is one.
-const entriesOf = (A) => ({
+// Compute the entries of the row whose link matrix is A.
+const computeEntries = (A) => ({
   a: A[0][3] * A[0][0] + A[1][3] * A[1][0],
   alpha: Math.atan2(A[2][1], A[2][2]),
   d: A[2][3],
@@ -63,7 +68,7 @@ const READ_ENTRIES = [
  */
 export const findReadEntry = ([row, column]) => READ_ENTRIES[row]?.[column] ?? "";
 
-// A matrix that no row of a table gives, or not as it stands; the cause, if it is known.
+/** A matrix that no row of a table gives; the key is a cause if the mistake is known. */
 export class NoLink extends ArmError {
   constructor(key, fields = {}) {
     super(formatMessage(key, fields));
@@ -71,18 +76,18 @@ export class NoLink extends ArmError {
   }
 }
 
-// An error where a matrix of numbers is no product Rot_z Trans_z Trans_x Rot_x of row i.
-function mustBeLink(i, A, numbers) {
-  const off = offLink(A, numbers);
+// Refuse a matrix of numbers that is no product Rot_z Trans_z Trans_x Rot_x.
+function requireLinkMatrix(i, A, numbers) {
+  const off = findMisfit(A, numbers);
   if (!off) return;
   const turned = A.map((row, k) => row.map((x, n) => (k < 3 && n < 3 ? A[n][k] : x)));
-  const key = offLink(turned, entriesOf(turned)) ? "no link matrix" : "table.transposed";
+  const key = findMisfit(turned, computeEntries(turned)) ? "no link matrix" : "table.transposed";
   throw new NoLink(key, { i, row: off[0], column: off[1] });
 }
 
-// The first entry of a matrix of numbers that does not fit the others, row and column from 1.
-function offLink(A, { a, alpha }) {
-  const { d, theta } = entriesOf(A);
+// Find the first entry that does not fit the others; its row and column count from 1.
+function findMisfit(A, { a, alpha }) {
+  const { d, theta } = computeEntries(A);
   const [c, s, ca, sa] = [theta, alpha].flatMap((x) => [Math.cos(x), Math.sin(x)]);
   const link = [
     [c, -s * ca, s * sa, a * c],

@@ -3,7 +3,7 @@
 
 import { number } from "./formula.js";
 import { listLines } from "./spans.js";
-import { headOf } from "./table_columns.js";
+import { findEntry } from "./table_columns.js";
 import { ENTRIES, isVariable } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
@@ -21,13 +21,13 @@ const MOST_ROWS = 32;
  */
 /**
  * Rows of entries below their headers; `parts` are the stretches of the text that hold them.
- * @typedef {{ rows: Entry[][], headers: string[], parts: Span[], said?: string[],
+ * @typedef {{ rows: Entry[][], headers: string[], parts: Span[], assumptions?: string[],
  *   convention?: string }} EntryRows
  */
 /**
  * A table whose entries have names: `sources` says where each entry stands in the text, `context`
  * is the text around the table, and `left` lists what was not used.
- * @typedef {{ cells: string[][], heads: string[], said: string[], convention?: string,
+ * @typedef {{ cells: string[][], headers: string[], assumptions: string[], convention?: string,
  *   sources: Source[], parts: Span[], context: string, left: string[] }} NamedTable
  */
 /** @typedef {Span & { row: number, column: number }} Source `column` in the order of ENTRIES */
@@ -42,16 +42,16 @@ export function readNamedTable(typedText) {
   const brackets = listBrackets(text);
   const table = readLinks(brackets) ?? readDictionaries(text, brackets) ?? readLists(brackets);
   if (!table) return null;
-  const { rows, headers, parts, said = [], convention } = table;
+  const { rows, headers, parts, assumptions = [], convention } = table;
   refuseManyRows(rows.length);
   const sources = rows.flatMap((entries, row) =>
     entries.flatMap(({ spans }, k) => {
-      const column = ENTRIES.indexOf(headOf(headers[k]));
+      const column = ENTRIES.indexOf(findEntry(headers[k]));
       return spans.map((span) => ({ ...span, row, column }));
     }),
   );
   const cells = rows.map((entries) => entries.map((entry) => entry.text));
-  const named = { cells, heads: headers, said, sources, parts };
+  const named = { cells, headers: headers, assumptions, sources, parts };
   return { ...named, ...(convention && { convention }), ...listUnused(text, parts, sources) };
 }
 
@@ -171,7 +171,7 @@ function listPairs({ body, start }) {
     const from = at + all.length;
     const [value] = body.slice(from, names[k + 1]?.index).split(/[,;[]/);
     const entry = makeEntry(value, start + from);
-    const column = headOf(index ? name.replace(index, "") : name);
+    const column = findEntry(index ? name.replace(index, "") : name);
     if (!ENTRIES.includes(column) || !entry.text) return [];
     return [{ column, name: index ? column : name, index, entry }];
   });
@@ -190,7 +190,7 @@ function readLists(brackets) {
     const name = open === "(" ? null : LIST.exec(before);
     if (!name) return [];
     const part = { from: from - name[0].length, to };
-    return [{ column: headOf(name[1]) ?? "", entries: listEntries(body, start), part }];
+    return [{ column: findEntry(name[1]) ?? "", entries: listEntries(body, start), part }];
   });
   if (lists.length < 3 || !lists.every(({ column }) => ENTRIES.includes(column))) return null;
   const columns = new Map(lists.map(({ column, entries }) => [column, entries]));
@@ -215,7 +215,7 @@ function addTheta(table, distances) {
     ...table,
     rows: table.rows.map((row, k) => [...row, angles[k]]),
     headers: [...table.headers, "theta"],
-    said: [formatMessage("taken: no theta")],
+    assumptions: [formatMessage("taken: no theta")],
   };
 }
 
@@ -251,7 +251,7 @@ function readLinks(brackets) {
     }),
     headers: ENTRIES,
     parts: links.map(({ part }) => part),
-    said: [formatMessage("taken: links")],
+    assumptions: [formatMessage("taken: links")],
   };
   return links.some(({ call }) => MODIFIED.test(call)) ? { ...table, convention: "craig" } : table;
 }

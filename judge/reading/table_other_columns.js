@@ -1,7 +1,7 @@
 // Columns of a pasted table that are no part of it, as a maker's masses beside the four entries.
 
 import { isNumber } from "./formula.js";
-import { headOf } from "./table_columns.js";
+import { findEntry } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
 
 const SEPARATORS = ["\t", "|", "&", ";"];
@@ -14,12 +14,12 @@ const VECTOR = /^[([{]\s*[-+−.\d]/; // a centre of mass
  * @returns {{ text: string, others: string[] }} the headers of the columns with numbers that were
  *   cut out
  */
-export function withoutOtherColumns(text) {
+export function dropOtherColumns(text) {
   const lines = text.split("\n");
   for (const separator of SEPARATORS)
     for (const [k, line] of lines.entries()) {
       const headers = line.split(separator).map((cell) => cell.trim());
-      const words = headers.map(headOf);
+      const words = headers.map(findEntry);
       if (!ENTRIES.every((entry) => words.includes(entry))) continue;
       const isKept = (i) => words[i] !== undefined || !headers[i] || KEPT.test(headers[i]);
       const cells = lines.map((one) => one.split(separator));

@@ -32,9 +32,9 @@ function makeLabel({ text, from, to, line }, reason) {
  * @param {string} text
  * @returns {Token[]}
  */
-export function placeBlockNumbers(tokens, { cells, heads, isTurned = false }, table, text) {
-  const headers = heads.length ? nameColumns(heads) : table.order;
-  const names = table.exchanged ? headers.map((name) => EXCHANGED[name] ?? name) : headers;
+export function placeBlockNumbers(tokens, { cells, headers, isTurned = false }, table, text) {
+  const columns = headers.length ? nameColumns(headers) : table.order;
+  const names = table.isExchanged ? columns.map((name) => EXCHANGED[name] ?? name) : columns;
   return tokens.map((token) => {
     if (token.owner !== "entry") return token;
     const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];

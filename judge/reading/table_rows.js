@@ -13,15 +13,16 @@ export const UNITS = { m: 1, cm: 1e-2, mm: 1e-3 };
 // Convert a length to metres without round-off: 72 / 1000 is 0.072, 72 * 0.001 is not.
 export const toMetres = (length, unit) => length / Math.round(1 / unit);
 
-// Names of joints' variables, and what stands for one where nobody named it.
+// Names of joints' variables.
 const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 
+// What stands for a variable that nobody named.
 export const VARIABLE = /^(?:var(?:iable)?|[-*?qd]|th(?:eta)?)\*?$/i;
 
 const LOCKED = /\s*\((?:locked|fixed)[^()]*\)\s*$/i;
 
-// A cell without the name that it is given to, a note behind it and its footnote's sign.
-export const entryText = (cell) =>
+// Trim a cell: drop the name it is assigned to, a note behind it and a footnote mark.
+export const trimEntry = (cell) =>
   cell
     .replace(/^['"]|['"]$/g, "")
     .replace(/^[^=]*=\s*/, "")
@@ -36,34 +37,36 @@ export function isVariable(text) {
 }
 
 /**
- * The row that cells make, by the name of their column; `known` are the symbols that have numbers.
- * @param {number} i
- * @param {Record<string, string>} entries
- * @param {Map<string, number>} known
+ * Read one row.
+ * @param {number} i its number, from 1
+ * @param {Record<string, string>} entries its cells by the name of their column
+ * @param {Map<string, number>} known symbols that have numbers
  * @returns {TypedRow}
  */
-export function rowOf(i, entries, known) {
-  const texts = each((name) =>
-    (LENGTHS.has(name) ? inMetres(entries[name]) : entries[name]).trim(),
+export function readRow(i, entries, known) {
+  const texts = mapEntries((name) =>
+    (LENGTHS.has(name) ? convertToMetres(entries[name]) : entries[name]).trim(),
   );
-  const dashes = withoutDashes(texts);
-  const trees = each((name) => treeOf(dashes[name].replace(IN_METRES, ""), name, i, known));
+  const dashes = fillDashes(texts);
+  const trees = mapEntries((name) =>
+    parseEntry(dashes[name].replace(IN_METRES, ""), name, i, known),
+  );
   const isFree = (one) => !known.has(simple(one));
-  const free = each((name) => [...symbols(trees[name])].filter(isFree).sort());
+  const free = mapEntries((name) => [...symbols(trees[name])].filter(isFree).sort());
   const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
-  const joint = oneSymbol(i, free, mover);
+  const joint = findVariable(i, free, mover);
   const at = (name, x) =>
     value(trees[name], (one) => (free[name].includes(one) ? x : known.get(simple(one))));
-  const numbers = each((name) => at(name, 0));
-  const backwards = mover !== null && slope(at(mover, 1) - numbers[mover], i, mover) < 0;
-  const inRadians = (name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]));
+  const numbers = mapEntries((name) => at(name, 0));
+  const backwards = mover !== null && findDirection(at(mover, 1) - numbers[mover], i, mover) < 0;
+  const hasOwnUnit = (name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]));
   return {
     kind: mover === null ? "unknown" : KIND[mover],
     numbers,
     texts,
     backwards,
     joint,
-    radians: new Set(ENTRIES.filter(inRadians)),
+    radians: new Set(ENTRIES.filter(hasOwnUnit)),
     metres: new Set(ENTRIES.filter((name) => IN_METRES.test(texts[name]))),
     trees,
   };
@@ -72,8 +75,8 @@ export function rowOf(i, entries, known) {
 const LENGTHS = new Set(["a", "d"]);
 const IN_METRES = / m$/;
 
-// A length with its own unit in metres, digit for digit: 612.7 mm is 0.6127 m.
-function inMetres(text) {
+// Write a length with a unit in metres, digit for digit: 612.7 mm is 0.6127 m.
+function convertToMetres(text) {
   const [, sign, x, factor, unit] =
     /^([-+−]?)\s*(\d*\.?\d*)(?:\*1e-([23])|\s*(mm|cm|m))$/.exec(text.trim()) ?? [];
   if (!x) return text;
@@ -84,8 +87,8 @@ function inMetres(text) {
 
 const isDash = (text) => ["-", "–", "—"].includes(text);
 
-// A dash for an empty cell: 0, or the joint's variable where its row names none.
-function withoutDashes(texts) {
+// Replace a dash by 0, or by the joint's variable if its row names none.
+function fillDashes(texts) {
   const { a, alpha, d, theta } = texts;
   const zero = (text) => (isDash(text) ? "0" : text);
   const free = isDash(theta) && !isVariable(zero(d));
@@ -98,35 +101,36 @@ function withoutDashes(texts) {
 }
 
 const KIND = { theta: "revolute", d: "prismatic" };
-const each = (make) => Object.fromEntries(ENTRIES.map((name) => [name, make(name)]));
+const mapEntries = (make) => Object.fromEntries(ENTRIES.map((name) => [name, make(name)]));
 
-// The formula of a cell; a mere sign for the variable, such as a star, is the joint's own.
-function treeOf(cell, name, i, known) {
+// Parse a cell; a mark for the variable, such as a star, stands for the joint's own variable.
+function parseEntry(cell, name, i, known) {
   const text = plain(cell);
   const moves = name === "theta" || name === "d";
   const free = moves && VARIABLE.test(text) && !known.has(simple(text));
   return parse(free ? `q_${i}` : text || "0", `${name} in row ${i}`);
 }
 
-// A joint's variable and its number; null where it has none.
-function numbered(name) {
+// Return a variable with its number; null if it has none.
+function parseVariable(name) {
   const [number] = /\d+/.exec(name ?? "") ?? [];
   return number === undefined ? null : { name, number: Number(number) };
 }
 
-// The joint's variable; an error where the row holds a symbol besides it.
-function oneSymbol(i, free, mover) {
+// Find the joint's variable; refuse a row that holds another symbol.
+function findVariable(i, free, mover) {
   const moving = mover === null ? [] : free[mover];
   const joint = moving.find((one) => /^(?:q|th|phi)/.test(one)) ?? moving[0];
   const isStray = (name) => (one) => name !== mover || one !== joint;
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
-  if (stray === undefined) return numbered(joint);
+  if (stray === undefined) return parseVariable(joint);
   throw new ArmError(formatMessage("row symbol", { row: i, name: stray }), [
     { field: "values", value: stray },
   ]);
 }
 
-function slope(rate, row, name) {
+// Return the sign with which a row follows its joint; refuse a row that scales the joint.
+function findDirection(rate, row, name) {
   const far = (from) => Math.abs(Math.abs(rate) - from) > 1e-6;
   if (far(1) && far(RAD))
     throw new ArmError(formatMessage("row slope", { row, name, rate: formatNumber(rate) }));

@@ -1,10 +1,11 @@
 // Reads a table as an arm for Python's Arm.from_table, and says how it was read.
 
 import { ANGLE_TOLERANCE } from "../geometry/rows.js";
-import { describeReading, meant, read } from "../reading/table.js";
-import { withoutOtherColumns } from "../reading/table_other_columns.js";
+import { readTables } from "../reading/table.js";
+import { convertTable, describeReading } from "../reading/table_conversion.js";
+import { dropOtherColumns } from "../reading/table_other_columns.js";
 import { formatMessage, joinList } from "../sentences.js";
-import { meantRows, tableOf } from "./table.js";
+import { makeTable, snapTypedAngles } from "./table.js";
 import { noteRightAngles } from "./table_same.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -22,23 +23,23 @@ const JOINT_NAME = /[qθϑ]|th/i; // shows which column holds the joints
  *   numbers alone, and what the reader of the arm must know
  */
 export function readArmTable(text, options) {
-  const whole = withoutOtherColumns(text);
-  const typed = read(whole.text, options, options.values)[0];
-  const taken = meant(typed, []);
-  const table = tableOf(typed, taken);
-  const rows = meantRows(table);
+  const whole = dropOtherColumns(text);
+  const typed = readTables(whole.text, options, options.values)[0];
+  const converted = convertTable(typed, []);
+  const table = makeTable(typed, converted);
+  const rows = snapTypedAngles(table);
   const renumbered = noteRenumberedJoints(typed, table, rows);
   const others = whole.others.length
     ? [formatMessage("left out: columns", { columns: joinList(whole.others) })]
     : [];
   const parts = [
-    describeReading(typed, taken),
+    describeReading(typed, converted),
     ...others,
     ...renumbered,
     ...noteRightAngles(table),
   ];
   // The warning about a guessed order asks for the convention too.
-  const guessed = !options.columns && Boolean(typed.guessed) && !JOINT_NAME.test(text);
+  const guessed = !options.columns && Boolean(typed.isOrderGuessed) && !JOINT_NAME.test(text);
   const warnings = [
     ...renumbered,
     ...(guessed ? [] : noteLikelyCraig(typed, text, rows)),

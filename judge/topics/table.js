@@ -1,4 +1,5 @@
-// Is my table wrong, or only different?
+// The verdict on a Denavit-Hartenberg table: right, right with joints that count otherwise, right
+// so far, or wrong with the mistake that explains it.
 
 import { makeCause, causeName, hedgeMessage, joinCauseMessages } from "../causes/ranking.js";
 import { findFewestMistakes } from "../causes/table.js";
@@ -12,9 +13,10 @@ import {
   snapRows,
   jointColumn,
 } from "../geometry/rows.js";
-import { meant, read } from "../reading/table.js";
+import { readTables } from "../reading/table.js";
+import { convertTable } from "../reading/table_conversion.js";
 import { NoLink } from "../reading/table_matrices.js";
-import { withoutOtherColumns } from "../reading/table_other_columns.js";
+import { dropOtherColumns } from "../reading/table_other_columns.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { formatMessage, formatNumber, uncapitalize } from "../sentences.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
@@ -24,9 +26,10 @@ import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_w
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const LENGTH = 1e-6; // m
-const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
-const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
+const EXACT_LENGTH = 1e-6; // m
+const COARSEST_UNIT = 1e-3; // m: lengths typed to the millimetre are still compared
+const WHOLE_NUMBERS = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
+const MOST_ORDERS = 4; // of columns that are searched for mistakes, if the order is a guess
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
@@ -34,7 +37,7 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 
 /**
- * How the table is to be read; what is empty or not said is guessed.
+ * How to read the table; what is empty or missing is guessed.
  * @typedef {object} Options
  * @property {string} [columns] their order, as "theta d a alpha"
  * @property {string} [lengths] "m", "cm" or "mm"
@@ -46,81 +49,101 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
  */
 
 /**
- * A student's table in numbers, in SI units where they were said, with the units of the last
- * places. In the modified convention a and alpha stand one row further down than in `rows`; `added`
- * is 1 where a fixed row before the typed ones holds the first of them.
+ * A student's table in m and rad.
  * @typedef {object} Table
  * @property {string} name
  * @property {TableRow[]} rows
- * @property {Record<string, string>[]} texts
- * @property {number} lengthUnit
- * @property {number} angleUnit
- * @property {number} lengthScale
- * @property {number} angleScale
- * @property {string[]} said
- * @property {boolean} modified
- * @property {number} added
- * @property {boolean} exchanged whether the heads of alpha and theta are
+ * @property {Record<string, string>[]} texts its entries as they were typed
+ * @property {number} lengthUnit the unit of the last typed place of the lengths (m); 0 if exact
+ * @property {number} angleUnit the same of the angles (rad)
+ * @property {number} lengthScale the unit in which lengths are typed (m)
+ * @property {number} angleScale the unit in which angles are typed (rad)
+ * @property {string[]} assumptions what was guessed, as phrases
+ * @property {boolean} modified whether it is in Craig's convention, where a and alpha stand one row
+ *   further down than in `rows`
+ * @property {number} added 1 if `rows` begins with a fixed row for Craig's first a and alpha
+ * @property {boolean} isExchanged whether the headers of alpha and theta are exchanged
+ */
+/**
+ * One reading of a table beside the reference.
+ * @typedef {object} Reading
+ * @property {() => Verdict | null} judgeSame null if the table is another arm
+ * @property {() => Verdict | null} judgeFirst null if it is not the arm's first joints
+ * @property {() => Verdict} reportDifferences
  */
 
 /**
  * Compare a typed table with the reference: where they differ, and why.
- * @param {string | Arm} mine text, or an arm that Python holds
+ * @param {string | Arm} answer a text, or an arm from Python
  * @param {Arm} reference
  * @param {Options} options
  * @returns {Verdict}
  */
-export const compareTables = completeVerdicts(tablesCompared);
+export const compareTables = completeVerdicts((answer, reference, options = {}) =>
+  typeof answer === "string"
+    ? judgeText(answer, reference, options)
+    : judgeArm(answer, reference, options),
+);
 
-function tablesCompared(mine, reference, options = {}) {
+/** Judge an arm from Python. @param {Arm} arm @returns {Verdict} */
+function judgeArm(arm, reference, options) {
+  const table = makeTableOfArm(/** @type {any} */ (arm));
+  const { verdict } = chooseVerdict([makeReading(table, reference, options)]);
+  return { ...verdict, table: { rows: table.rows, cells: [], trees: [], wrong: [] } };
+}
+
+/** Judge a text. @param {string} text @returns {Verdict} */
+function judgeText(text, reference, options) {
   const kinds = reference.rows.map(({ kind }) => kind);
   const known = new Map([...(reference.values ?? []), ...(options.values ?? [])]);
-  const isText = typeof mine === "string";
-  const typed = isText ? readOrNot(mine, options, [...known]) : [];
-  if (typed instanceof NoLink) return noLink(typed, reference);
-  const held = typed.map((one) => withLocked(one, kinds));
-  const tables = isText ? held.map((one) => tableOf(one, meant(one, kinds))) : [ofArm(mine)];
-  const readings = tables.map((table) => judgedTable(table, reference, options));
-  const whole = (report, k) => {
-    if (!isText)
-      return { ...report, table: { rows: tables[k].rows, cells: [], trees: [], wrong: [] } };
-    const cells = shown(typed[k], tables[k], report.findings);
-    return {
-      ...report,
-      left: typed[k].left,
-      tokens: typed[k].tokens,
-      table: { rows: tables[k].rows, typed: typed[k].rows, ...cells },
-    };
-  };
-  const good = readings.map((one) => one.good());
-  const isGood = [
+  const typedTables = readTextOrNoLink(text, options, [...known]);
+  if (typedTables instanceof NoLink) return reportNoLink(typedTables, reference);
+  const tables = typedTables.map((typed) => {
+    const fixed = fixLockedRows(typed, kinds);
+    return makeTable(fixed, convertTable(fixed, kinds));
+  });
+  const readings = tables.map((table) => makeReading(table, reference, options));
+  const { verdict, index, isSame } = chooseVerdict(readings);
+  const [typed, table] = [typedTables[index], tables[index]];
+  const misnamed = isSame ? findMisnamedRow(typed.rows) : null;
+  const judged = misnamed ? reportWrong(table, reference, [misnamed]) : verdict;
+  const { left, tokens, rows } = typed;
+  const cells = formatReadTable(typed, table, judged.findings);
+  return { ...judged, left, tokens, table: { rows: table.rows, typed: rows, ...cells } };
+}
+
+// Choose the best verdict over all readings: on the same arm, then on its first joints, then the
+// one with the fewest mistakes.
+/** @param {Reading[]} readings */
+function chooseVerdict(readings) {
+  const same = readings.map((reading) => reading.judgeSame());
+  const index = [
     (verdict) => verdict?.grade === RIGHT,
     (verdict) => verdict && verdict.grade !== WRONG,
     Boolean,
-  ];
-  const same = isGood.map((test) => good.findIndex(test)).find((k) => k >= 0);
-  const astray = isText && same !== undefined ? outOfTurn(typed[same].rows) : null;
-  if (astray) return whole(bad(tables[same], reference, [astray]), same);
-  if (same !== undefined) return whole(good[same], same);
-  const parts = readings.map((one) => one.part());
-  const part = parts.findIndex(Boolean);
-  if (part >= 0) return whole(parts[part], part);
-  const wrong = readings.slice(0, MOST_READINGS).map((one) => one.bad());
-  const slips = wrong.map(slipsIn);
-  const fewest = slips.indexOf(Math.min(...slips));
-  return whole(wrong[fewest], fewest);
+  ]
+    .map((test) => same.findIndex(test))
+    .find((k) => k >= 0);
+  if (index !== undefined) return { verdict: same[index], index, isSame: true };
+  const first = readings.map((reading) => reading.judgeFirst());
+  const firstIndex = first.findIndex(Boolean);
+  if (firstIndex >= 0) return { verdict: first[firstIndex], index: firstIndex, isSame: false };
+  const wrong = readings.slice(0, MOST_ORDERS).map((reading) => reading.reportDifferences());
+  const counts = wrong.map(countMistakes);
+  const fewest = counts.indexOf(Math.min(...counts));
+  return { verdict: wrong[fewest], index: fewest, isSame: false };
 }
 
-// The tables that a text may be, or why its matrices are none.
-function readOrNot(text, options, known) {
+// Read the tables that a text may be; return the error if its matrices are no link matrices.
+function readTextOrNoLink(text, options, known) {
   try {
-    return read(text, options, known);
+    return readTables(text, options, known);
   } catch (error) {
     if (error instanceof NoLink) return error;
-    const { text: fewerColumns, others } = withoutOtherColumns(text);
+    const { text: fewerColumns, others } = dropOtherColumns(text);
     if (!others.length) throw error;
     // The numbers' positions are those in the shorter text, so that none can be marked.
-    return read(fewerColumns, options, known).map((table) => ({
+    return readTables(fewerColumns, options, known).map((table) => ({
       ...table,
       left: [...table.left, ...others],
       tokens: undefined,
@@ -128,54 +151,49 @@ function readOrNot(text, options, known) {
   }
 }
 
-// The rows of links or of lists without theta, of which none can be said to be locked, with those
-// fixed that should be.
-function withLocked(table, kinds) {
-  const { rows, said } = table;
+// Fix the locked rows in tables that cannot say which rows are locked: Link lines, and lists
+// without theta.
+function fixLockedRows(table, kinds) {
+  const { rows, assumptions } = table;
   const isUnlocked = ["taken: links", "taken: no theta"].some((key) =>
-    said.includes(formatMessage(key)),
+    assumptions.includes(formatMessage(key)),
   );
   if (!isUnlocked || rows.length !== kinds.length) return table;
-  return { ...table, rows: rows.map((row, k) => (kinds[k] === "fixed" ? fixed(row) : row)) };
+  const fix = (row, k) => (kinds[k] === "fixed" ? { ...row, kind: "fixed", joint: null } : row);
+  return { ...table, rows: rows.map(fix) };
 }
 
-const fixed = (row) => ({ ...row, kind: "fixed", joint: null });
-
-/** @returns {Verdict} */
-function noLink({ message, causes, tokens }, { name }) {
+/** @param {NoLink} error @param {Arm} reference @returns {Verdict} */
+function reportNoLink({ message, causes, tokens }, { name }) {
   const findings = [{ what: "cause", where: "", words: `${message}.` }];
   const fields = {
     mine: formatMessage("your table"),
     reference: name,
     cause: uncapitalize(message),
   };
-  return makeVerdict("table", { name }, WRONG, formatMessage("table wrong", fields), {
-    findings,
-    causes,
-    tokens,
-  });
+  const headline = formatMessage("table wrong", fields);
+  return makeVerdict("table", { name }, WRONG, headline, { findings, causes, tokens });
 }
 
-// The first row that is named after an earlier joint than the row before it.
-function outOfTurn(rows) {
+// Find the first row that is named after an earlier joint than the row before it.
+function findMisnamedRow(rows) {
   const named = rows.flatMap(({ joint }, k) => (joint ? [{ ...joint, row: k + 1 }] : []));
-  const astray = named.find(
+  const misnamed = named.find(
     ({ number }, k) => k + 1 < named.length && number >= named[k + 1].number,
   );
-  return astray ? makeCause("table.names", { row: astray.row, name: astray.name }) : null;
+  return misnamed ? makeCause("table.names", { row: misnamed.row, name: misnamed.name }) : null;
 }
 
-const MOST_READINGS = 4; // orders of columns that are tried, where none was said
-
-// How many slips a report needs: those that it names, and what it can only list.
-function slipsIn({ causes, findings }) {
+// Count the mistakes that a verdict needs: those that it names, and those that it only lists.
+/** @param {Verdict} verdict */
+function countMistakes({ causes, findings }) {
   const named = causes.length ? causes[0].split(" + ").length : 0;
   return named + findings.filter(({ what }) => what !== "cause" && !what.includes(".")).length;
 }
 
-// The table as it was read, a row of cells for each that was typed, and which of them are wrong.
-function shown(typed, { lengthScale, angleScale }, findings) {
-  const wheres = findings.map(({ where }) => where);
+// Format the table as it was read, with the wrong cells.
+function formatReadTable(typed, { lengthScale, angleScale }, findings) {
+  const positions = findings.map(({ where }) => where);
   const trees = typed.rows.map((row) => ENTRIES.map((column) => row.trees?.[column]));
   const cells = typed.rows.map(({ kind, numbers, radians, backwards }, k) =>
     ENTRIES.map((column) => {
@@ -191,177 +209,178 @@ function shown(typed, { lengthScale, angleScale }, findings) {
     }),
   );
   const wrong = cells.map((_, k) =>
-    ENTRIES.map((column) => wheres.includes(`row ${k + 1}, ${column}`)),
+    ENTRIES.map((column) => positions.includes(`row ${k + 1}, ${column}`)),
   );
   return { cells, trees, wrong };
 }
 
-// What was typed
-
-/** @returns {Table} */
-export function tableOf(typed, found) {
+/**
+ * Make the table of a typed one.
+ * @param {import("../reading/table.js").TypedTable} typed
+ * @param {import("../reading/table_conversion.js").ConvertedTable} converted
+ * @returns {Table}
+ */
+export function makeTable(typed, { rows, assumptions, length, angle }) {
   const texts = typed.rows.map((row) => row.texts);
   const modified = typed.convention === "craig";
   const { a, alpha } = typed.rows[0].numbers;
   return {
     name: formatMessage("your table"),
-    rows: found.rows,
+    rows,
     texts,
-    lengthUnit: wholeUnit(typed, found.length) || unitOf(texts, ["a", "d"]) * found.length,
-    angleUnit: unitOf(texts, ["alpha", "theta"]) * found.angle,
-    lengthScale: found.length,
-    angleScale: found.angle,
-    said: found.said,
+    lengthUnit: findWholeUnit(typed, length) || findFinestUnit(texts, ["a", "d"]) * length,
+    angleUnit: findFinestUnit(texts, ["alpha", "theta"]) * angle,
+    lengthScale: length,
+    angleScale: angle,
+    assumptions,
     modified,
-    exchanged: Boolean(typed.exchanged),
+    isExchanged: Boolean(typed.isExchanged),
     added: Number(modified && Boolean(a || alpha)),
   };
 }
 
 /**
- * An arm that Python holds, as a table in m and rad.
+ * Make the table of an arm from Python, in m and rad.
  * @param {{ name: string, rows: TableRow[], texts: Record<string, string>[] }} arm
  * @returns {Table}
  */
-const ofArm = ({ name, rows, texts }) => ({
+const makeTableOfArm = ({ name, rows, texts }) => ({
   name,
   rows,
   texts,
-  lengthUnit: unitOf(texts, ["a", "d"]),
-  angleUnit: unitOf(texts, ["alpha", "theta"]),
+  lengthUnit: findFinestUnit(texts, ["a", "d"]),
+  angleUnit: findFinestUnit(texts, ["alpha", "theta"]),
   lengthScale: 1,
   angleScale: 1,
-  said: [],
+  assumptions: [],
   modified: false,
-  exchanged: false,
+  isExchanged: false,
   added: 0,
 });
 
-// The finest last place of the decimals in some columns; 0 where there are none.
-function unitOf(texts, columns) {
-  const found = texts.flatMap((row) =>
+// Find the unit of the finest last place of the decimals in some columns; 0 if there are none.
+function findFinestUnit(texts, columns) {
+  const decimals = texts.flatMap((row) =>
     columns.flatMap((column) => row[column].match(DECIMAL) ?? []),
   );
-  const shown = units(found).filter(Boolean);
-  return shown.length ? Math.min(...shown) : 0;
+  const finest = units(decimals).filter(Boolean);
+  return finest.length ? Math.min(...finest) : 0;
 }
 
-// The unit of lengths that are all whole numbers of a small size; 0 for others. Whole numbers among
-// formulas are exact.
-function wholeUnit(typed, scale) {
+// Return the unit of lengths that are all whole numbers, if it is small; else 0. Whole numbers
+// among formulas are exact.
+function findWholeUnit(typed, scale) {
   const lengths = typed.rows.flatMap(({ kind, texts }) =>
     kind === "prismatic" ? [texts.a] : [texts.a, texts.d],
   );
-  return scale <= COARSEST && lengths.every((text) => WHOLES.test(text)) ? scale : 0;
+  const isWhole = lengths.every((text) => WHOLE_NUMBERS.test(text));
+  return scale <= COARSEST_UNIT && isWhole ? scale : 0;
 }
 
-// The rows with angles that were cut to two decimals or more taken as the right angles that they
-// are near: 1.57 is meant as pi/2.
-export const meantRows = (table) =>
+/**
+ * Replace angles cut to two decimals or more by the right angles that they are near: 1.57 is pi/2.
+ * @param {Table} table @returns {TableRow[]}
+ */
+export const snapTypedAngles = (table) =>
   table.rows.map((row, k) => {
-    const [alpha, theta] = ["alpha", "theta"].map((c) =>
-      snapAngle(row[c], entryUnit(table, k + 1, c)),
+    const [alpha, theta] = ["alpha", "theta"].map((column) =>
+      snapAngle(row[column], entryUnit(table, k + 1, column)),
     );
     return { ...row, alpha, theta };
   });
 
-// The verdict
-
 /**
- * One reading of a table beside the reference: the verdicts on the same arm and on its first
- * joints, null where it is neither, and that on another arm.
- * @param {Table} table
- * @returns {{ good: () => Verdict | null, part: () => Verdict | null, bad: () => Verdict }}
+ * Make a reading of a table beside the reference.
+ * @param {Table} table @param {Arm} reference @param {Options} options
+ * @returns {Reading}
  */
-function judgedTable(table, reference, { tolerance = null, startPose = null }) {
+function makeReading(table, reference, { tolerance = null, startPose = null }) {
   const wanted = snapRows(reference.rows);
-  const rows = meantRows(table);
+  const rows = snapTypedAngles(table);
   const [mine, ref] = [describeAxes(rows), describeAxes(wanted)];
-  const exact = tolerance === null ? LENGTH : Math.max(tolerance, 1e-12);
+  const exact = tolerance === null ? EXACT_LENGTH : Math.max(tolerance, 1e-12);
   const [length, angle] = [table.lengthUnit, table.angleUnit].map((unit) =>
-    tolerance === null && unit <= COARSEST ? 0.51 * unit : 0,
+    tolerance === null && unit <= COARSEST_UNIT ? 0.51 * unit : 0,
   );
-  // a turned axis meets the next one elsewhere
-  const wide = tolerance === null ? Math.max(exact, 2 * length, 2.5 * angle * reach(rows)) : exact;
+  const reach = Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
+  // A rounded angle moves the point where an axis meets the next one.
+  const rounded = tolerance === null ? Math.max(exact, 2 * length, 2.5 * angle * reach) : exact;
+  const roundedAngle = Math.max(ANGLE_TOLERANCE, 4 * angle);
   const sides = { table, reference, rows, wanted, mine, ref };
-  const judgeSame = (comparison, grade) => {
-    if (table.exchanged) return bad(table, reference, [makeCause("table.alpha and theta")]);
-    const last = Math.min(table.lengthUnit || table.angleUnit * reach(rows), COARSEST);
-    const mapped = grade === RIGHT ? LENGTH : 10 * last;
-    return judgeSameArm(sides, comparison, grade, { length: wide, mapped, startPose });
+  const judgeAxes = (comparison, grade) => {
+    if (table.isExchanged)
+      return reportWrong(table, reference, [makeCause("table.alpha and theta")]);
+    const lastPlace = Math.min(table.lengthUnit || table.angleUnit * reach, COARSEST_UNIT);
+    const mapped = grade === RIGHT ? EXACT_LENGTH : 10 * lastPlace;
+    return judgeSameArm(sides, comparison, grade, { length: rounded, mapped, startPose });
   };
-  const comparison = compareAxes(mine, ref, exact);
-  const good = () => {
+  const judgeSame = () => {
+    const comparison = compareAxes(mine, ref, exact);
     const higher = Math.abs(comparison.baseHigher);
-    const isRounded = higher > exact && higher <= wide;
-    if (!comparison.differences.length) return judgeSame(comparison, isRounded ? ROUNDED : RIGHT);
+    const isRounded = higher > exact && higher <= rounded;
+    if (!comparison.differences.length) return judgeAxes(comparison, isRounded ? ROUNDED : RIGHT);
     if (tolerance !== null) return null;
-    const near = compareAxes(mine, ref, wide, Math.max(ANGLE_TOLERANCE, 4 * angle));
-    return near.differences.length ? null : judgeSame(near, ROUNDED);
+    const near = compareAxes(mine, ref, rounded, roundedAngle);
+    return near.differences.length ? null : judgeAxes(near, ROUNDED);
   };
-  const part = () => judgeFirstRows(sides, wide, Math.max(ANGLE_TOLERANCE, 4 * angle));
   return {
-    good,
-    part,
-    bad: () => different(table, reference, rows, wanted, Math.max(exact, length)),
+    judgeSame,
+    judgeFirst: () => judgeFirstRows(sides, rounded, roundedAngle),
+    reportDifferences: () => reportDifferences(sides, Math.max(exact, length)),
   };
 }
 
-const reach = (rows) => Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
-
-// What differs, and why
-
-// Why a table is another arm: by the fewest slips.
-/** @param {Table} table @returns {Verdict} */
-function different(table, reference, rows, wanted, length) {
-  const found = findFewestMistakes(rows, reference, wanted, table.modified, length);
-  const causes = found.flatMap((t) => t.cause ?? []);
-  const [t] = found;
+/**
+ * Report why a table is another arm, by the fewest mistakes.
+ * @param {import("./table_same.js").Sides} sides @param {number} length tolerance (m)
+ * @returns {Verdict}
+ */
+function reportDifferences({ table, reference, rows, wanted }, length) {
+  const hypotheses = findFewestMistakes(rows, reference, wanted, table.modified, length);
+  const causes = hypotheses.flatMap(({ cause }) => cause ?? []);
+  const [hypothesis] = hypotheses;
   const { a, alpha } = table.rows[0];
   const isCraig = causes.some(({ keys }) => keys.includes("table.craig"));
   const own = isCraig ? { ...table, modified: true, added: Number(Boolean(a || alpha)) } : table;
-  const findings = t.left.map((at) =>
-    Array.isArray(at) ? describeEntry(own, t, at, length) : describeDifference(own, at),
+  const findings = hypothesis.left.map((difference) =>
+    Array.isArray(difference)
+      ? describeEntry(own, hypothesis, difference, length)
+      : describeDifference(own, difference),
   );
-  return bad(table, reference, causes, findings);
+  return reportWrong(table, reference, causes, findings);
 }
 
-// `causes` explain the same; of the findings those with a cause of their own add to it.
-/** @param {Table} table @param {Cause[]} causes @param {Finding[]} findings @returns {Verdict} */
-function bad(table, reference, causes, findings = []) {
-  const own = findings.map(({ what }) => what).filter((what) => what.includes("."));
-  const added = own.length === findings.length ? own : [];
+/**
+ * Report a wrong table.
+ * @param {Table} table @param {Arm} reference
+ * @param {Cause[]} causes each explains the same differences
+ * @param {Finding[]} findings what the causes leave; those with a cause of their own add to it
+ * @returns {Verdict}
+ */
+function reportWrong(table, reference, causes, findings = []) {
+  const ownCauses = findings.map(({ what }) => what).filter((what) => what.includes("."));
+  const added = ownCauses.length === findings.length ? ownCauses : [];
   const names = causes.length
-    ? causes.map((why) => [causeName(why), ...added].join(" + "))
+    ? causes.map((cause) => [causeName(cause), ...added].join(" + "))
     : added.length
       ? [added.join(" + ")]
       : [];
   const fields = { mine: table.name, reference: reference.name };
-  const report = {
-    topic: "table",
-    arm: reference.name,
-    grade: WRONG,
-    headline: formatMessage("table other arm", fields),
-    findings,
-    causes: names,
-    taken: table.said,
-    notes: [],
-  };
+  const shared = { causes: names, taken: table.assumptions };
+  const makeWrong = (headline, list) =>
+    makeVerdict("table", reference, WRONG, headline, { ...shared, findings: list });
   if (causes.length) {
-    const words = hedgeMessage(joinCauseMessages(causes), findings);
+    const message = hedgeMessage(joinCauseMessages(causes), findings);
     const rest = findings.length ? formatMessage("and what remains") : "";
-    const headline = formatMessage("table wrong", { cause: uncapitalize(words) + rest, ...fields });
-    return {
-      ...report,
-      headline,
-      findings: [{ what: "cause", where: "", words: `${words}.` }, ...findings],
-    };
+    const cause = uncapitalize(message) + rest;
+    const finding = { what: "cause", where: "", words: `${message}.` };
+    return makeWrong(formatMessage("table wrong", { cause, ...fields }), [finding, ...findings]);
   }
-  if (findings.length !== 1 || own.length !== 1) return report;
-  const [only] = findings;
-  const headline = formatMessage("table wrong", { cause: inside(only.words), ...fields });
-  return { ...report, headline, findings: [{ ...only, what: "cause" }] };
+  if (findings.length !== 1 || ownCauses.length !== 1)
+    return makeWrong(formatMessage("table other arm", fields), findings);
+  const [finding] = findings;
+  const cause = uncapitalize(finding.words).replace(/\.+$/, "");
+  return makeWrong(formatMessage("table wrong", { cause, ...fields }), [
+    { ...finding, what: "cause" },
+  ]);
 }
-
-// A sentence inside another.
-const inside = (words) => uncapitalize(words).replace(/\.+$/, "");

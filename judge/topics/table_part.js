@@ -46,7 +46,7 @@ export function judgeFirstRows({ table, reference, rows, wanted, mine, ref }, le
   const words = formatMessage("table rows missing", fields);
   return makeVerdict("table", reference, SO_FAR, formatMessage("table first rows", fields), {
     findings: [{ what: "missing", where: joints, words }],
-    taken: table.said,
+    taken: table.assumptions,
     figures: { right: count, of: ref.joints.length },
   });
 }

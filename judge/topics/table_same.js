@@ -70,7 +70,7 @@ export function judgeSameArm(sides, comparison, grade, tolerances) {
   if (fault) return makeFaultVerdict(sides, fault, tolerances.mapped);
   const joints = listMappedJoints(map, listOwnNumbers(table, mine), ref);
   const names = { mine: table.name, reference: reference.name };
-  const shared = { taken: table.said, figures: { "same machine": true } };
+  const shared = { taken: table.assumptions, figures: { "same machine": true } };
   const isToolReversed = angleDistance(...comparison.tilts) > 1;
   if (isIdentity(map, ref, grade) && !isToolReversed) {
     const headline = formatMessage(grade === RIGHT ? "table same" : "table rounded", names);
@@ -180,7 +180,7 @@ function makeFaultVerdict(sides, fault, length) {
       ? entries.map((entry) => (entries.length > 1 ? entry : { ...entry, what: "cause" }))
       : [{ what: "cause", where, words: headline }],
     causes: entries.length ? [entries.map(({ what }) => what).join(" + ")] : [],
-    taken: table.said,
+    taken: table.assumptions,
     figures: { "same machine": true },
   });
 }

@@ -1,7 +1,7 @@
 // Read a DH table from the clipboard with the judge's table reader.
 
 import { findRowsFault } from "../../judge/geometry/arm.js";
-import { ownRows } from "../../judge/reading/table.js";
+import { readOwnTable } from "../../judge/reading/table.js";
 import { ArmError } from "../../judge/sentences.js";
 
 // Separators that occur in a table and not in a single entry.
@@ -17,7 +17,7 @@ const TABLE_PATTERN = /[\n\t;&|]|\]\s*,|,\s*\[|\d +[-\d]/;
 export function readPastedTable(text, unit) {
   try {
     if (!TABLE_PATTERN.test(text.trim())) return null;
-    const { rows, reading } = ownRows(text, unit);
+    const { rows, reading } = readOwnTable(text, unit);
     const fault = findRowsFault(rows);
     return fault ? { error: `${fault}.` } : { rows, reading };
   } catch (error) {

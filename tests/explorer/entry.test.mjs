@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { number } from "../../judge/reading/formula.js";
 import { readEntry } from "../../judge/reading/entry.js";
-import { read } from "../../judge/reading/table.js";
+import { readTables } from "../../judge/reading/table.js";
 import { formatEntry } from "../../page/src/text.js";
 
 const { entries: ENTRIES } = JSON.parse(readFileSync(new URL("../cases.json", import.meta.url), "utf8"));
@@ -23,7 +23,7 @@ for (const { text, quantity, unit, value } of ENTRIES) {
     const other = quantity === "angle" && readEntry(text, "angle", unit === "deg" ? "rad" : "deg");
     if (other?.value !== value || text === "0") return; // a bare number, in the unit of its field
     near(number(text), value);
-    const [table] = read(`a\talpha\td\ttheta\n0\t${text}\t0.5\tq1\n0.4\t0\t0\tq2`);
+    const [table] = readTables(`a\talpha\td\ttheta\n0\t${text}\t0.5\tq1\n0.4\t0\t0\tq2`);
     near(table.rows[0].numbers.alpha, value);
   });
 }

@@ -4,7 +4,7 @@ import { findRowsFault, makeTypedArm } from "../../../judge/geometry/arm.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { formatEntry, isAngle } from "../text.js";
 import { pose as poseOf } from "../../../judge/reading/numbers.js";
-import { ownRows } from "../../../judge/reading/table.js";
+import { readOwnTable } from "../../../judge/reading/table.js";
 import { ownValues } from "../../../judge/reading/values.js";
 import { ArmError, capitalize, tryOrNull } from "../../../judge/sentences.js";
 import { applyOwnJoints } from "./own_joints.js";
@@ -210,8 +210,13 @@ export function findArm(question, arms) {
   const symbols = QUESTIONS[question.ask].fields.includes("values")
     ? ownValues(question.values)
     : [];
-  const { rows, said, guessed, reading } = ownRows(question.table, question.unit, symbols, "m");
-  if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADER_ADVICE}.`);
+  const { rows, assumptions, isOrderGuessed, reading } = readOwnTable(
+    question.table,
+    question.unit,
+    symbols,
+    "m",
+  );
+  if (isOrderGuessed) throw new ArmError(`Are these the ${assumptions[0]}? ${HEADER_ADVICE}.`);
   const fault = findRowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
   return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: UNNAMED_ARM, reading };
