@@ -1,4 +1,4 @@
-"""Read table entries: numbers, or short formulas such as ``"-pi/2"`` or ``"d_6 + l_pen"``.
+"""Read the entries of tables, which are numbers or formulas such as ``"-pi/2"``.
 
 An entry is kept as text and read only here: as a float once its symbols have values, or as LaTeX
 for a table. `helpers.symbolic` hands the same text to SymPy. The page reads the same formulas by
@@ -26,10 +26,10 @@ _BINARY: dict[type, Callable[[float, float], float]] = {
 _UNARY: dict[type, Callable[[float], float]] = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
 _EXACT_BELOW = 1e15  # every whole number below is exactly a float
-_LONGEST = 200  # characters; a longer formula could be nested deeper than Python can follow
+_MAX_LENGTH = 200  # characters; a longer formula could be nested deeper than Python can follow
 # An entry of these characters alone needs no rewriting.
 _PLAIN_CHARACTERS = re.compile(r"[A-Za-z0-9_+\-*/(). ]+")
-# Python would read these as numbers, or as symbols, which they are not meant to be.
+# Python would read these texts as numbers or symbols, and they are neither.
 _NOT_PLAIN = re.compile(r"\b\d+_|\b0[xob]|\b(?:deg|rad)\b", re.IGNORECASE)
 # Greek letters by the names that LaTeX has for them.
 _GREEK = (
@@ -44,7 +44,7 @@ def check_entry(value: object, name: str) -> Entry:
 
     Args:
         value: A number, a text, or any object whose ``str`` is a formula.
-        name: What messages call the entry; it also says which units may follow a number.
+        name: Name of the entry in messages. It determines the units that may follow a number.
 
     Raises:
         ArmError: `value` is no finite number and no formula.
@@ -72,14 +72,14 @@ def plain_formula(written: str, name: str = "the entry") -> str:
 
     Args:
         written: The entry as it was typed or printed.
-        name: What messages call the entry. It says which units may follow a number: those of an
-            angle for "alpha" and "theta", of a length for "a" and "d".
+        name: Name of the entry in messages. It determines the units that may follow a number:
+            units of angle for "alpha" and "theta", of length for "a" and "d".
     """
     require_type(written, str, "what is written")
-    if len(written) > _LONGEST:
-        raise ArmError(f"{name} has {len(written)} characters; expected at most {_LONGEST}")
+    if len(written) > _MAX_LENGTH:
+        raise ArmError(f"{name} has {len(written)} characters; expected at most {_MAX_LENGTH}")
     text = written.strip()
-    if _tree(text) is not None:
+    if _parse_plain_formula(text) is not None:
         return text
     # Imported here because the judge starts slowly, and no arm of the catalogue needs it.
     from helpers.checks.engine import ask_judge
@@ -87,7 +87,7 @@ def plain_formula(written: str, name: str = "the entry") -> str:
     answer = ask_judge("entry", text=text, kinds=_UNIT_KINDS.get(name, ["angle", "length"]))
     if answer.get("fault"):
         raise ArmError(f"{name} is {written!r}, which {answer['fault']}")
-    if _tree(answer.get("text", "")) is None:
+    if _parse_plain_formula(answer.get("text", "")) is None:
         raise ArmError(
             f"{name} is {written!r}; expected numbers, symbols, pi and + - * / ( ), such as"
             " '-pi/2' or 'd_6 + l_pen'"
@@ -98,12 +98,12 @@ def plain_formula(written: str, name: str = "the entry") -> str:
 def symbol_names(text: Entry, name: str = "the entry") -> frozenset[str]:
     """Return the names of an entry's symbols, without `pi`."""
     text = text if isinstance(text, str) else check_entry(text, name)
-    return _formula_names(text, name) if isinstance(text, str) else frozenset()
+    return _find_formula_names(text, name) if isinstance(text, str) else frozenset()
 
 
 @cache
-def _formula_names(text: str, name: str) -> frozenset[str]:
-    nodes = ast.walk(_parse(text, name))
+def _find_formula_names(text: str, name: str) -> frozenset[str]:
+    nodes = ast.walk(_parse_entry(text, name))
     return frozenset(node.id for node in nodes if isinstance(node, ast.Name)) - {"pi"}
 
 
@@ -123,7 +123,9 @@ def evaluate(text: Entry, values: Mapping[str, float]) -> float:
     text = text if isinstance(text, str) else check_entry(text, "the entry")
     try:
         number = float(
-            _evaluate(_parse(text, "the entry"), values) if isinstance(text, str) else text
+            _evaluate_node(_parse_entry(text, "the entry"), values)
+            if isinstance(text, str)
+            else text
         )
     except ArithmeticError:
         number = math.nan
@@ -133,7 +135,10 @@ def evaluate(text: Entry, values: Mapping[str, float]) -> float:
 
 
 def entry_latex(text: Entry) -> str:
-    """Write an entry in LaTeX: ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{pen})``."""
+    """Write an entry in LaTeX.
+
+    ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{pen})``.
+    """
     text = check_entry(text, "the entry")
     if not isinstance(text, str):
         return f"{text:g}"
@@ -142,15 +147,15 @@ def entry_latex(text: Entry) -> str:
     return text.replace("*", r"\,")
 
 
-def _parse(text: str, name: str) -> ast.expr:
-    tree = _tree(plain_formula(text, name))
+def _parse_entry(text: str, name: str) -> ast.expr:
+    tree = _parse_plain_formula(plain_formula(text, name))
     assert tree is not None, "plain_formula returns formulas only"
     return tree
 
 
 @lru_cache(maxsize=1024)
-def _tree(text: str) -> ast.expr | None:
-    """Parse a plain formula; return None for any other text."""
+def _parse_plain_formula(text: str) -> ast.expr | None:
+    """Parse a plain formula, or return None if the text is no plain formula."""
     if not _PLAIN_CHARACTERS.fullmatch(text) or _NOT_PLAIN.search(text):
         return None
     try:
@@ -169,7 +174,7 @@ def _is_number(node: ast.AST) -> bool:
 _ALLOWED = (ast.Name, ast.Load, ast.BinOp, ast.UnaryOp, *_BINARY, *_UNARY)
 
 
-def _evaluate(node: ast.expr, values: Mapping[str, float]) -> float:
+def _evaluate_node(node: ast.expr, values: Mapping[str, float]) -> float:
     match node:
         case ast.Name("pi"):
             return math.pi
@@ -178,7 +183,7 @@ def _evaluate(node: ast.expr, values: Mapping[str, float]) -> float:
                 raise ArmError(f"no value for {name}; there are {', '.join([*values, 'pi'])}")
             return values[name]
         case ast.UnaryOp(op, operand):
-            return _UNARY[type(op)](_evaluate(operand, values))
+            return _UNARY[type(op)](_evaluate_node(operand, values))
         case ast.BinOp(left, op, right):
-            return _BINARY[type(op)](_evaluate(left, values), _evaluate(right, values))
-    return node.value  # type: ignore[attr-defined]  # _tree lets no other node through
+            return _BINARY[type(op)](_evaluate_node(left, values), _evaluate_node(right, values))
+    return node.value  # type: ignore[attr-defined]  # _parse_plain_formula lets no other node through

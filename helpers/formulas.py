@@ -23,7 +23,7 @@ Polynomial = dict[Monomial, sp.Expr]
 
 _SHORT_NAME = re.compile(r"([cs])_\{?(\d[\d+-]*)\}?")
 _LENGTH, _ANGLE, _MIXED = range(3)
-_LAST = 10**6  # a joint number beyond any: such atoms are sorted last
+_LAST_JOINT = 10**6  # larger than any joint number, so that such atoms are sorted last
 
 
 class Terms(sp.Add):
@@ -80,8 +80,8 @@ def short(expression):
     require_expression(expression)
     abbreviated = expression.xreplace(short_names(expression))
     if isinstance(abbreviated, sp.MatrixBase):
-        return abbreviated.applyfunc(_arrange)
-    return _arrange(abbreviated)
+        return abbreviated.applyfunc(_shorten_expression)
+    return _shorten_expression(abbreviated)
 
 
 def require_expression(expression: object) -> None:
@@ -94,14 +94,15 @@ def require_expression(expression: object) -> None:
 
 def short_names(expression) -> dict[sp.Expr, sp.Symbol]:
     """Return a symbol such as c_23 for each cosine and sine of an expression or matrix."""
-    indices = {f: _short_index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
+    indices = {f: _make_short_index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
     return {f: sp.Symbol(f"{f.func.__name__[0]}_{i}") for f, i in indices.items() if i}
 
 
-def _short_index(angle: sp.Expr) -> str:
-    """Return the index of a short name: ``23`` for q_2 + q_3, ``{2-3+4}`` where signs differ.
+def _make_short_index(angle: sp.Expr) -> str:
+    """Return the index of a short name, such as ``23`` for q_2 + q_3.
 
-    Return "" where the angle is no sum of joints 1 to 9; c_12 could be joint 12 or joints 1 and 2.
+    Where signs differ the index is in braces, such as ``{2-3+4}``. It is "" if the angle is no sum
+    of joints 1 to 9, because c_12 could be joint 12 or joints 1 and 2.
     """
     terms = [term.as_coeff_Mul() for term in sp.Add.make_args(angle)]
     if not all(c in (1, -1) and re.fullmatch(r"q_\d", str(s)) for c, s in terms):
@@ -147,43 +148,44 @@ def break_lines(formula: sp.Expr, width: int) -> list[str]:
 
 
 @cache
-def _sort_key(atom: sp.Expr) -> SortKey:
+def _make_sort_key(atom: sp.Expr) -> SortKey:
     """Return the key by which atoms are sorted.
 
-    Lengths and masses come first, by the number in their index: those without an index lead, and
-    names such as l_pen close. Then come cosines and sines by their joints, and at last rates.
+    Lengths and masses come first, sorted by the number in their index. Among them, names without
+    an index lead and names such as l_pen close. Cosines and sines follow, sorted by their joints,
+    and rates come last.
     """
     name = str(atom)
     if match := _SHORT_NAME.fullmatch(name):
         return _ANGLE, int(match[2][0]), match[2], match[1]
     if atom.has(sp.cos, sp.sin) or "dot" in name:
-        return _ANGLE, _LAST, "", name
+        return _ANGLE, _LAST_JOINT, "", name
     _, index, rest = name.partition("_")
     number = re.search(r"\d+", rest)
-    return _LENGTH, int(number[0]) if number else _LAST * bool(index), "", name
+    return _LENGTH, int(number[0]) if number else _LAST_JOINT * bool(index), "", name
 
 
-def _polynomial(expression: sp.Expr) -> Polynomial:
+def _make_polynomial(expression: sp.Expr) -> Polynomial:
     """Return an expression as a dictionary from monomials to numbers."""
     if any(factor.has(sp.Add) for term in expression.args for factor in term.args):
         expression = sp.expand_mul(expression)
     polynomial: Polynomial = {}
     for term in sp.Add.make_args(expression):
         number, rest = term.as_coeff_Mul()
-        factors = [_factor(f) for f in sp.Mul.make_args(rest) if f != 1]
-        monomial = tuple(sorted(factors, key=_key_and_power))
+        factors = [_make_factor(f) for f in sp.Mul.make_args(rest) if f != 1]
+        monomial = tuple(sorted(factors, key=_get_key_and_power))
         polynomial[monomial] = polynomial.get(monomial, sp.S.Zero) + number
     return {monomial: number for monomial, number in polynomial.items() if number}
 
 
-def _factor(factor: sp.Expr) -> Factor:
+def _make_factor(factor: sp.Expr) -> Factor:
     base, power = factor.as_base_exp()
     if power.is_Integer and power > 0:
-        return _sort_key(base), int(power), base
-    return _sort_key(factor), 1, factor
+        return _make_sort_key(base), int(power), base
+    return _make_sort_key(factor), 1, factor
 
 
-def _key_and_power(factor: Factor) -> tuple[SortKey, int]:
+def _get_key_and_power(factor: Factor) -> tuple[SortKey, int]:
     return factor[:2]
 
 
@@ -194,8 +196,8 @@ class _Part(NamedTuple):
     """A part of a formula as it will be printed.
 
     Attributes:
-        key: What sorts it among other parts.
-        symbols: How many symbols it has.
+        key: Key by which parts are sorted.
+        symbols: Number of symbols in the part.
         has_minus: Whether a minus stands first.
         formula: The expression.
     """
@@ -206,45 +208,54 @@ class _Part(NamedTuple):
     formula: sp.Expr
 
 
-def _arrange(expression: sp.Expr) -> sp.Expr:
-    """Return an expression in its short form; a product stays a product."""
+def _shorten_expression(expression: sp.Expr) -> sp.Expr:
+    """Return an expression in its short form.
+
+    A product stays a product.
+    """
     if isinstance(expression, sp.Add):
-        return _sum_part(_sum_terms(_polynomial(expression))).formula
+        return _make_sum_part(_make_sum_terms(_make_polynomial(expression))).formula
     number, rest = expression.as_coeff_Mul()
     parts = []
     for factor in sp.Mul.make_args(rest):
         base, power = factor.as_base_exp()
         if isinstance(base, sp.Add) and power.is_Integer and power > 0:
-            sign, shared = _factor_out(_polynomial(base))
+            sign, shared = _factor_out(_make_polynomial(base))
             number *= sign**power
-            parts += [_power_part(part, power) for part in shared]
+            parts += [_make_power_part(part, power) for part in shared]
         elif factor != 1:
-            parts.append(_atom_part(_factor(factor)))
-    return _product_part(number, parts).formula
+            parts.append(_make_atom_part(_make_factor(factor)))
+    return _make_product_part(number, parts).formula
 
 
-def _atom_part(factor: Factor) -> _Part:
+def _make_atom_part(factor: Factor) -> _Part:
     key, power, atom = factor
     return _Part((key[0], (key, power)), power, False, sp.Pow(atom, power))
 
 
-def _power_part(part: _Part, power: sp.Integer) -> _Part:
+def _make_power_part(part: _Part, power: sp.Integer) -> _Part:
     return part._replace(formula=sp.Pow(part.formula, power, evaluate=False)) if power > 1 else part
 
 
-def _product_part(number: sp.Expr, parts: list[_Part]) -> _Part:
-    """Multiply parts in this order: number, lengths, cosines and sines, sums of both."""
+def _make_product_part(number: sp.Expr, parts: list[_Part]) -> _Part:
+    """Multiply parts in the order of a textbook.
+
+    The number comes first, then lengths, cosines and sines, and sums of both.
+    """
     parts = sorted(parts, key=lambda part: part.key)
     factors = [part.formula for part in parts]
     if number != 1 or not parts:
         factors.insert(0, number)
-    key = _joint_key(parts) if parts else ()
+    key = _join_keys(parts) if parts else ()
     symbols = sum(part.symbols for part in parts)
     return _Part(key, symbols, number < 0, Factors._from_args(factors))
 
 
-def _joint_key(parts: Iterable[_Part]) -> tuple:
-    """Return the key of several parts: their common kind, or mixed, and then their keys in turn."""
+def _join_keys(parts: Iterable[_Part]) -> tuple:
+    """Join the sort keys of several parts.
+
+    The key begins with the parts' common kind, or with _MIXED.
+    """
     keys = [part.key for part in parts if part.key]
     kinds = {kind for kind, *_ in keys}
     return kinds.pop() if len(kinds) == 1 else _MIXED, *(k for _, *rest in keys for k in rest)
@@ -252,7 +263,7 @@ def _joint_key(parts: Iterable[_Part]) -> tuple:
 
 def _factor_out(poly: Polynomial) -> tuple[sp.Expr, list[_Part]]:
     """Return a sum as a number and its factors, none of which begins with a minus."""
-    number = _leading_number(poly)
+    number = _get_leading_number(poly)
     powers = [{factor[::2]: factor[1] for factor in monomial} for monomial in poly]
     common = {key: min(p.get(key, 0) for p in powers) for key in powers[0]}
     rest = {
@@ -260,45 +271,45 @@ def _factor_out(poly: Polynomial) -> tuple[sp.Expr, list[_Part]]:
         / number
         for monomial, value in poly.items()
     }
-    parts = [_atom_part((key, n, atom)) for (key, atom), n in common.items() if n]
+    parts = [_make_atom_part((key, n, atom)) for (key, atom), n in common.items() if n]
     if len(rest) == 1:
         return number, parts
-    for pairs in (_group(rest, *cut) for cut in _cuts(rest)):
+    for pairs in (_factor_pairs(rest, *cut) for cut in _list_cuts(rest)):
         if len(pairs) == 1 and min(map(len, pairs[0])) > 1:
             (sign, first), (other, second) = map(_factor_out, pairs[0])
             return number * sign * other, [*parts, *first, *second]
-    part = _sum_part(_shortest(_frozen(rest)))
+    part = _make_sum_part(_group_terms(_freeze_polynomial(rest)))
     if part.has_minus:
         negated = {m: -n for m, n in rest.items()}
-        number, part = -number, _sum_part(_shortest(_frozen(negated)))
+        number, part = -number, _make_sum_part(_group_terms(_freeze_polynomial(negated)))
     return number, [*parts, part]
 
 
-def _sum_terms(poly: Polynomial) -> tuple[_Part, ...]:
-    """Return a sum as one product where its terms have a common factor, else as its terms."""
+def _make_sum_terms(poly: Polynomial) -> tuple[_Part, ...]:
+    """Return a sum as a product if its terms have a common factor, else as its terms."""
     number, parts = _factor_out(poly)
     if len(poly) > 1 and len(parts) == 1 and abs(number) == 1:
-        return _shortest(_frozen(poly))
-    return (_product_part(number, parts),)
+        return _group_terms(_freeze_polynomial(poly))
+    return (_make_product_part(number, parts),)
 
 
-def _leading_number(poly: Polynomial) -> sp.Expr:
-    """Return the first term's sign, times the number before it where all terms have the same."""
+def _get_leading_number(poly: Polynomial) -> sp.Expr:
+    """Return the sign of the first term, times the number before it if all terms share it."""
     sizes = {abs(number) for number in poly.values()}
-    sign = sp.sign(poly[min(poly, key=_keys_and_powers)])
+    sign = sp.sign(poly[min(poly, key=_list_keys_and_powers)])
     return sign * sizes.pop() if len(sizes) == 1 else sign
 
 
-def _keys_and_powers(monomial: Monomial) -> tuple:
-    return tuple(map(_key_and_power, monomial))
+def _list_keys_and_powers(monomial: Monomial) -> tuple:
+    return tuple(map(_get_key_and_power, monomial))
 
 
-def _frozen(poly: Polynomial) -> frozenset:
+def _freeze_polynomial(poly: Polynomial) -> frozenset:
     return frozenset(poly.items())
 
 
 @lru_cache(maxsize=4096)
-def _shortest(items: frozenset) -> tuple[_Part, ...]:
+def _group_terms(items: frozenset) -> tuple[_Part, ...]:
     """Return the terms of a sum, grouped so that the fewest symbols are left.
 
     Args:
@@ -306,20 +317,22 @@ def _shortest(items: frozenset) -> tuple[_Part, ...]:
     """
     poly = dict(items)
     groupings = [
-        tuple(_product_part(n, [*map(_atom_part, monomial)]) for monomial, n in poly.items())
+        tuple(
+            _make_product_part(n, [*map(_make_atom_part, monomial)]) for monomial, n in poly.items()
+        )
     ]
-    for cut, swapped in _cuts(poly):
-        pairs = _group(poly, cut, swapped)
+    for cut, swapped in _list_cuts(poly):
+        pairs = _factor_pairs(poly, cut, swapped)
         if 1 < len(pairs) < len(poly):
-            groupings.append(tuple(term for pair in pairs for term in _multiply(*pair)))
+            groupings.append(tuple(term for pair in pairs for term in _multiply_sums(*pair)))
     return min(groupings, key=lambda terms: sum(term.symbols for term in terms))
 
 
-def _cuts(poly: Polynomial) -> list[tuple[tuple[int, ...], bool]]:
+def _list_cuts(poly: Polynomial) -> list[tuple[tuple[int, ...], bool]]:
     """Return the keys at which monomials are cut in two, and whether to group by the second half.
 
-    The cut parts lengths from angles where there are both, else the joints before one from the
-    others.
+    If there are lengths and angles, the cut parts them. Else it parts the first joints from the
+    later joints.
     """
     keys = {key for monomial in poly for key, *_ in monomial}
     kinds = {key[0] for key in keys}
@@ -329,33 +342,37 @@ def _cuts(poly: Polynomial) -> list[tuple[tuple[int, ...], bool]]:
     return [(joint, False) for joint in joints[1:]]
 
 
-def _group(
+def _factor_pairs(
     poly: Polynomial, cut: tuple[int, ...], swapped: bool
 ) -> list[tuple[Polynomial, Polynomial]]:
-    """Return a sum as products of two sums, grouped first by equal heads, then by equal tails."""
-    tails: dict[Monomial, Polynomial] = {}
+    """Write a sum as products of two sums.
+
+    Each monomial is cut into two halves. Monomials are grouped by equal first halves, and then by
+    equal sums of second halves.
+    """
+    second_sums: dict[Monomial, Polynomial] = {}
     for monomial, number in poly.items():
-        head = tuple(factor for factor in monomial if (factor[0] < cut) != swapped)
-        tail = tuple(factor for factor in monomial if (factor[0] < cut) == swapped)
-        tails.setdefault(head, {})[tail] = number
-    heads: dict[frozenset, Polynomial] = {}
-    for head, poly_of in tails.items():
-        number = _leading_number(poly_of)
-        same = _frozen({tail: n / number for tail, n in poly_of.items()})
-        heads.setdefault(same, {})[head] = number
-    return [(head_poly, dict(same)) for same, head_poly in heads.items()]
+        first = tuple(factor for factor in monomial if (factor[0] < cut) != swapped)
+        second = tuple(factor for factor in monomial if (factor[0] < cut) == swapped)
+        second_sums.setdefault(first, {})[second] = number
+    first_sums: dict[frozenset, Polynomial] = {}
+    for first, second_sum in second_sums.items():
+        number = _get_leading_number(second_sum)
+        shared = _freeze_polynomial({half: n / number for half, n in second_sum.items()})
+        first_sums.setdefault(shared, {})[first] = number
+    return [(first_sum, dict(shared)) for shared, first_sum in first_sums.items()]
 
 
-def _multiply(head: Polynomial, tail: Polynomial) -> tuple[_Part, ...]:
+def _multiply_sums(first: Polynomial, second: Polynomial) -> tuple[_Part, ...]:
     """Return the product of two sums."""
-    if [*head] == [()]:
-        return _sum_terms({monomial: n * head[()] for monomial, n in tail.items()})
-    (number, before), (times, after) = _factor_out(head), _factor_out(tail)
-    return (_product_part(number * times, before + after),)
+    if [*first] == [()]:
+        return _make_sum_terms({monomial: n * first[()] for monomial, n in second.items()})
+    (number, parts), (other_number, other_parts) = _factor_out(first), _factor_out(second)
+    return (_make_product_part(number * other_number, parts + other_parts),)
 
 
-def _sum_part(terms: Iterable[_Part]) -> _Part:
+def _make_sum_part(terms: Iterable[_Part]) -> _Part:
     terms = sorted(terms, key=lambda part: part.key[1:])
     formula = Terms._from_args([part.formula for part in terms])
     symbols = sum(part.symbols for part in terms)
-    return _Part(_joint_key(terms), symbols, terms[0].has_minus, formula)
+    return _Part(_join_keys(terms), symbols, terms[0].has_minus, formula)

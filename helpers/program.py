@@ -1,4 +1,4 @@
-"""Record a recursion over an arm's links once, then run it on one pose or on many.
+"""Record a recursion over an arm's links and run it on poses.
 
 A recursion is written for one pose, on components. `record` runs it on `Term`s, which write each
 operation on a tape: factors 0 and 1 are dropped, signs move outwards, equal steps are merged, and
@@ -52,14 +52,14 @@ class Term:
     def __init__(self, tape: dict[TapeStep, int], position: int, is_negative: bool = False) -> None:
         self.tape, self.position, self.is_negative = tape, position, is_negative
 
-    def _record(
+    def _record_step(
         self, operation: str, first: float, second: int, is_negative: bool = False
     ) -> "Term":
         position = self.tape.setdefault((operation, first, second), len(self.tape))
         return Term(self.tape, position, is_negative)
 
-    def _constant(self, value: float) -> "Term":
-        return self._record("constant", abs(value), 0, is_negative=value < 0)
+    def _record_constant(self, value: float) -> "Term":
+        return self._record_step("constant", abs(value), 0, is_negative=value < 0)
 
     def __neg__(self) -> "Term":
         return Term(self.tape, self.position, not self.is_negative)
@@ -68,21 +68,21 @@ class Term:
         if isinstance(other, Term):
             first, second = sorted((self.position, other.position))
             is_negative = self.is_negative != other.is_negative
-            return self._record("*", first, second, is_negative=is_negative)
+            return self._record_step("*", first, second, is_negative=is_negative)
         if abs(other) in (0.0, 1.0):
             return 0.0 if not other else self if other > 0 else -self
-        return self * self._constant(other)
+        return self * self._record_constant(other)
 
     def __add__(self, other: Value) -> Value:
         if not isinstance(other, Term):
-            return self + self._constant(other) if other else self
+            return self + self._record_constant(other) if other else self
         if self.is_negative == other.is_negative:
             first, second = sorted((self.position, other.position))
-            return self._record("+", first, second, is_negative=self.is_negative)
+            return self._record_step("+", first, second, is_negative=self.is_negative)
         positive, negative = (other, self) if self.is_negative else (self, other)
         if positive.position == negative.position:
             return 0.0
-        return self._record("-", positive.position, negative.position)
+        return self._record_step("-", positive.position, negative.position)
 
     def __sub__(self, other: Value) -> Value:
         return self + -other
@@ -152,11 +152,11 @@ def record(compute: Callable[..., Sequence[Value]], inputs: int) -> Program:
     """
     tape: dict[TapeStep, int] = {("input", i, 0): i for i in range(inputs)}
     terms = (Term(tape, i) for i in range(inputs))
-    results = [_result_position(tape, value) for value in compute(*terms)]
+    results = [_find_result_position(tape, value) for value in compute(*terms)]
     return _assign_rows(inputs, list(tape), results)
 
 
-def _result_position(tape: dict[TapeStep, int], result: Value) -> int:
+def _find_result_position(tape: dict[TapeStep, int], result: Value) -> int:
     """Return where a result stands on the tape, recording its sign as 0 - x.
 
     0 - x is never -0.0, which would be printed as "-0.".
@@ -164,14 +164,17 @@ def _result_position(tape: dict[TapeStep, int], result: Value) -> int:
     if not isinstance(result, Term):
         return tape.setdefault(("constant", result + 0.0, 0), len(tape))
     if result.is_negative:
-        zero = _result_position(tape, 0.0)
+        zero = _find_result_position(tape, 0.0)
         return tape.setdefault(("-", zero, result.position), len(tape))
     return result.position
 
 
 def _assign_rows(inputs: int, tape: list[TapeStep], results: list[int]) -> Program:
-    """Give each step a row of work: its result's row, or a row that no later step reads."""
-    steps = _needed_steps(tape, results)
+    """Give each step a row of work.
+
+    A result has a row of its own. Another step takes a row that no later step reads.
+    """
+    steps = _list_needed_steps(tape, results)
     read = {at for step in steps for at in (step.first, step.second)}.union(results)
     constants = [at for at in sorted(read) if tape[at][0] == "constant"]
     position = {at: at for at in range(inputs)}
@@ -202,7 +205,10 @@ def _assign_rows(inputs: int, tape: list[TapeStep], results: list[int]) -> Progr
 
 
 class _NeededStep(NamedTuple):
-    """A step of the tape that a result needs; no later step reads the operands `last_reads`."""
+    """A step of the tape that a result needs.
+
+    No later step reads the operands `last_reads`.
+    """
 
     at: int
     operation: str
@@ -211,7 +217,7 @@ class _NeededStep(NamedTuple):
     last_reads: set[int]
 
 
-def _needed_steps(tape: list[TapeStep], results: list[int]) -> list[_NeededStep]:
+def _list_needed_steps(tape: list[TapeStep], results: list[int]) -> list[_NeededStep]:
     """Return the operations that the results need, in the order of the tape."""
     needed, steps = set(results), []
     for at, (operation, first, second) in reversed(list(enumerate(tape))):
@@ -223,7 +229,7 @@ def _needed_steps(tape: list[TapeStep], results: list[int]) -> list[_NeededStep]
 
 
 class _Workspace(threading.local):
-    """Memory that every run of a thread works in; fresh pages would cost more than arithmetic."""
+    """Memory that a thread reuses, since fresh pages would cost more than the arithmetic."""
 
     flat = np.empty(0)
 
