@@ -1,4 +1,4 @@
-"""Draw arms, paths and torques with Matplotlib in one style.
+"""Draw arms, paths and torques with Matplotlib in the style of the book.
 
 Every function draws on the axes that it is given and returns None.
 """

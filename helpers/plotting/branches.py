@@ -74,7 +74,7 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     ax.plot(*upright, color=GREY, lw=0.8, ls="--")
     _draw_triangle(ax, points[:3], 0.06, ("$r_4$", "$s_4$"))
     _write_beside(ax, end, wrist, "$d_5$", 0.06)
-    lean, fore = _bearing(shoulder, elbow), _bearing(elbow, end)
+    lean, fore = _compute_direction(shoulder, elbow), _compute_direction(elbow, end)
     angle(ax, shoulder, 0.2, (lean, 90), "$q_2$")
     angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
     ax.text(wrist[0] + 0.05, wrist[1] + 0.03, "$o_5$", color=RED, ha="left")
@@ -99,7 +99,7 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     _write_beside(ax, foot, tip, r"$-a_3\sin\theta_3$", 0.07)
     lift, bend = np.degrees(q[1:3])
     angle(ax, shoulder, 0.13, (0, lift), r"$\theta_2$")
-    angle(ax, shoulder, 0.21, (_bearing(shoulder, tip), lift), r"$\beta$", colour=ORANGE)
+    angle(ax, shoulder, 0.21, (_compute_direction(shoulder, tip), lift), r"$\beta$", colour=ORANGE)
     angle(ax, elbow, 0.09, (lift + bend, lift), r"$-\theta_3$")
     angle(ax, elbow, 0.06, (lift + 180, lift + 360 + bend), r"$\varphi$", colour=ORANGE)
     ax.set(ylim=(shoulder[1] - 0.12, max(elbow[1], foot[1]) + 0.07))
@@ -139,8 +139,8 @@ def _write_beside(ax: Axes, start: Array, stop: Array, text: str, distance: floa
     ax.text(x, y, text, ha="center", va="center")
 
 
-def _bearing(start: Array, stop: Array) -> float:
-    """Return the direction from one point to another in degrees, counterclockwise from x."""
+def _compute_direction(start: Array, stop: Array) -> float:
+    """Return the direction from `start` to `stop` in degrees, counterclockwise from x."""
     return float(np.degrees(np.arctan2(*(stop - start)[::-1])))
 
 
@@ -168,14 +168,14 @@ def regions(
     require_type(names, dict, "names")
     hatches = ("", "//", "\\\\", "--", "||")
     for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
-        patch = PathPatch(_cells(x, y, which == value), lw=0, label=name)
+        patch = PathPatch(_make_region_path(x, y, which == value), lw=0, label=name)
         patch.set(facecolor=colour, alpha=0.45, hatch=hatch)
         ax.add_patch(patch)
     ax.autoscale_view()
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
 
 
-def _cells(x: NDArray, y: NDArray, inside: NDArray) -> Path:
+def _make_region_path(x: NDArray, y: NDArray, inside: NDArray) -> Path:
     """Return a rectangle for each unbroken row of grid points inside a region."""
     half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
     edge = np.diff(np.pad(inside.astype(int), ((0, 0), (1, 1))), axis=1)
@@ -213,20 +213,20 @@ def wrist_triangles(ax: Axes, twists: tuple[float, float], apart: float) -> None
     sixth = fourth * [-1, 1, 1]
     ahead = np.array([-np.cos(across / 2), 0, np.sin(across / 2)])  # from axis 4 towards axis 6
     ax.add_patch(Circle((0, 0), 1, fill=False, color=GREY, lw=0.8))
-    _great_circle(ax, fourth, sixth, RED, "--")
+    _draw_great_circle(ax, fourth, sixth, RED, "--")
     for side, colour in ((1, BLUE), (-1, ORANGE)):
         leaning = cosine * ahead + side * np.sqrt(1 - cosine**2) * np.array([0, 1.0, 0])
         fifth = np.cos(first) * fourth + np.sin(first) * leaning
-        _great_circle(ax, fourth, fifth, colour, "-")
-        _great_circle(ax, fifth, sixth, colour, "-")
-        _direction(ax, fifth, "$z_4$" if side > 0 else "$z_4'$", colour)
-    _direction(ax, fourth, "$z_3$", SLATE)
-    _direction(ax, sixth, "$z_5$", SLATE)
+        _draw_great_circle(ax, fourth, fifth, colour, "-")
+        _draw_great_circle(ax, fifth, sixth, colour, "-")
+        _mark_direction(ax, fifth, "$z_4$" if side > 0 else "$z_4'$", colour)
+    _mark_direction(ax, fourth, "$z_3$", SLATE)
+    _mark_direction(ax, sixth, "$z_5$", SLATE)
     ax.set(xlim=(-1.15, 1.15), ylim=(-1.15, 1.15), aspect="equal")
     ax.axis("off")
 
 
-def _great_circle(ax: Axes, start: Array, stop: Array, colour: str, style: str) -> None:
+def _draw_great_circle(ax: Axes, start: Array, stop: Array, colour: str, style: str) -> None:
     """Draw the shorter arc between two unit vectors, seen along z."""
     share = np.linspace(0, 1, 40)[:, None]
     arc = (1 - share) * start + share * stop
@@ -234,7 +234,7 @@ def _great_circle(ax: Axes, start: Array, stop: Array, colour: str, style: str) 
     ax.plot(arc[:, 0], arc[:, 1], color=colour, lw=2, ls=style)
 
 
-def _direction(ax: Axes, vector: Array, name: str, colour: str) -> None:
+def _mark_direction(ax: Axes, vector: Array, name: str, colour: str) -> None:
     """Mark a unit vector on the sphere, seen along z, with its name outside."""
     ax.plot(*vector[:2], "o", color=colour, ms=7)
     x, y = 1.22 * vector[:2]

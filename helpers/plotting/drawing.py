@@ -57,7 +57,7 @@ def eye_of(view: View) -> Array:
 
 
 def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1.0) -> None:
-    """Draw an arm as barrels about its revolute axes, boxes along its prismatic ones, and links.
+    """Draw an arm with a barrel for each revolute joint and a box for each prismatic joint.
 
     Args:
         ax: Axes to draw on.
@@ -68,7 +68,11 @@ def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1
     """
     T, eye = pose_frames(arm, q), eye_of(view)
     points = skeleton(arm, T)
-    radius = 0.028 * finite_number(size, "size", "a finite number > 0", above=0) * _extent(points)
+    radius = (
+        0.028
+        * finite_number(size, "size", "a finite number > 0", above=0)
+        * _measure_extent(points)
+    )
     ax.plot(*seen(points, view).T[:2], color=GREY, lw=4, solid_joinstyle="round", zorder=2)
     for i in arm.joints:
         joint_shape(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
@@ -83,7 +87,7 @@ def bare(ax: Axes) -> None:
     ax.set_axis_off()
 
 
-def _extent(points: Array) -> float:
+def _measure_extent(points: Array) -> float:
     """Return the diagonal of the points' bounding box."""
     return float(np.linalg.norm(np.ptp(points, axis=0)))
 
@@ -109,7 +113,7 @@ def joint_shape(ax: Axes, frame: Array, eye: Array, radius: float, is_revolute: 
     along = 1.3 * radius * frame[:3, 2:3] * (1 if eye[2] @ frame[:3, 2] >= -1e-9 else -1)
     near, far = (eye[:2] @ (ring + end * along) for end in (1, -1))
     both = np.hstack([near, far])
-    # Rounding makes every processor choose the same corner among equally distant ones.
+    # Rounding makes every processor choose the same corner of several at equal distance.
     outline = both[:, np.unique(np.argmax(np.round(_DIRECTIONS @ both, 9), axis=1))]
     # Rounding, and 0.0 for -0.0, give a corner left of the middle the angle 180°, never -180°.
     from_middle = np.round(outline - outline.mean(axis=1, keepdims=True), 9) + 0.0
@@ -147,11 +151,15 @@ def lengths(
         ends = seen(points[[first, first + 1]], view)[:, :2]
         length = 1000 * float(np.linalg.norm(np.diff(points[[first, first + 1]], axis=0)))
         dimension(
-            ax, ends[0], ends[1], shift, f"${_step_symbol(arm, i, kind)} = {round(length, 2):g}$"
+            ax,
+            ends[0],
+            ends[1],
+            shift,
+            f"${_format_step_symbol(arm, i, kind)} = {round(length, 2):g}$",
         )
 
 
-def _step_symbol(arm: Arm, i: int, kind: str) -> str:
+def _format_step_symbol(arm: Arm, i: int, kind: str) -> str:
     row = arm.rows[i - 1]
     if kind == "d" and row.joint.kind == "prismatic" and not arm.numeric[i - 1].d:
         return f"q_{{{i}}}"
@@ -174,14 +182,15 @@ def dimension(
     x, y = (start_point + end_point) / 2 + shift
     ax.annotate(
         text, (x, y), xytext=tuple(6 * away), textcoords="offset points",
-        ha=_alignment(away[0], "right", "left"), va=_alignment(away[1], "top", "bottom"),
+        ha=_choose_alignment(away[0], "right", "left"),
+        va=_choose_alignment(away[1], "top", "bottom"),
         bbox=dict(facecolor="white", edgecolor="none", pad=1),
     )  # fmt: skip
     ax.update_datalim([start_point + 1.3 * shift, end_point + 1.3 * shift])
 
 
-def _alignment(component: float, negative: str, positive: str) -> str:
-    """Return the text alignment for one component of a unit vector."""
+def _choose_alignment(component: float, negative: str, positive: str) -> str:
+    """Return the text alignment for a component of a unit vector."""
     return "center" if abs(component) < 0.35 else negative if component < 0 else positive
 
 
@@ -267,7 +276,9 @@ def frames(
     which: Iterable[int] | None = None,
     names: str = "xz",
 ) -> None:
-    """Draw the x and z axes of an arm's frames as arrows; equal arrows share one name.
+    """Draw the x and z axes of an arm's frames as arrows.
+
+    Equal arrows share a name.
 
     Args:
         ax: Axes to draw on.
@@ -293,7 +304,7 @@ def frames(
         ends = seen([start, start + length * axis], view)[:, :2]
         text = f"${name}_{{{','.join(map(str, indices))}}}$"
         partner = T[indices[0], :3, 2 if name == "x" else 0]
-        side = _label_side(axis, partner, view, 10)
+        side = _choose_label_side(axis, partner, view, 10)
         named_arrow(ax, (ends[0], ends[1]), AXIS_COLOURS[name], text, side)
 
 
@@ -301,7 +312,7 @@ _INDICES = "numbers of frames"
 
 
 def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
-    """Draw how one row of a derived table is derivation.
+    """Draw how a row of a table is derived.
 
     The drawing shows both axes and their common normal, the frame before (grey), the frame that the
     row places (black), and the steps d (blue) and a (red).
@@ -311,21 +322,21 @@ def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
         raise ArmError(f"row is {row}; expected one of 1 to {len(derivation.steps)}")
     step = derivation.steps[row - 1]
     before, foot, origin = step.before[:3, 3], *step.normal
-    middle, half, reach = _window(derivation, seen([before, foot, origin], view)[:, :2])
+    middle, half, reach = _choose_window(derivation, seen([before, foot, origin], view)[:, :2])
     ax.plot(
-        *seen(_arm_line(derivation), view).T[:2],
+        *seen(_list_arm_corners(derivation), view).T[:2],
         color=_PALE,
         lw=5,
         solid_joinstyle="round",
         zorder=1,
     )
-    for (name, start, end), indices in _frame_arrows(step, reach).items():
+    for (name, start, end), indices in _list_frame_arrows(step, reach).items():
         text = f"${name}_{{{','.join(map(str, indices))}}}$"
         colour = "black" if row in indices else SLATE
         ends = seen([start, end], view)[:, :2]
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
         frame = step.frame if row in indices else step.before
-        side = _label_side(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
+        side = _choose_label_side(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
         named_arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
     for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
         ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
@@ -335,8 +346,8 @@ def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
     bare(ax)
 
 
-def _label_side(axis: Array, other_axis: Array, view: View, side: float) -> float:
-    """Return the offset (pt, left is positive) that keeps an axis' name off another axis."""
+def _choose_label_side(axis: Array, other_axis: Array, view: View, side: float) -> float:
+    """Return the offset that keeps the name of an axis off `other_axis`, in pt to the left."""
     (x, y), (other_x, other_y) = seen([axis, other_axis], view)[:, :2]
     return -side if x * other_y > y * other_x else side
 
@@ -345,15 +356,15 @@ _DASHED = (0, (8, 3, 2, 3))
 _SPAN = np.array([-1.35, 1.35])
 
 
-def _window(derivation: Derivation, points: Array) -> tuple[Array, float, float]:
-    """Return the middle and half side of a square around one row, and how far arrows may reach."""
+def _choose_window(derivation: Derivation, points: Array) -> tuple[Array, float, float]:
+    """Return middle and half side of a square around a row, and the greatest reach of arrows."""
     low, high = points.min(axis=0), points.max(axis=0)
     extent = float((high - low).max())
-    half = max(0.8 * extent, 0.19 * _extent(_arm_line(derivation)))
+    half = max(0.8 * extent, 0.19 * _measure_extent(_list_arm_corners(derivation)))
     return (low + high) / 2, half, min(0.65 * half, 1.15 * half - 0.5 * extent)
 
 
-def _frame_arrows(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
+def _list_frame_arrows(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
     """Return the x and z arrows of a step's two frames, with the indices of their frames.
 
     A z arrow covers the part of its axis that the table uses, and `reach` (m) beyond.
@@ -373,7 +384,7 @@ def _frame_arrows(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
     return arrows
 
 
-def _arm_line(derivation: Derivation) -> Array:
+def _list_arm_corners(derivation: Derivation) -> Array:
     """Return the corners of the arm's line along the steps of its table, shape (n, 3)."""
     return skeleton(derivation.arm, derivation.frames)
 
@@ -387,7 +398,7 @@ def postures(
     *,
     tool: float = 0.0,
 ) -> None:
-    """Draw an arm in several poses at one scale, each on its own axes.
+    """Draw an arm in several poses at the same scale, each on its own axes.
 
     Args:
         axes: Axes to draw on, one for each pose.

@@ -11,7 +11,7 @@ from helpers.plotting.style import GREY, SLATE
 
 
 def pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
-    """Return the link frames to draw at one pose, q of shape (dof,)."""
+    """Return the link frames to draw at a pose, q of shape (dof,)."""
     require_type(arm, Arm, "arm")
     return link_frames(arm, arm.joint_vector(q, many=False))
 
@@ -19,7 +19,7 @@ def pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
 def arm_2d(
     ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
 ) -> None:
-    """Draw an arm at q, shape (dof,), in a plane such as "xz"; lengths in m."""
+    """Draw an arm at q, shape (dof,), in a plane such as "xz", with lengths in m."""
     i, j = parse_plane(plane)
     T = pose_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]

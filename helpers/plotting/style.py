@@ -54,7 +54,10 @@ STYLE: dict[Any, Any] = {
 
 
 def use_book_style() -> None:
-    """Set the style of figures; in a notebook also SVG output and arrays with four decimals."""
+    """Set the style of figures.
+
+    In a notebook figures are SVG and arrays are printed with four decimals.
+    """
     mpl.rcParams.update(STYLE)
     ipython = sys.modules.get(
         "IPython"
@@ -91,15 +94,15 @@ def svg(figure: Figure) -> str:
         bbox_inches="tight",
         metadata={"Date": None, "Creator": None},
     )
-    text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", _to_hundredths, file.getvalue().decode())
+    text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", _round_to_hundredths, file.getvalue().decode())
     text = _number_ids(_shorten_svg(re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)))
-    text = text.replace('<g id="figure_1">', f'{_panel_views(figure)}<g id="figure_1">', 1)
+    text = text.replace('<g id="figure_1">', f'{_format_panel_views(figure)}<g id="figure_1">', 1)
     return text.replace("<path", "\n<path")  # lines short enough for a diff of two notebooks
 
 
-def _panel_views(figure: Figure) -> str:
-    """Return an SVG view of each panel, for a phone; none if the panels are one below the other."""
-    panels = _panel_boxes(figure)
+def _format_panel_views(figure: Figure) -> str:
+    """Return an SVG view of each panel for a phone, or "" if the panels form a column."""
+    panels = _list_panel_boxes(figure)
     if all(below.y1 < (above.y0 + above.y1) / 2 for above, below in pairwise(panels)):
         return ""
     page = figure.get_tightbbox().padded(mpl.rcParams["savefig.pad_inches"])  # in inches
@@ -112,7 +115,7 @@ def _panel_views(figure: Figure) -> str:
     return "".join(views)
 
 
-def _panel_boxes(figure: Figure) -> list[Bbox]:
+def _list_panel_boxes(figure: Figure) -> list[Bbox]:
     """Return the bounding boxes of the figure's legends and of each axes with its colour bar."""
     bars = {
         ax: [artist.colorbar.ax for artist in (*ax.collections, *ax.images) if artist.colorbar]
@@ -129,7 +132,7 @@ def _panel_boxes(figure: Figure) -> list[Bbox]:
     return [Bbox.union([box for box in group if box is not None]) for group in boxes]
 
 
-def _to_hundredths(number: re.Match[str]) -> str:
+def _round_to_hundredths(number: re.Match[str]) -> str:
     return f"{round(float(number[0]), 2):.15g}"
 
 

@@ -14,7 +14,7 @@ from helpers.plotting.style import BLUE, GREEN, ORANGE, PURPLE, RED, time_axis
 
 
 def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object) -> None:
-    """Draw each joint's torque (N m) over time in its own axes, one below the other."""
+    """Draw each joint's torque (N m) over time in its own axes, in a column."""
     require_type(arm, Arm, "arm")
     t = finite_array(t, "t", "finite times (n,) in s", (None,))
     tau = finite_array(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))

@@ -17,11 +17,11 @@ Array = NDArray[np.floating]
 
 
 def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
-    """Draw the wanted path (dashed) and the traced one (solid) in the plane of the path, in m."""
+    """Draw the wanted path (dashed) and the traced path (solid) in their plane, in m."""
     require_type(run, Trace, "run")
     normal_axis = int(np.abs(run.path.normal).argmax())
     i, j = (k for k in range(3) if k != normal_axis)
-    steps = _plotted_steps(run)
+    steps = _choose_plotted_steps(run)
     wanted, traced = run.path.positions[steps], run.poses[steps, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
     ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label="traced")
@@ -35,7 +35,7 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
     """Draw each joint's angle (degrees) over time on its own axes, with its range shaded."""
     require_type(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
-    steps = _plotted_steps(run)
+    steps = _choose_plotted_steps(run)
     t, angles = run.t[steps], np.degrees(run.q[steps].T)
     for ax, i, angle, low, high in zip(
         axes.flat, run.arm.joints, angles, lower, upper, strict=False
@@ -49,7 +49,7 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
         time_axis(ax)
 
 
-def _plotted_steps(run: Trace) -> NDArray[np.intp]:
+def _choose_plotted_steps(run: Trace) -> NDArray[np.intp]:
     """Return indices of enough steps for a smooth line, with the first and the last."""
     return np.unique(np.linspace(0, len(run.t) - 1, 61).astype(int))
 
@@ -75,7 +75,9 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     low, high = bones.min(axis=(0, 1)), bones.max(axis=(0, 1))
     scale, seconds = 240 / (high - low).max(), float(run.t[-1] - run.t[0])
     bones, tips = scale * (bones - low), scale * (tips - low)
-    parts = [_panel(bones, tips, plane, seconds, 20 + 300 * k) for k, plane in enumerate(planes)]
+    parts = [
+        _format_panel(bones, tips, plane, seconds, 20 + 300 * k) for k, plane in enumerate(planes)
+    ]
     style = (
         "@media (prefers-reduced-motion: reduce) {.moving {display: none}} .still {display:"
         " none} @media (prefers-reduced-motion: reduce) {.still {display: inline}}"
@@ -87,7 +89,7 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     )
 
 
-def _panel(bones: Array, tips: Array, plane: str, seconds: float, left: float) -> str:
+def _format_panel(bones: Array, tips: Array, plane: str, seconds: float, left: float) -> str:
     """Return the arm's links and the path of its tip in a plane, in pixels."""
     i, j = parse_plane(plane)
 
