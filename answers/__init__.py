@@ -1,8 +1,7 @@
-"""Write answer sheets: every A_i, T_0i, o_i, z_i, J, det J, P and g(q) of an arm.
+"""Write answer sheets with the matrices, Jacobian and torques of an arm.
 
-A sheet is for reading and for copying into programs. `markdown` makes a page of the book,
-`document` one HTML file for any arm;
-``python -m answers`` writes a file from the command line.
+A sheet is for reading and for copying into programs. `markdown` makes a page of the book, and
+`document` makes an HTML file for any arm. ``python -m answers`` writes that file.
 """
 
 from answers.page import document, markdown

@@ -1,4 +1,4 @@
-"""Write the answer sheet of any arm into one HTML file."""
+"""Write the answer sheet of any arm into an HTML file."""
 
 import argparse
 import re

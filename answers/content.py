@@ -18,7 +18,7 @@ from helpers.stepwise import StepwiseFormulas, stepwise_formulas
 
 Array = NDArray[np.float64]
 
-# Names with another meaning in a program on the sheet or in one of its languages.
+# Names that already have a meaning in the programs of the sheet or in their languages.
 _RESERVED = frozenset(
     (
         "np", "sp", "pi", "break", "case", "catch", "classdef", "continue", "else",
@@ -33,14 +33,14 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,62}")
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """One answer of a sheet.
+    """An answer of a sheet.
 
     Attributes:
         name: its name in programs, such as ``T_03``, ``J`` or ``det_J``.
         value: its entries in short symbols; a vector has one column, a number one entry.
         home: its entries at the arm's home pose, in numbers.
-        definitions: what its short symbols mean, such as cos(q_2 + q_3) for c_23, each before the
-            definitions that use it.
+        definitions: formulas of its short symbols, such as cos(q_2 + q_3) for c_23, each before
+            the definitions that use it.
     """
 
     name: str
@@ -107,7 +107,7 @@ class AnswerSheet:
 
     @cached_property
     def steps(self) -> StepwiseFormulas | None:
-        """Formulas in named steps, if written-out ones are too long."""
+        """Formulas in named steps, or None if the written-out formulas are short enough."""
         return stepwise_formulas(self.arm) if is_long(self.arm) else None
 
     @cached_property
@@ -118,9 +118,9 @@ class AnswerSheet:
 
     @cached_property
     def determinant(self) -> Answer | None:
-        """det J of a six-joint arm, or of the first three rows of J for three joints; else None.
+        """det J for six joints, or that of the first three rows of J for three joints.
 
-        An arm whose formulas are in named steps has none.
+        It is None for other numbers of joints, and for formulas in named steps.
         """
         if "det_J" not in self.home or self.steps:
             return None
@@ -128,8 +128,9 @@ class AnswerSheet:
 
     @cached_property
     def gravity(self) -> list[Answer]:
-        """P, the potential energy (J), and g(q) = dP/dq, dof x 1 (N m, or N where a joint slides),
-        where the arm has masses; programs call the latter G.
+        """Potential energy P (J) and torques g(q) = dP/dq, dof x 1, of an arm with masses.
+
+        The torques are in N m, or in N for a joint that slides. Programs call them G.
         """
         if not self.arm.bodies:
             return []
@@ -156,11 +157,11 @@ class AnswerSheet:
         z_1 is an axis on the sheet.
         """
         value = self._with_decimals(value)
-        steps = self._steps_of(value)
+        steps = self._find_steps(value)
         names = {
             f: n for formula in (value, *steps.values()) for f, n in short_names(formula).items()
         }
-        pairs = [(letter, function) for function, letter in names.items()]
+        pairs = [(symbol, function) for function, symbol in names.items()]
         definitions = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
         definitions |= {step: short(formula) for step, formula in steps.items()}
         return Answer(name, short(value), self.home[name], definitions)
@@ -169,19 +170,19 @@ class AnswerSheet:
         """Replace decimal fractions by decimals, and z_1 of a centre of mass by z_c1."""
         fractions = (number for number in formula.atoms(sp.Rational) if number.q > 1)
         decimals = {number: sp.Float(number) for number in fractions if 10**9 % number.q == 0}
-        return formula.xreplace({**self._centres, **decimals})
+        return formula.xreplace({**self._centre_symbols, **decimals})
 
-    def _steps_of(self, value: sp.ImmutableMatrix) -> dict[sp.Symbol, sp.Expr]:
+    def _find_steps(self, value: sp.ImmutableMatrix) -> dict[sp.Symbol, sp.Expr]:
         """Return the named steps that a value needs, in their order."""
         needed, steps = value.free_symbols, {}
-        for name, formula in reversed(self._steps_in_decimals.items()):
+        for name, formula in reversed(self._decimal_steps.items()):
             if name in needed:
                 needed = needed | formula.free_symbols
                 steps[name] = formula
         return dict(reversed(steps.items()))
 
     @cached_property
-    def _steps_in_decimals(self) -> dict[sp.Symbol, sp.Expr]:
+    def _decimal_steps(self) -> dict[sp.Symbol, sp.Expr]:
         definitions = self.steps.definitions if self.steps else {}
         return {name: self._with_decimals(formula) for name, formula in definitions.items()}
 
@@ -189,7 +190,7 @@ class AnswerSheet:
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """Values of all symbols but the joint variables: lengths, angles, masses, centres, g."""
+        """Values of lengths, angles, masses, centres of mass and g by symbol."""
         lengths = {name: value for name, value in self.arm.values.items() if value}
         if not self.arm.bodies:
             return lengths
@@ -197,12 +198,12 @@ class AnswerSheet:
         # Twelve digits free a centre of mass from rounding: 0.02933 rather than
         # 0.029330000000000002.
         return lengths | {
-            self._centres.get(symbol, symbol).name: float(f"{value:.12g}")
+            self._centre_symbols.get(symbol, symbol).name: float(f"{value:.12g}")
             for symbol, value in bodies.items()
         }
 
     @cached_property
-    def _centres(self) -> dict[sp.Symbol, sp.Symbol]:
+    def _centre_symbols(self) -> dict[sp.Symbol, sp.Symbol]:
         bodies = symbolic.body_numbers(self.arm)
         return {s: sp.Symbol(s.name.replace("_", "_c")) for s in bodies if s.name[0] in "xyz"}
 
@@ -211,13 +212,13 @@ def compute_home_values(arm: Arm) -> dict[str, Array]:
     """Return the numbers of all answers at the home pose, by name."""
     q = np.array(arm.home)
     frames, J = kinematics.link_frames(arm, q), kinematics.jacobian(arm, q)
-    found = {f"A_{i}": np.linalg.inv(a) @ b for i, (a, b) in enumerate(pairwise(frames), 1)}
+    values = {f"A_{i}": np.linalg.inv(a) @ b for i, (a, b) in enumerate(pairwise(frames), 1)}
     for i, T in enumerate(frames):
-        found |= {f"T_0{i}": T, f"o_{i}": T[:3, [3]], f"z_{i}": T[:3, [2]]}
-    found["J"] = J
+        values |= {f"T_0{i}": T, f"o_{i}": T[:3, [3]], f"z_{i}": T[:3, [2]]}
+    values["J"] = J
     if arm.dof in (3, 6):
-        found["det_J"] = np.array([[np.linalg.det(J[: arm.dof])]])
+        values["det_J"] = np.array([[np.linalg.det(J[: arm.dof])]])
     if arm.bodies:
-        found["P"] = statics.potential_energy(arm, q).reshape(1, 1)
-        found["G"] = statics.gravity_torque(arm, q)[:, None]
-    return found
+        values["P"] = statics.potential_energy(arm, q).reshape(1, 1)
+        values["G"] = statics.gravity_torque(arm, q)[:, None]
+    return values

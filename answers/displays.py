@@ -13,7 +13,7 @@ _WIDTH = 56  # characters in a line
 _HEIGHT = 16  # lines in a display
 
 
-def name(item: Answer) -> str:
+def format_name(item: Answer) -> str:
     """Return an answer's name in TeX."""
     letter, _, index = item.name.partition("_")
     named = {"J": "J", "det": r"\det J", "P": "P", "G": "g(q)"}
@@ -22,7 +22,7 @@ def name(item: Answer) -> str:
     return f"{{}}^{{0}}T_{{{index[1:]}}}" if letter == "T" else f"{letter}_{{{index}}}"
 
 
-def symbols(sheet: AnswerSheet, item: Answer, complete: bool = False) -> list[str]:
+def format_symbols(sheet: AnswerSheet, item: Answer, complete: bool = False) -> list[str]:
     """Write an answer in symbols, as a list of displays.
 
     Args:
@@ -31,23 +31,23 @@ def symbols(sheet: AnswerSheet, item: Answer, complete: bool = False) -> list[st
         complete: write out long parts of origins and axes, which a page has elsewhere.
     """
     value, names = item.value, _entry_names(sheet, item)
-    if not item.is_number and _width(value) <= _WIDTH:
-        return [f"{name(item)} = {sp.latex(value)}"]
+    if not item.is_number and _measure_width(value) <= _WIDTH:
+        return [f"{format_name(item)} = {sp.latex(value)}"]
     if value.cols == 1:
         first = next((axis for axis in sheet.axes if axis.value == value), item)
         if first is not item and not complete:
-            return [f"{name(item)} = {name(first)}"]
-        return _aligned([*zip(names, value, strict=True)])
-    elsewhere = {} if complete else _parts(sheet, item)
+            return [f"{format_name(item)} = {format_name(first)}"]
+        return _format_aligned([*zip(names, value, strict=True)])
+    elsewhere = {} if complete else _name_shared_entries(sheet, item)
     cut, long = _name_long_entries(value, [elsewhere.get(k, own) for k, own in enumerate(names)])
     by_columns = sorted({*long} - elsewhere.keys(), key=lambda k: (k % value.cols, k))
     return [
-        f"{name(item)} = {sp.latex(cut)}",
-        *_aligned([(names[k], value[k]) for k in by_columns]),
+        f"{format_name(item)} = {sp.latex(cut)}",
+        *_format_aligned([(names[k], value[k]) for k in by_columns]),
     ]
 
 
-def _parts(sheet: AnswerSheet, item: Answer) -> dict[int, str]:
+def _name_shared_entries(sheet: AnswerSheet, item: Answer) -> dict[int, str]:
     """Return names for the entries that a frame or J shares with axes and origins, by index."""
     columns, first = item.value.cols, {}  # index of a vector's first entry
     if item.name[0] == "T":
@@ -63,8 +63,8 @@ def _parts(sheet: AnswerSheet, item: Answer) -> dict[int, str]:
     }
 
 
-def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
-    """Write named formulas below each other, at most _HEIGHT lines in a display."""
+def _format_aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
+    """Write named formulas in a column, at most _HEIGHT lines in a display."""
     displays: list[list[str]] = []
     for label, formula in formulas:
         first, *rest = break_lines(formula, _WIDTH)
@@ -78,7 +78,10 @@ def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
 
 
 def _name_long_entries(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[int]]:
-    """Replace a matrix's longest entries by names until it fits; return it and their indices."""
+    """Replace the longest entries of a matrix by names until it fits.
+
+    Returns the matrix and the indices of the replaced entries.
+    """
     lengths = [visible_length(formula_latex(entry)) for entry in value]
     for longest in sorted({0, *lengths}, reverse=True):
         long = [
@@ -86,29 +89,31 @@ def _name_long_entries(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.
         ]
         entries = [sp.Symbol(names[k]) if k in long else x for k, x in enumerate(value)]
         cut = sp.Matrix(*value.shape, entries)
-        if _width(cut) <= _WIDTH:
+        if _measure_width(cut) <= _WIDTH:
             break
     return cut, long
 
 
-def numbers(item: Answer, home: Array) -> str:
+def format_numbers(item: Answer, home: Array) -> str:
     """Write an answer's numbers, a scalar to six decimals, matrices to four."""
     if item.is_number:
-        return f"{name(item)} = {sp.latex(_rounded(home[0, 0], 6))}"
-    value = sp.Matrix([[_rounded(x, 4) for x in row] for row in home])
+        return f"{format_name(item)} = {sp.latex(_round_number(home[0, 0], 6))}"
+    value = sp.Matrix([[_round_number(x, 4) for x in row] for row in home])
     shown = sp.latex(value, mat_str="array")
-    return f"{name(item)} = {shown.replace('c' * value.cols, 'r' * value.cols, 1)}"
+    return f"{format_name(item)} = {shown.replace('c' * value.cols, 'r' * value.cols, 1)}"
 
 
 def as_latex(sheet: AnswerSheet, item: Answer) -> str:
     """Write displays for amsmath, below comments that define c_{23} and the like."""
     legend = [
-        f"% ${sp.latex(letter)} = {formula_latex(f)}$" for letter, f in item.definitions.items()
+        f"% ${sp.latex(symbol)} = {formula_latex(f)}$" for symbol, f in item.definitions.items()
     ]
-    return "\n".join([*legend, *(f"\\[\n{display}\n\\]" for display in symbols(sheet, item, True))])
+    return "\n".join(
+        [*legend, *(f"\\[\n{display}\n\\]" for display in format_symbols(sheet, item, True))]
+    )
 
 
-def _rounded(value: float, digits: int) -> sp.Expr:
+def _round_number(value: float, digits: int) -> sp.Expr:
     rounded = round(float(value), digits)
     return sp.Integer(rounded) if rounded.is_integer() else sp.Float(str(rounded))
 
@@ -118,16 +123,16 @@ def _entry_names(sheet: AnswerSheet, item: Answer) -> list[str]:
     rows, columns = item.value.shape
     letter = item.name[0]
     if item.is_number:
-        return [name(item)]
+        return [format_name(item)]
     if letter == "G":
         return [f"g_{{{joint}}}" for joint in sheet.arm.joints]
     if columns == 1:
-        return [f"({name(item)})_{{{axis}}}" for axis in "xyz"]
+        return [f"({format_name(item)})_{{{axis}}}" for axis in "xyz"]
     letter = letter if letter == "J" else letter.lower()
     return [f"{letter}_{{{i + 1}{k + 1}}}" for i in range(rows) for k in range(columns)]
 
 
-def _width(matrix: sp.Matrix) -> int:
+def _measure_width(matrix: sp.Matrix) -> int:
     """Return the width of a matrix in characters."""
     columns = (matrix.col(k) for k in range(matrix.cols))
     return sum(

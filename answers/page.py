@@ -13,7 +13,7 @@ import sympy as sp
 
 from answers import displays, programs
 from answers.content import Answer, AnswerSheet, Array
-from answers.typeset import mathml
+from answers.typeset import convert_to_mathml
 from helpers.arm import Arm
 from helpers.formulas import formula_latex
 from helpers.inputs import ArmError, require_type, tuple_of_items
@@ -46,11 +46,11 @@ def markdown(
     require_type(lead, str, "lead")
     meta = f"---\nmyst:\n  html_meta:\n    description: {json.dumps(description)}\n---\n\n"
     start = f"{meta if description else ''}# {heading}\n\n{lead}\n\n"
-    return start + _sections(arm, also)
+    return start + _format_sections(arm, also)
 
 
 def document(arm: Arm) -> str:
-    """Write the sheet as one self-contained HTML file, with formulas in MathML.
+    """Write the sheet as a self-contained HTML file, with formulas in MathML.
 
     Raises ArmError as `markdown` does.
     """
@@ -59,9 +59,11 @@ def document(arm: Arm) -> str:
     from mdit_py_plugins.dollarmath import dollarmath_plugin
 
     reader = MarkdownIt("commonmark").enable("table")
-    reader.use(dollarmath_plugin, renderer=lambda tex, how: mathml(tex, how["display_mode"]))
+    reader.use(
+        dollarmath_plugin, renderer=lambda tex, how: convert_to_mathml(tex, how["display_mode"])
+    )
     name = escape(arm.name)
-    body = reader.render(f"# {name}: answers\n\n{_sections(arm)}")
+    body = reader.render(f"# {name}: answers\n\n{_format_sections(arm)}")
     return (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{name}: answers'
         '</title>\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
@@ -69,7 +71,7 @@ def document(arm: Arm) -> str:
     )
 
 
-def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
+def _format_sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
     """Write style, sections (heading, question, answers) and script of a sheet."""
     arms = (arm, *tuple_of_items(also, "also", "arms with the same rows"))
     for other in also:
@@ -78,53 +80,55 @@ def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
                 f"{other.name} has other rows than {arm.name}; expected other values only"
             )
     sheet, *others = (AnswerSheet(replace(a, name=escape(a.name))) for a in arms)
-    found = [
+    sections = [
         ("Link matrices", _ASK_LINKS, sheet.links),
         ("Frames seen from the base", _ASK_FRAMES, sheet.frames),
         ("Origins", _ASK_ORIGINS, sheet.origins),
         ("Axes", _ASK_AXES, sheet.axes),
-        ("Jacobian", _ASK_JACOBIAN % len(arm.rows) + _joint_note(arm), [sheet.jacobian]),
+        ("Jacobian", _ASK_JACOBIAN % len(arm.rows) + _format_joint_note(arm), [sheet.jacobian]),
     ]
     if det := sheet.determinant:
-        found.append(("Determinant", _ask_determinant(sheet, det), [det]))
+        sections.append(("Determinant", _ask_determinant(sheet, det), [det]))
     if sheet.gravity:
-        found.append(("Gravity", _ASK_GRAVITY + _joint_note(arm), sheet.gravity))
+        sections.append(("Gravity", _ASK_GRAVITY + _format_joint_note(arm), sheet.gravity))
     answers = "\n\n".join(
         f"## {heading}\n\n**First try.** {question}\n\n"
-        + "\n\n".join(_answer(sheet, item, others) for item in items)
-        for heading, question, items in found
+        + "\n\n".join(_format_answer(sheet, item, others) for item in items)
+        for heading, question, items in sections
     )
     style, script = ((_STATIC / f"answers.{kind}").read_text("utf-8") for kind in ("css", "js"))
     return (
-        f"<style>\n{style}</style>\n\n{_TOOLS}\n\n## Table\n\n{_introduction(sheet, others)}\n\n"
-        f"{answers}\n\n{_program_data(sheet)}\n\n<script>\n{script}</script>\n"
+        f"<style>\n{style}</style>\n\n{_TOOLS}\n\n## Table\n\n"
+        f"{_format_introduction(sheet, others)}\n\n"
+        f"{answers}\n\n{_format_program_data(sheet)}\n\n<script>\n{script}</script>\n"
     )
 
 
-def _program_data(sheet: AnswerSheet) -> str:
+def _format_program_data(sheet: AnswerSheet) -> str:
     """Write the <script> element with the programs of each answer, by language."""
     texts = {
-        _id(item): {language: block(sheet, item) for language, block in LANGUAGES.items()}
+        _make_id(item): {language: block(sheet, item) for language, block in LANGUAGES.items()}
         for item in sheet.items
     }
     data = json.dumps(texts).replace("</", r"<\/")
     return f'<script type="application/json">{data}</script>'
 
 
-def _answer(sheet: AnswerSheet, item: Answer, others: list[AnswerSheet]) -> str:
-    """Write one folded answer: its formula and its numbers at home, for `others` too."""
-    formulas = [f"$$\n{display}\n$$" for display in displays.symbols(sheet, item)]
-    for of, home in _at_home(sheet, item, others):
-        formulas.append(f"In numbers{of}:\n\n$$\n{displays.numbers(item, home)}\n$$")
-    title = f'<details class="answer" id="{_id(item)}"><summary>{_html_name(item)}</summary>'
+def _format_answer(sheet: AnswerSheet, item: Answer, others: list[AnswerSheet]) -> str:
+    """Write a folded answer with its formula and its numbers at home, for `others` too."""
+    formulas = [f"$$\n{display}\n$$" for display in displays.format_symbols(sheet, item)]
+    for of, home in _list_home_values(sheet, item, others):
+        formulas.append(f"In numbers{of}:\n\n$$\n{displays.format_numbers(item, home)}\n$$")
+    name = _format_html_name(item)
+    title = f'<details class="answer" id="{_make_id(item)}"><summary>{name}</summary>'
     return "\n\n".join([title, *formulas, "</details>"])
 
 
-def _id(item: Answer) -> str:
+def _make_id(item: Answer) -> str:
     return item.name.replace("_", "-").lower()
 
 
-def _html_name(item: Answer) -> str:
+def _format_html_name(item: Answer) -> str:
     """Return an answer's name in HTML."""
     letter, _, index = item.name.partition("_")
     named = {"det": "det <i>J</i>", "G": "<i>g</i>(<i>q</i>)", "J": "<i>J</i>", "P": "<i>P</i>"}
@@ -133,52 +137,54 @@ def _html_name(item: Answer) -> str:
     return named.get(letter, f"<i>{letter}</i><sub>{index}</sub>")
 
 
-def _at_home(
+def _list_home_values(
     sheet: AnswerSheet, item: Answer, others: list[AnswerSheet]
 ) -> list[tuple[str, Array]]:
     """Return captions and numbers of an answer for each arm whose numbers differ."""
-    found = [(f", {sheet.arm.name}", item.home)]
+    captioned = [(f", {sheet.arm.name}", item.home)]
     for other in others:
         if not np.allclose(other.home[item.name], item.home, rtol=0, atol=5e-5):
-            found.append((f", {other.arm.name}", other.home[item.name]))
-    return found if len(found) > 1 else [("", item.home)]
+            captioned.append((f", {other.arm.name}", other.home[item.name]))
+    return captioned if len(captioned) > 1 else [("", item.home)]
 
 
 # The text above the answers
 
 
-def _introduction(sheet: AnswerSheet, others: list[AnswerSheet]) -> str:
+def _format_introduction(sheet: AnswerSheet, others: list[AnswerSheet]) -> str:
     """Write the table, the values of its symbols, the home pose and the short names."""
     arm = sheet.arm
     pairs = zip(arm.variables, arm.home, strict=True)
-    home = ", ".join(f"${name} = {sp.latex(programs.angle(value))}$" for name, value in pairs)
+    home = ", ".join(
+        f"${name} = {sp.latex(programs.make_exact_angle(value))}$" for name, value in pairs
+    )
     values = [other.arm._repr_markdown_().rsplit("\n\n", 1)[1] for other in others]
     zero = [f"${sp.latex(sp.Symbol(name))}$" for name, value in arm.values.items() if not value]
     parts = [arm._repr_markdown_(), *values]
     if zero:
         parts.append(f"What is 0, here {', '.join(zero)}, is left out of the formulas.")
     parts.append(f"Numbers are given at {home} (rad; m where a joint slides), rounded.")
-    parts.append(f"Short names: {_legend(sheet)}.")
+    parts.append(f"Short names: {_format_legend(sheet)}.")
     if sheet.steps:
         parts.append(_STEPS_NOTE)
-    parts += [_mass_table(s) for s in (sheet, *others) if s.arm.bodies]
+    parts += [_format_mass_table(s) for s in (sheet, *others) if s.arm.bodies]
     return "\n\n".join(parts)
 
 
-def _legend(sheet: AnswerSheet) -> str:
+def _format_legend(sheet: AnswerSheet) -> str:
     """List the short names of sums of angles, such as c_23 = cos(q_2 + q_3)."""
-    letters = {letter: f for item in sheet.items for letter, f in item.definitions.items()}
+    symbols = {symbol: f for item in sheet.items for symbol, f in item.definitions.items()}
     sums = [
-        f"${sp.latex(letter)} = {formula_latex(f)}$"
-        for letter, f in sorted(letters.items(), key=str)
+        f"${sp.latex(symbol)} = {formula_latex(f)}$"
+        for symbol, f in sorted(symbols.items(), key=str)
         if isinstance(f, sp.cos) and f.args[0].is_Add
     ]
     return ", ".join([r"$c_i = \cos(q_i)$, $s_i = \sin(q_i)$", *sums])
 
 
-def _mass_table(sheet: AnswerSheet) -> str:
+def _format_mass_table(sheet: AnswerSheet) -> str:
     """Write a table of the links' masses and centres of mass."""
-    head = (
+    header = (
         f"{sheet.arm.name}: masses (kg), and centres of mass (m) in the frame that moves with"
         " each link; $g = 9.81$ m/s².\n\n| link | $m$ | $x_c$ | $y_c$ | $z_c$ |\n"
         "|:-:|:-:|:-:|:-:|:-:|\n"
@@ -189,10 +195,10 @@ def _mass_table(sheet: AnswerSheet) -> str:
         for i in range(1, len(sheet.arm.rows) + 1)
     ]
     lines = [f"| {' | '.join(f'{x:g}' for x in row)} |" for row in rows]
-    return head + "\n".join(lines).replace("-", "\N{MINUS SIGN}")
+    return header + "\n".join(lines).replace("-", "\N{MINUS SIGN}")
 
 
-def _joint_note(arm: Arm) -> str:
+def _format_joint_note(arm: Arm) -> str:
     """Name the joints of the columns of J and the entries of g, if some rows have no joint."""
     if arm.dof == len(arm.rows):
         return ""

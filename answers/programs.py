@@ -17,7 +17,7 @@ _IMPORTED = ("Matrix", "cos", "pi", "sin", "sqrt", "symbols")
 
 
 class _Names:
-    """Print symbols as valid names: ``c_2m3p4`` for ``c_{2-3+4}``."""
+    """Print symbols as valid names, such as ``c_2m3p4`` for ``c_{2-3+4}``."""
 
     def _print_Symbol(self, symbol):
         return symbol.name.translate({ord("{"): None, ord("}"): None, ord("-"): "m", ord("+"): "p"})
@@ -36,12 +36,12 @@ class _Language(NamedTuple):
     """Syntax of a language for formulas and matrices."""
 
     printer: type
-    start: str  # of a matrix
+    matrix_start: str
     row: str
-    between: str  # two rows
-    end: str
-    statement: str = ""  # what ends one
-    continued: str = ""  # what ends a line that goes on
+    row_end: str
+    matrix_end: str
+    statement_end: str = ""
+    continuation: str = ""  # end of a line that goes on in the next line
 
     def format_formula(self, formula: sp.Expr) -> str:
         text = self.printer({"full_prec": False}).doprint(formula)
@@ -51,34 +51,36 @@ class _Language(NamedTuple):
         """Return the statement that assigns an answer to its name."""
         if item.is_number:
             value = self.format_formula(item.value[0])
-            return self._wrap(f"{item.name} = ({value}){self.statement}", "")
+            return self._wrap_line(f"{item.name} = ({value}){self.statement_end}", "")
         rows = [
             ", ".join(map(self.format_formula, item.value.row(i))) for i in range(item.value.rows)
         ]
         row = self.row if item.value.cols > 1 else "{}"
-        body = [self._wrap(row.format(text) + self.between, "    ") for text in rows]
-        return "\n".join([f"{item.name} = {self.start}", *body, self.end + self.statement])
+        body = [self._wrap_line(row.format(text) + self.row_end, "    ") for text in rows]
+        return "\n".join(
+            [f"{item.name} = {self.matrix_start}", *body, self.matrix_end + self.statement_end]
+        )
 
-    def _wrap(self, text: str, indent: str) -> str:
+    def _wrap_line(self, text: str, indent: str) -> str:
         lines = textwrap.wrap(
             text,
-            _WIDTH - len(self.continued),
+            _WIDTH - len(self.continuation),
             initial_indent=indent,
             subsequent_indent=f"{indent}    ",
             break_long_words=False,
             break_on_hyphens=False,
         )
-        return f"{self.continued}\n".join(lines)
+        return f"{self.continuation}\n".join(lines)
 
     def format_values(self, sheet: AnswerSheet, item: Answer) -> list[str]:
         """Return the lines that assign a number to every symbol of an answer."""
         formulas = (item.value, *item.definitions.values())
         free = {symbol.name for formula in formulas for symbol in formula.free_symbols}
         home = zip(sheet.arm.variables, sheet.arm.home, strict=True)
-        numbers = {name: angle(value) for name, value in home}
+        numbers = {name: make_exact_angle(value) for name, value in home}
         numbers |= {name: sp.Float(value) for name, value in sheet.values.items()}
         return [
-            f"{n} = {self.format_formula(v)}{self.statement}"
+            f"{n} = {self.format_formula(v)}{self.statement_end}"
             for n, v in numbers.items()
             if n in free
         ]
@@ -87,7 +89,8 @@ class _Language(NamedTuple):
         """Return the lines that assign cosines and sines to their short names."""
         pairs = item.definitions.items()
         return [
-            f"{self.format_formula(n)} = {self.format_formula(f)}{self.statement}" for n, f in pairs
+            f"{self.format_formula(n)} = {self.format_formula(f)}{self.statement_end}"
+            for n, f in pairs
         ]
 
 
@@ -107,7 +110,7 @@ def as_sympy(sheet: AnswerSheet, item: Answer) -> str:
 
 
 def as_numpy(sheet: AnswerSheet, item: Answer) -> str:
-    """Write an answer for NumPy at the home pose; the joint values can be edited."""
+    """Write an answer for NumPy with the joint values of the home pose."""
     lines = [
         "import numpy as np",
         "",
@@ -119,12 +122,12 @@ def as_numpy(sheet: AnswerSheet, item: Answer) -> str:
 
 
 def as_matlab(sheet: AnswerSheet, item: Answer) -> str:
-    """Write an answer for MATLAB or Octave at the home pose; the joint values can be edited."""
+    """Write an answer for MATLAB or Octave with the joint values of the home pose."""
     lines = [*_MATLAB.format_values(sheet, item), *_MATLAB.format_definitions(item)]
     return "\n".join([*lines, _MATLAB.format_assignment(item)])
 
 
-def angle(value: float) -> sp.Expr:
+def make_exact_angle(value: float) -> sp.Expr:
     """Return a joint value, exact if it is a multiple of pi / 12."""
     part = sp.Rational(round(value / math.pi * 12), 12)
     near = abs(float(part) * math.pi - value) < 1e-12

@@ -168,7 +168,7 @@ def entries(item, shown, elsewhere):
             line = re.sub(r"\\(?:begin|end)\{aligned\}\n?|\n$", "", line)
             label, formula = re.split(r" &?= ", line, maxsplit=1)
             written[label] = formula.strip()
-    whole = written.get(displays.name(item), "")
+    whole = written.get(displays.format_name(item), "")
     if "matrix" not in whole:
         return [*map(plain, written.values())]
     inner = re.sub(r"\\left\[\\begin\{\w+\}(?:\{c+\})?|\\end\{\w+\}\\right\]", "", whole)
@@ -184,12 +184,15 @@ def plain(tex):
 def test_displayed_formulas_are_complete(sheet):
     """Long parts of T_0i and J stand under Axes and Origins; what is copied is whole by itself."""
     vectors = {
-        f"({displays.name(vector)})_{{{axis}}}": sp.latex(x)
+        f"({displays.format_name(vector)})_{{{axis}}}": sp.latex(x)
         for vector in (*sheet.axes, *sheet.origins)
         for axis, x in zip("xyz", vector.value, strict=True)
     }
     for item in sheet.items:
-        shown, whole = displays.symbols(sheet, item), [plain(sp.latex(x)) for x in item.value]
+        shown, whole = (
+            displays.format_symbols(sheet, item),
+            [plain(sp.latex(x)) for x in item.value],
+        )
         assert entries(item, shown, vectors) == whole or shown[0] in PARALLEL
         missing = [display for display in shown if f"$$\n{display}\n$$" not in page(sheet)]
         assert not missing, f"the page of {sheet.arm.name} lacks these formulas"
@@ -201,7 +204,7 @@ def test_displayed_formulas_are_complete(sheet):
 def test_matrices_are_displayed_as_matrices(sheet):
     """Long entries have names in them; a long vector is written line by line."""
     for item in sheet.items:
-        first, *below = displays.symbols(sheet, item)
+        first, *below = displays.format_symbols(sheet, item)
         lines = item.value.cols == 1 and ("aligned" in first or first in PARALLEL)
         assert ("matrix" in first) != lines
         assert not re.search(r"t_{.[34]}|J_{[456]", "".join(below)), "under Axes and Origins"
@@ -219,7 +222,7 @@ def test_latex_block_explains_abbreviations():
 def test_page_numbers_match_numeric_view(sheet):
     """Rounded to four digits, at the home pose."""
     for item in sheet.items:
-        shown = displays.numbers(item, item.home)
+        shown = displays.format_numbers(item, item.home)
         assert f"In numbers:\n\n$$\n{shown}\n$$" in page(sheet)
         numbers = [float(text) for text in re.findall(r"-?[\d.]+", shown.split(" = ")[1])]
         expected = np.ravel(true(sheet, item.name, np.array(sheet.arm.home)))

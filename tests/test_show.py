@@ -25,7 +25,9 @@ def test_matrices_are_shown_with_their_names():
 def test_long_bracket_is_broken_into_lines():
     symbols = sp.symbols("a_1001:1017")
     entry = symbols[0] * sp.Add(*symbols[1:])
-    made = typeset.mathml(show.matrices({"J": sp.Matrix([entry])})._repr_markdown_().strip("$"))
+    made = typeset.convert_to_mathml(
+        show.matrices({"J": sp.Matrix([entry])})._repr_markdown_().strip("$")
+    )
     assert made.count("<mtr>") == 3  # the matrix has one row, and in it are two lines
     assert "linebreak" not in made
 

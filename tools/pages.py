@@ -55,10 +55,10 @@ def formula(node: nodes.Element, tex: str, display: bool = False) -> str:
     """A formula in MathML, in a line with places where it may break if it is long; one that cannot
     be set is told with its place, and stays TeX."""
     try:
-        html = typeset.mathml(tex, display)
+        html = typeset.convert_to_mathml(tex, display)
         if display or "<mtable" in html or not is_long(tex):
             return html
-        return "<wbr>".join(typeset.parts(tex))
+        return "<wbr>".join(typeset.convert_parts(tex))
     except ArmError as problem:
         LOGGER.warning("%s", problem, location=node)
         return escape(tex)

@@ -14,25 +14,25 @@ _SET = """(tex, displayMode, wrap) =>
     JSON.stringify(temml.renderToString(tex, { displayMode, wrap, throwOnError: true }))"""
 _INDEXED = {"msub", "msup", "msubsup"}
 _TALL = {"mfrac", "mtable", "munder", "mover", "munderover", "msqrt"}
-_engines = threading.local()  # a context belongs to one thread
+_engines = threading.local()  # each thread needs its own context
 
 
-def mathml(tex: str, display: bool = False) -> str:
+def convert_to_mathml(tex: str, display: bool = False) -> str:
     """Convert a formula to MathML.
 
     Raises ArmError if Temml cannot parse the TeX.
     """
-    return _to_text(_convert(tex, display, "none"))
+    return _to_text(_convert_tex(tex, display, "none"))
 
 
-def parts(tex: str) -> list[str]:
-    """Convert a formula to MathML, one element for each part after which a line may break.
+def convert_parts(tex: str) -> list[str]:
+    """Convert a formula to MathML elements, after each of which a line may break.
 
     Browsers break no line inside an element.
 
-    Raises ArmError as `mathml` does.
+    Raises ArmError as `convert_to_mathml` does.
     """
-    formula = _convert(tex, False, "tex")
+    formula = _convert_tex(tex, False, "tex")
     if len(formula) < 2 or any(part.tag != "mrow" for part in formula):
         return [_to_text(formula)]
     rows: list[Element] = []
@@ -43,7 +43,7 @@ def parts(tex: str) -> list[str]:
     return [_to_text(row) for row in rows]
 
 
-def _convert(tex: str, display: bool, wrap: str) -> Element:
+def _convert_tex(tex: str, display: bool, wrap: str) -> Element:
     import quickjs
 
     require_type(tex, str, "tex")
