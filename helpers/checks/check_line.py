@@ -57,7 +57,7 @@ def _is_equal(actual: Any, expected: Any) -> bool:
 
 
 def _to_numbers(value: Any) -> NDArray[np.float64] | None:
-    """Convert numbers, SymPy's too, to an array of floats; all else, truth values too, to None."""
+    """Convert numbers, SymPy's too, to an array of floats, and anything else to None."""
     try:
         array = np.asarray(value)
         if array.dtype.kind in "iuf":

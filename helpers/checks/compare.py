@@ -1,4 +1,4 @@
-"""Compare a student's answers with the right ones.
+"""Compare a student's answers with the right answers.
 
 Each comparison turns the answer into plain data, asks the judge and returns its `Verdict`.
 """
@@ -47,16 +47,18 @@ def _check_options(
     values: Mapping | None = None,
     answer_number: int | None = None,
 ) -> dict[str, Any]:
-    """Return the options common to all comparisons; raise ArmError for an invalid one."""
+    """Check the options that all comparisons share, and return those for the judge."""
     require_choice(angles, "angles", ("rad", "deg"))
-    found: dict[str, Any] = {"angles": angles}
+    options: dict[str, Any] = {"angles": angles}
     if values is not None:
-        found["values"] = [list(pair) for pair in numbers_by_name(values, "values").items()]
+        options["values"] = [list(pair) for pair in numbers_by_name(values, "values").items()]
     if tolerance is not None:
-        found["tolerance"] = finite_number(tolerance, "tolerance", "a number of 0 or more", least=0)
+        options["tolerance"] = finite_number(
+            tolerance, "tolerance", "a number of 0 or more", least=0
+        )
     if answer_number is not None:
-        found["which"] = whole_number(answer_number, "answer_number", least=1)
-    return found
+        options["which"] = whole_number(answer_number, "answer_number", least=1)
+    return options
 
 
 @dataclass(frozen=True)
@@ -130,7 +132,7 @@ def compare_tables(
     """
     require_type(reference, Arm, "the reference")
     options = _check_options("rad", tolerance, values)
-    del options["angles"]  # those of a table may be guessed
+    del options["angles"]  # the angles of a table may be guessed
     if not reference.dof or (isinstance(answer, Arm) and not answer.dof):
         raise ArmError(
             f"cannot compare {shorten(answer)} with {reference!r};"
@@ -144,11 +146,11 @@ def compare_tables(
     if start_pose is not None:
         options["startPose"] = reference.joint_vector(start_pose, "start_pose", many=False).tolist()
     table = _arm_table(answer) if isinstance(answer, Arm) else format_table(answer)
-    found = ask_judge(
+    reply = ask_judge(
         "table", mine=table, arm=judge_data(reference), options=options | reading_options
     )
-    joint_map = make_joint_map(found["map"], reference) if "map" in found else None
-    verdict = make_verdict(found, joint_map)
+    joint_map = make_joint_map(reply["map"], reference) if "map" in reply else None
+    verdict = make_verdict(reply, joint_map)
     return verdict if isinstance(answer, str) else replace(verdict, marked_text=None)
 
 
@@ -178,7 +180,7 @@ def compare_jacobian(
     tolerance: float | None = None,
     answer_number: int | None = None,
 ) -> Verdict:
-    """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
+    """Compare your Jacobian of an arm's tip with the right Jacobian, and name the mistake.
 
     Args:
         answer: a function of q, or of q_1, q_2, ... one by one; a SymPy matrix or a text in q_1,
@@ -209,9 +211,11 @@ def compare_jacobian(
             ask_judge("jacobian", mine=to_plain_data(answer), options=options, **given)
         )
     joints = np.array(ask_judge("joints", **given, angles=angles)["values"])
-    found = call_student_function(answer, joints, f"{arm.name}: your Jacobian")
+    computed = call_student_function(answer, joints, f"{arm.name}: your Jacobian")
     options["computed"] = True
-    return make_verdict(ask_judge("jacobian", mine=to_plain_data(found), options=options, **given))
+    return make_verdict(
+        ask_judge("jacobian", mine=to_plain_data(computed), options=options, **given)
+    )
 
 
 def _check_frame(frame: int, arm: Arm) -> int:
@@ -297,7 +301,7 @@ def compare_branches(
     tolerance: float | None = None,
     answer_number: int | None = None,
 ) -> Verdict:
-    """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
+    """Judge your joint vectors, shape (answers, dof), against all branches of their target.
 
     Order and whole turns do not matter. For a wrong answer the verdict gives the distance of the
     tip from its target and the one or two mistakes that explain it; it names missing branches. Any
@@ -412,7 +416,7 @@ def compare_trace(
 
 
 def _likely_times(times: Array) -> Array:
-    """Return the times at which most verdicts need the path: its steps and their midpoints."""
+    """Return the times of the path's steps and their midpoints, which most verdicts need."""
     step = np.diff(times)
     middles = times[:-1] + 0.5 * step
     return np.unique(np.concatenate([times, times[:-1] + step, middles, middles + step]))

@@ -18,11 +18,14 @@ from helpers.inputs import ArmError
 _SCRIPT = Path(__file__).with_name("judge.js")
 _MEMORY = 512 << 20  # bytes
 _SECONDS = 120  # processor time for one question
-_engines = threading.local()  # a context belongs to one thread
+_engines = threading.local()  # each thread needs its own context
 
 
 def ask_judge(topic: str, **question: Any) -> Any:
-    """Return the judge's answer to a question; raise ArmError with its message if it refuses."""
+    """Return the judge's answer to a question.
+
+    Raises ArmError with the judge's message if it refuses.
+    """
     if not hasattr(_engines, "ask"):
         _engines.ask = _start_engine()
     answer = json.loads(_engines.ask(json.dumps({"topic": topic, **question}, allow_nan=False)))
@@ -58,9 +61,8 @@ def _start_quickjs(script: str) -> Callable[[str], str]:
         try:
             return ask(text)
         except (quickjs.JSException, quickjs.StackOverflow) as problem:
-            del (
-                _engines.ask
-            )  # an interrupted engine may be inconsistent; the next question starts another
+            # An interrupted engine may be inconsistent. The next question starts a new engine.
+            del _engines.ask
             first = str(problem).partition("\n")[0]
             raise ArmError(
                 f"the judge gave up ({first}); expected a question that takes it at most"

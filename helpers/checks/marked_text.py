@@ -1,4 +1,4 @@
-"""Show a typed answer with each number marked by what the judge took it for."""
+"""Show a typed answer with its numbers marked by owner."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -145,16 +145,16 @@ def _count_marks(lines: list[Line]) -> int:
 
 
 def _format_mark(piece: TextPiece) -> str:
-    text = _escape(piece.text)
+    text = _escape_markup(piece.text)
     if not piece.kind:
         return text
-    title = f' title="{_escape(piece.description)}"' if piece.description else ""
+    title = f' title="{_escape_markup(piece.description)}"' if piece.description else ""
     element, style = _ELEMENTS[piece.kind]
     return f'<{element} style="{style}"{title}>{text}</{element}>'
 
 
-def _escape(text: str) -> str:
-    """Escape what HTML, Markdown or MathJax would read as markup."""
+def _escape_markup(text: str) -> str:
+    """Escape characters that HTML, Markdown or MathJax would read as markup."""
     return escape(text).replace("$", "&#36;").replace("\\", "&#92;")
 
 

@@ -17,29 +17,32 @@ _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan")
 
 
 def to_plain_data(answer: Any) -> Data:
-    """Convert numbers, text and SymPy expressions to nested lists; of a mapping take the values."""
+    """Convert numbers, text, SymPy expressions and the values of a mapping to nested lists."""
     if isinstance(answer, Mapping) and answer:
         return [to_plain_data(value) for value in answer.values()]
     if isinstance(answer, np.ndarray) and answer.dtype.kind in "iuf" and not np.ma.isMA(answer):
-        return _finite(answer)
+        return _convert_array(answer)
     if hasattr(answer, "tolist"):
         answer = answer.tolist()
     elif hasattr(answer, "to_numpy"):
         return to_plain_data(answer.to_numpy())
     if isinstance(answer, list | tuple):
         return [to_plain_data(item) for item in answer]
-    return _entry(answer)
+    return _convert_entry(answer)
 
 
-def _finite(array: NDArray[Any]) -> list | float | None:
+def _convert_array(array: NDArray[Any]) -> list | float | None:
     values = array.astype(float)
     if np.isfinite(values).all():
         return values.tolist()
     return to_plain_data(values.astype(object))
 
 
-def _entry(x: Any) -> Data:
-    """Convert a number to float, or None if it is not finite; anything else to {"odd": ...}."""
+def _convert_entry(x: Any) -> Data:
+    """Convert a number to a float, or to None if it is not finite.
+
+    Anything else becomes {"odd": its text}.
+    """
     if isinstance(x, str):
         return x
     if isinstance(x, bool | np.bool_ | complex | None):
@@ -47,13 +50,13 @@ def _entry(x: Any) -> Data:
     try:
         if hasattr(x, "free_symbols"):
             known = x.is_Float or x.is_Integer or x.is_infinite
-            return _number(x) if known else {"tree": _tree(x)}
-        return _number(x) if isinstance(x, int | float | np.number) else {"odd": shorten(x)}
+            return _convert_number(x) if known else {"tree": _make_tree(x)}
+        return _convert_number(x) if isinstance(x, int | float | np.number) else {"odd": shorten(x)}
     except (TypeError, ValueError, AttributeError, RecursionError):
         return {"odd": shorten(x)}
 
 
-def _number(x: Any) -> float | None:
+def _convert_number(x: Any) -> float | None:
     try:
         value = float(x)
     except OverflowError:  # a whole number of more than 308 digits
@@ -61,7 +64,7 @@ def _number(x: Any) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def _tree(e: Any) -> list:
+def _make_tree(e: Any) -> list:
     """Convert a SymPy expression to the tree of a formula.
 
     Sums and products are split into halves, which keeps the tree shallow. Raises TypeError for an
@@ -72,19 +75,19 @@ def _tree(e: Any) -> list:
     if e.is_Symbol or isinstance(e, AppliedUndef):
         return ["name", str(e)]
     if e.is_number and not e.args:
-        return ["num", _real(e)]
+        return ["num", _evaluate_real(e)]
     if e.is_Add or e.is_Mul:
-        return _split_into_halves("+" if e.is_Add else "*", [_tree(part) for part in e.args])
+        return _split_into_halves("+" if e.is_Add else "*", [_make_tree(part) for part in e.args])
     if e.is_Pow:
-        return ["^", *map(_tree, e.args)]
+        return ["^", *map(_make_tree, e.args)]
     if e.func.__name__ in _FUNCTIONS:
-        return ["call", e.func.__name__, _tree(e.args[0])]
+        return ["call", e.func.__name__, _make_tree(e.args[0])]
     if e.func.__name__ == "exp":
-        return ["^", ["num", math.e], _tree(e.args[0])]
-    return ["num", _real(e)]
+        return ["^", ["num", math.e], _make_tree(e.args[0])]
+    return ["num", _evaluate_real(e)]
 
 
-def _real(e: Any) -> float:
+def _evaluate_real(e: Any) -> float:
     value = float(e)
     if not math.isfinite(value):
         raise TypeError(f"{e} is no finite number")

@@ -10,7 +10,7 @@ from helpers.arm import Arm, Body, Joint, Row
 
 @dataclass(frozen=True)
 class JointMap:
-    """Map the joint values of a right table to those of the reference.
+    """Map the joint values of a right table to joint values of the reference.
 
     Joint k of the reference is ``signs[k]`` times the student's joint plus ``offsets[k]``.
 
@@ -38,7 +38,7 @@ class JointMap:
 
 
 def make_joint_map(answer: Mapping[str, Any], reference: Arm) -> JointMap:
-    """Return the judge's joint map; `reference` is the arm that the table was compared with."""
+    """Return the judge's map from the student's joints to those of `reference`."""
     return JointMap(
         tuple(answer["signs"]),
         tuple(answer["offsets"]),

@@ -45,14 +45,20 @@ def read_table(
     options["values"] = [list(pair) for pair in numbers_by_name(values or {}, "values").items()]
     answer = ask_judge("rows", mine=format_table(source), options=options)
     rows = tuple(
-        Row(r["a"], _right_angle(r["alpha"]), r["d"], _right_angle(r["theta"]), Joint(r["kind"]))
+        Row(
+            r["a"],
+            _format_right_angle(r["alpha"]),
+            r["d"],
+            _format_right_angle(r["theta"]),
+            Joint(r["kind"]),
+        )
         for r in answer["rows"]
     )
     return TableReading(rows, answer["reading"], answer["guessed"], answer["warnings"])
 
 
-def _right_angle(angle: float) -> float | str:
-    """Return a multiple of a right angle (to 1e-4 rad) as a formula, others unchanged."""
+def _format_right_angle(angle: float) -> float | str:
+    """Return a multiple of a right angle (to 1e-4 rad) as a formula, other angles unchanged."""
     turns = round(angle / (math.pi / 2))
     if abs(angle - turns * math.pi / 2) > 1e-4:
         return angle
@@ -62,7 +68,7 @@ def _right_angle(angle: float) -> float | str:
 def check_reading_options(
     columns: Any, lengths: Any, angles: Any, convention: Any
 ) -> dict[str, str]:
-    """Return the options that say how to read a table; raise ArmError for an unknown one."""
+    """Check the options for reading a table and return those that are not None."""
     options = {}
     if columns is not None:
         wanted = "a, alpha, d and theta in your order"

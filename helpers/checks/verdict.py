@@ -14,7 +14,7 @@ _MARKS = {RIGHT: "✔", RIGHT_BY_MAP: "✔", "so far": "◐", "rounded": "≈", 
 
 @dataclass(frozen=True)
 class Finding:
-    """One observation on an answer.
+    """An observation on an answer.
 
     Attributes:
         what: its kind: "cause" for an explanation of the whole answer; for a wrong part, "shape",
@@ -40,7 +40,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class NumberRead:
-    """A number of a pasted text, and what the judge took it for.
+    """A number of a pasted text with its owner.
 
     Attributes:
         text: the number as typed, without its unit.
@@ -105,7 +105,7 @@ class Verdict:
 
     @property
     def lines(self) -> list[str]:
-        """The sentences below the headline, without those that it repeats."""
+        """The sentences below the headline, without sentences that it repeats."""
         notes = [f"Note: {note}" for note in self.notes]
         symptoms = [f.words for f in self.findings if f.what != "cause"]
         symptoms = [words for words in symptoms if words[1:] not in self.headline]
