@@ -82,7 +82,7 @@ def _format_sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
     sheet, *others = (AnswerSheet(replace(a, name=escape(a.name))) for a in arms)
     sections = [
         ("Link matrices", _ASK_LINKS, sheet.links),
-        ("Frames seen from the base", _ASK_FRAMES, sheet.frames),
+        ("Frames seen from the base", _ask_frames(sheet), sheet.frames),
         ("Origins", _ASK_ORIGINS, sheet.origins),
         ("Axes", _ASK_AXES, sheet.axes),
         ("Jacobian", _ASK_JACOBIAN % len(arm.rows) + _format_joint_note(arm), [sheet.jacobian]),
@@ -171,6 +171,11 @@ def _format_introduction(sheet: AnswerSheet, others: list[AnswerSheet]) -> str:
     return "\n\n".join(parts)
 
 
+def _ask_frames(sheet: AnswerSheet) -> str:
+    """Ask for the frames; only formulas that are written out have sums of angles."""
+    return _ASK_FRAMES % ("" if sheet.steps else " Angles about parallel axes add up.")
+
+
 def _format_legend(sheet: AnswerSheet) -> str:
     """List the short names of sums of angles, such as c_23 = cos(q_2 + q_3)."""
     symbols = {symbol: f for item in sheet.items for symbol, f in item.definitions.items()}
@@ -238,7 +243,7 @@ A_i = \mathrm{Rot}_z(\theta_i)\,\mathrm{Trans}_z(d_i)\,\mathrm{Trans}_x(a_i)\,
 \mathrm{Rot}_x(\alpha_i).
 $$"""
 _ASK_FRAMES = (
-    r"Multiply the link matrices: ${}^{0}T_i = A_1 \cdots A_i$. Angles about parallel axes add up."
+    r"Multiply the link matrices: ${}^{0}T_i = A_1 \cdots A_i$.%s"
     " Long entries of the last two columns are named, as $(z_i)_x$ and $(o_i)_x$, and written out"
     " under Axes and Origins."
 )
