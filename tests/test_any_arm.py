@@ -304,7 +304,7 @@ def test_page_solutions_equal_python(name):
         asked = {"job": "solutions", "arm": arm_data(arm), "qs": q.tolist()}
         answers = ask_node("explorer_numbers.mjs", asked)
         for target, branches in zip(targets_of(arm, q, name), answers, strict=True):
-            known = solutions(arm, target).ways
+            known = solutions(arm, target).by_name
             assert [branch["name"] for branch in branches] == list(known), (name, arm)
             theirs = np.array([branch["q"] for branch in branches])
             assert largest_difference(arm, np.array(list(known.values())), theirs).max() < 1e-7

@@ -60,7 +60,7 @@ def test_solutions_reach_targets_of_an_arm_with_base_and_tool():
     arm = STANFORD.with_base(POSES[6]).with_tool(POSES[7])
     q = np.array([0.3, 0.6, 0.5, 0.2, 0.7, -0.4])
     T = forward_kinematics(arm, q)
-    ways = np.array(list(solutions(arm, T).ways.values()))
+    ways = np.array(list(solutions(arm, T).by_name.values()))
     np.testing.assert_allclose(forward_kinematics(arm, ways), [T] * len(ways), atol=1e-9)
     assert np.abs(ways - q).max(axis=1).min() < 1e-9
 

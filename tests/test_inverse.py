@@ -165,7 +165,7 @@ def test_target_on_the_boundary_is_reached():
         ((0.0, 0.0, 1.2), ["the only one"]),  # joint 1 is free
     ):
         found = elbow(ELBOW, p)
-        assert list(found.ways) == ways
+        assert list(found.by_name) == ways
         assert found.times.sum() == 4
         assert tip_errors(ELBOW, found, np.array(p)).max() < 1e-12
     assert not elbow(ELBOW, (0.7 + 1e-9, 0, 0.5)).valid.any()
@@ -190,7 +190,7 @@ MAST = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()
 @pytest.mark.parametrize("start", [(0.0, 0.3, 0.0), (-2.0, 0.7, 0.3)])
 def test_free_joint_keeps_its_start_value(solver, arm, target, ways, free, start):
     found = solver(arm, target, start=start)
-    assert list(found.ways) == ways
+    assert list(found.by_name) == ways
     assert found.times.sum() == 4
     wanted = [joint in free for joint in (1, 2, 3)]
     assert (found.free[found.valid] == wanted).all()
@@ -339,7 +339,7 @@ def test_infinite_family_is_listed_as_one_branch():
     T = forward_kinematics(UR10E_HOMEWORK, np.zeros(6))
     T[:3, 3] = (-0.1, 0.3561, 1.328)
     found = ur(UR10E_HOMEWORK, T)
-    assert list(found.ways) == [
+    assert list(found.by_name) == [
         "front, q_5 < 0, elbow +",
         "front, q_5 < 0, elbow -",
         "back, elbow +",
@@ -350,7 +350,7 @@ def test_infinite_family_is_listed_as_one_branch():
     assert back.tolist() == [[False] * 5 + [True]] * 2
     np.testing.assert_array_equal(found.q[[4, 5], 4], 0)
     with pytest.raises(ArmError, match=r"the targets are \(2,\); expected one target"):
-        ur(UR10E_HOMEWORK, [T, T]).ways  # noqa: B018
+        ur(UR10E_HOMEWORK, [T, T]).by_name  # noqa: B018
 
 
 # Choosing

@@ -57,7 +57,7 @@ def test_solutions_take_a_pose_as_printed(make):
     with pytest.warns(UserWarning, match="nearest rotation") as warned:
         solutions = inverse.solutions(PUMA, make(POSE.round(4)))
     assert warned[0].filename == __file__  # the warning points at the reader's own line
-    assert len(solutions.ways) == 8
+    assert len(solutions.by_name) == 8
     np.testing.assert_allclose(forward_kinematics(PUMA, solutions.q), [POSE] * 8, atol=2e-4)
     with pytest.warns(UserWarning, match="nearest rotation"):
         assert inverse.solve(PUMA, make(POSE.round(4)), start=Q).reached

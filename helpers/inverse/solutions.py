@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
+from helpers.deprecated import deprecated_attribute
 from helpers.inputs import (
     ArmError,
     broadcast_shape,
@@ -75,7 +76,7 @@ class Solutions:
         return np.where(self.valid, 2 ** self.merged.sum(axis=-1), 0)
 
     @property
-    def ways(self) -> dict[str, Array]:
+    def by_name(self) -> dict[str, Array]:
         """The branches that exist for one target, each by its name without the choices that make
         no difference, as "back" where both elbows are one. Raises ArmError for many targets."""
         if self.q.ndim != 2:
@@ -85,11 +86,13 @@ class Solutions:
         rows = zip(self.branches, self.q, self.valid, self.merged, strict=True)
         return {_shorten_branch_name(name, one): q for name, q, valid, one in rows if valid}
 
+    ways = deprecated_attribute("ways", "by_name")
+
     def __repr__(self) -> str:
         if self.q.ndim != 2:
             reached = self.valid.any(axis=-1)
             return f"{self.arm.name}: {reached.sum()} of {reached.size} targets within reach"
-        if not self.ways:
+        if not self.by_name:
             return f"{self.arm.name}: no solution, {self._reason_of_failure()}"
         lines = [f"  {', '.join(cells)}" for cells in self._cells()]
         return "\n".join(
@@ -108,7 +111,7 @@ class Solutions:
         return f"the target is {self.distance:.4g} m out of reach"
 
     def _repr_markdown_(self) -> str:
-        if self.q.ndim != 2 or not self.ways:
+        if self.q.ndim != 2 or not self.by_name:
             return repr(self)
         heads = ("solution", *(f"${name}$" for name in self.arm.variables))
         rows = [heads, (":--", *["--:"] * self.arm.dof), *self._cells()]
@@ -116,9 +119,9 @@ class Solutions:
 
     def _cells(self) -> list[tuple[str, ...]]:
         """Return a table row for each branch: its name and joint values, "any" for a free joint."""
-        shown = [[f"{x:.4f}" for x in q.round(4) + 0.0] for q in self.ways.values()]
+        shown = [[f"{x:.4f}" for x in q.round(4) + 0.0] for q in self.by_name.values()]
         loose = self.free[self.valid]
-        rows = zip(self.ways, loose, shown, strict=True)
+        rows = zip(self.by_name, loose, shown, strict=True)
         return [(way, *np.where(any_, "any", row)) for way, any_, row in rows]
 
     @property
