@@ -1,7 +1,7 @@
 // The answer in a text: all blocks that have the shape that is asked for, wherever they stand, with
 // rows and columns in the order that their labels say.
 
-import { blocksIn, namesOtherQuantity, plainText } from "./blocks.js";
+import { blocksIn, isCalledOld, namesOtherQuantity, plainText } from "./blocks.js";
 import { foldBlanks, linesOf } from "./characters.js";
 import {
   labelNumberedLines,
@@ -61,18 +61,18 @@ export function findAnswer(text, question) {
 
 /** @param {SpannedText} pasted @param {string} text @param {Question} question @returns {Answer} */
 function findIn(pasted, text, question) {
-  const { what, wants, isEntry, names = NONE, given = [] } = question;
+  const { what, wants, isEntry, names, given = [] } = question;
   if (wants[0].columns === null) refuseOdd(text, question);
   const plain = labelNumberedLines(plainText(pasted));
   const own = blocksIn(plain, { isEntry, names, given });
-  const whole = given.length ? blocksIn(plain, { isEntry, names }) : [];
+  const whole = given.length ? blocksIn(plain, { isEntry, names, given }, true) : [];
   const found = firstBlock(own, whole, question);
   if (!found) throw refusal(text, question, own);
   const { block, want } = found;
   const { rows, said } = inListedOrder(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
-  if (block.sources.every(isOld)) throw oldAnswerError(text, block, question);
+  if (block.sources.every(isCalledOld)) throw oldAnswerError(text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block) && /\p{L}/u.test(text)) throw refusal(text, question, own);
   const left = setAside(text, block, pasted);
@@ -99,7 +99,7 @@ const NONE = /(?!)/; // no name
 // Return whether a block is hardly the answer: it only counts, or is called another quantity or an
 // old answer.
 const isUnlikely = (block) =>
-  countsAlone(block) || isOtherQuantity(block) || block.sources.every(isOld);
+  countsAlone(block) || isOtherQuantity(block) || block.sources.every(isCalledOld);
 
 // Three or more whole numbers in order, as of joints.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && countsJoints(rows.flat());
@@ -108,9 +108,6 @@ function isOtherQuantity({ sources }) {
   const others = sources.filter(namesOtherQuantity).length;
   return others > 0 && 2 * others >= sources.length;
 }
-
-const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
-const isOld = ({ words, name }) => OLD.test([...textsOf(words), name].join(" "));
 
 // An error that quotes the one list that can be read, which the words before it call an old one.
 function oldAnswerError(text, { from }, { what }) {
@@ -137,9 +134,17 @@ function chosen(fits, { which = null }) {
   const texts = ({ rows }) => JSON.stringify(rows.map(textsOf));
   const all = [...new Map(fits.map((block) => [texts(block), block])).values()];
   const answers = all.filter(({ rows }) => rows.length > 1 || !countsJoints(rows[0]));
-  const different = answers.length ? answers : all;
+  const different = withoutRepeated(answers.length ? answers : all);
   if (different.length < 2 || which !== null) return different[(which ?? 1) - 1];
   throw askWhich(different);
+}
+
+// The blocks but for those all rows of which stand in a larger one.
+function withoutRepeated(blocks) {
+  const texts = blocks.map(({ rows }) => rows.map((row) => textsOf(row).join()));
+  const repeats = (rows, others) =>
+    others.length > rows.length && rows.every((row) => others.includes(row));
+  return blocks.filter((_, k) => !texts.some((others) => repeats(texts[k], others)));
 }
 
 function askWhich(blocks) {
@@ -156,18 +161,14 @@ function askWhich(blocks) {
 const MOST = 5; // answers to choose from
 const SHOWN = 8; // numbers of each
 
-// Another block of as many numbers with decimals that would fit in some shape, nameless or of the
-// answer's name, and not the same.
+// Another block of as many numbers with decimals that would fit in some shape and is not the same:
+// of the answer's name or nameless; beside an answer that has its name, without any word before it.
 function refuseRivals(block, blocks, { wants, names = NONE }) {
-  if (block.name && names.test(bareName(block.name))) return;
-  const values = ({ rows }) =>
-    rows
-      .flat()
-      .map(({ text }) => Number(text))
-      .sort()
-      .join();
-  const mayBeAnswer = ({ sources: [{ name }] }) =>
-    !name || /^\d{1,3}$/.test(name) || names.test(bareName(name));
+  const isAnswer = (name) => names.test(bareName(name));
+  const values = ({ rows }) => textsOf(rows.flat()).map(Number).sort().join();
+  const isNamed = block.name && isAnswer(block.name);
+  const mayBeAnswer = ({ sources: [{ name, words }] }) =>
+    isAnswer(name) || (isNamed ? !words.length : !name || /^\d{1,3}$/.test(name));
   const rivals = wants
     .filter(({ largest: any, rows, columns }) => !any && (rows !== null || columns !== null))
     .flatMap((want) => fitting(blocks, want, { wants, names }))

@@ -38,13 +38,13 @@ export const plainText = (pasted) =>
   plainCharacters(withoutDecorations(foldSigns(foldBlanks(pasted))));
 
 /**
- * Return a function for each way to part the text, which makes its blocks but for those that the
- * question itself gave.
+ * Return a function for each way to part the text, which makes its blocks.
  * @param {import("./spans.js").SpannedText} plain
  * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
+ * @param {boolean} [keepsGiven] whether rows that the question itself gave may be part of a block
  * @returns {(() => Block[])[]}
  */
-export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
+export function blocksIn(plain, { isEntry, names, given = [] }, keepsGiven = false) {
   const text = markHeadings(plain);
   const known = new Map();
   const isPadded = COMMA_BEFORE_ZERO.test(text.text) ? (cell) => PADDED.test(cell) : () => false;
@@ -55,7 +55,7 @@ export function blocksIn(plain, { isEntry, names = /(?!)/, given = [] }) {
   };
   const partings = PARTINGS.filter(({ decimal }) => !decimal || DECIMAL_COMMA.test(text.text));
   return partings.map((parting) =>
-    once(() => blocksOf(readRows(text, entry, parting), names, given)),
+    once(() => blocksOf(readRows(text, entry, parting), names, given, keepsGiven)),
   );
 }
 
@@ -71,10 +71,10 @@ function once(make) {
 }
 
 /** @returns {Block[]} */
-function blocksOf({ rows: all, words }, names, given) {
-  const rows = all.filter(({ cells }) => !given.some((values) => isGiven(cells, values)));
-  const kept = new Set(rows);
-  const lines = { all, words, given: new Set(all.filter((row) => !kept.has(row))) };
+function blocksOf({ rows: all, words }, names, given, keepsGiven) {
+  const isOfQuestion = ({ cells }) => given.some((values) => isGiven(cells, values));
+  const lines = { all, words, given: new Set(all.filter(isOfQuestion)) };
+  const rows = keepsGiven ? all : all.filter((row) => !lines.given.has(row));
   const blocks = [
     ...followingRows(rows, names),
     ...rowsOfOneName(rows),
@@ -97,7 +97,7 @@ const isGiven = (cells, given) =>
     return [given[k], given[k] / RAD].some((y) => x !== null && Math.abs(x - y) <= half);
   });
 
-const isNamed = (name, names) => (name ? names.test(name.replace(/^"|\W$/g, "")) : null);
+const isNamed = (name, names) => names?.test(name.replace(/^"|[^\p{L}\p{N}]$/gu, "")) ?? false;
 
 /** Rows of one length that follow each other; a line of numbers of other lengths parts them. */
 function followingRows(rows, names) {
@@ -128,9 +128,13 @@ const follows = (row, before, between) =>
     ? namesOtherQuantity(row) === namesOtherQuantity(before)
     : isAlike(row, before));
 
-// Return whether both or neither of two rows have a name of the answer, if both have a name.
-const sharesName = (row, other, names) =>
-  !row.name || !other.name || isNamed(row.name, names) === isNamed(other.name, names);
+// Return whether a row may go on a list: without a name, or both or neither named as the answer. If
+// the list has no name, only the answer's may stand beside a later row of it.
+const sharesName = (row, first, names) => {
+  if (!row.name) return true;
+  if (first.name) return isNamed(row.name, names) === isNamed(first.name, names);
+  return !names || isNamed(row.name, names) || !/\p{L}/u.test(row.name);
+};
 
 const OTHER_NAMES = /^(?:m|mass(?:es)?|F|f|F_?ext|force|w|wrench|g|p|[dalLhrm]_?\{?\d\}?|l_?pen)$/;
 const OTHER_WORDS =
@@ -145,6 +149,15 @@ export function namesOtherQuantity({ name, words }) {
   const last = words.slice(-4).map(({ text }) => text);
   return OTHER_NAMES.test(name.split(" ").at(-1)) || OTHER_WORDS.test([...last, name].join(" "));
 }
+
+const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
+
+/**
+ * Return whether the words before a row call it an old answer.
+ * @param {Row} row
+ */
+export const isCalledOld = ({ name, words }) =>
+  OLD.test([...words.map(({ text }) => text), name].join(" "));
 
 // Return whether two values of a column are named alike: on one line both or neither with =, on two
 // lines both with labels of one kind or without, and in a sentence. A list has one name for all.
@@ -176,7 +189,8 @@ const labelKind = ({ name, words }) =>
 function applyUnits({ cells, scale, hasAnd }) {
   if (scale) return cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` }));
   const inDegrees = cells.filter(({ text }) => DEGREES_BEHIND.test(text));
-  if (!hasAnd || inDegrees.length !== 1 || inDegrees[0] !== cells.at(-1)) return cells;
+  const isList = hasAnd && cells.length > 1;
+  if (!isList || inDegrees.length !== 1 || inDegrees[0] !== cells.at(-1)) return cells;
   // In "10, 20 and 30 deg" the unit belongs to the whole list, which the text's unit is for.
   return cells.map((cell) => ({ ...cell, text: cell.text.replace(DEGREES_BEHIND, "") }));
 }

@@ -1,6 +1,7 @@
 // Owners: what each number of a pasted text was taken for. A number that nothing claims, within the
 // answer's lines or beside them, is unread, and then nothing is graded.
 
+import { isCalledOld, namesOtherQuantity } from "./blocks.js";
 import { hasDecimals } from "./formula.js";
 import { labelIn } from "./labels.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -19,7 +20,6 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const DIGITS = /[0-9０-９]+(?:\.[0-9０-９]*)?(?:[eE][-+−]?\d+)?|\.\d+(?:[eE][-+−]?\d+)?/g;
 const LINE_END = /\r\n?|[\n\v\f]/g;
-const LONG = 9; // rows of a block, from which a row of its width apart from it is a part of it
 
 /** The numbers of a text, to be claimed once each. */
 export class Tokens {
@@ -59,11 +59,9 @@ export class Tokens {
 
 /**
  * List the numbers of a text with their owners, once a block was taken as the answer.
- * @param {string} text @param {Block} block @param {number} [long] rows from which rows of the
- *   block's width apart from it are parts of it
- * @returns {Token[]}
+ * @param {string} text @param {Block} block @returns {Token[]}
  */
-export function tokensOf(text, block, long = LONG) {
+export function tokensOf(text, block) {
   const tokens = new Tokens(text);
   const starts = new Set(block.rows.flat().map(({ from }) => from));
   const strayRows = unlabelledRows(block);
@@ -78,7 +76,7 @@ export function tokensOf(text, block, long = LONG) {
   for (const { cells } of block.sources)
     for (const cell of cells) tokens.claim(cell, "label", { reason: "another column" });
   for (const { cells } of block.lines.given) for (const cell of cells) tokens.claim(cell, "given");
-  claimRest(tokens, block, linesBeside(text, block), long);
+  claimRest(tokens, block, linesBeside(text, block));
   for (const token of tokens.list)
     if (!token.owner)
       Object.assign(
@@ -138,6 +136,8 @@ const isMisspelt = (word) =>
   ODD_NUMBER.test(word) ||
   TWO_SIGNS.test(word);
 
+const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && !isDate(word);
+
 /**
  * The lines next to a block, over empty ones.
  * @param {string} text @param {Block} block @returns {Map<number, boolean>} whether each has cells
@@ -166,18 +166,12 @@ const UNITS = /\b(?:rad(?:ians?)?|deg(?:rees?)?|pi|Newton-met(?:er|re)s?)\b/g;
 const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+\S?(?:\s|$)/;
 
 // The words and rows that are no part of the block.
-function claimRest(tokens, block, beside, long) {
+function claimRest(tokens, block, beside) {
   const { from, to, sources, lines } = block;
   const own = new Set(sources);
-  const width = Math.max(...sources.map(({ cells }) => cells.length));
   const isNear = (line) => line >= from && line <= to;
-  for (const word of lines.words) {
-    const [token] = tokens.within(word);
-    if (!token || token.owner) continue;
-    const unread = isMisspelt(word.text) && (isNear(token.line) || beside.has(token.line));
-    tokens.claim(word, unread ? "unread" : "context", { reason: "a name or a sentence" });
-  }
   const others = lines.all.filter((row) => !own.has(row) && !lines.given.has(row));
+  claimWords(tokens, block, beside, others);
   const order = new Map(lines.all.map((row, k) => [row, k]));
   const lasts = lastByLine(sources, order);
   const inside = others.filter(({ line }) => isNear(line));
@@ -186,8 +180,24 @@ function claimRest(tokens, block, beside, long) {
     const leads = order.get(row) < (lasts.get(row.line) ?? -1);
     const owner = isNear(row.line)
       ? ownerInside(row, { leads, perRow, alone: !lasts.has(row.line) })
-      : ownerOutside(row, { width, beside, isLong: sources.length >= long });
+      : ownerOutside(row, block, beside);
     for (const cell of row.cells) tokens.claim(cell, owner, { reason: "another list" });
+  }
+}
+
+// The words: numbers that cannot be read, in the block, beside it or in a row of its length, names
+// and sentences.
+function claimWords(tokens, block, beside, others) {
+  const { from, to, lines } = block;
+  const isBrokenRow = findBrokenRows(block, others, tokens);
+  for (const word of lines.words) {
+    const [token] = tokens.within(word);
+    if (!token || token.owner) continue;
+    const { line } = token;
+    const isNear = (line >= from && line <= to) || beside.has(line);
+    const unread =
+      (isNear && isMisspelt(word.text)) || (isBrokenRow(line) && beginsAsNumber(word.text));
+    tokens.claim(word, unread ? "unread" : "context", { reason: "a name or a sentence" });
   }
 }
 
@@ -196,6 +206,21 @@ function lastByLine(sources, order) {
   for (const row of sources)
     for (let line = row.line; line <= row.last; line++) lasts.set(line, order.get(row));
   return lasts;
+}
+
+// A function that tells whether a line apart from the block holds, read or not, as many numbers as
+// one of its rows.
+function findBrokenRows({ rows, sources, lines }, others, tokens) {
+  const width = rows[0].length;
+  if (rows.length < 2 || width < LEAST_ROW) return () => false;
+  const counts = new Map();
+  const add = (line, count) => counts.set(line, (counts.get(line) ?? 0) + count);
+  for (const row of others)
+    if (isCalledAlike(row, sources) && !namesOtherQuantity(row) && !isCalledOld(row))
+      add(row.line, row.cells.length);
+  for (const word of lines.words)
+    if (beginsAsNumber(word.text)) add(tokens.within(word)[0]?.line, 1);
+  return (line) => counts.get(line) === width;
 }
 
 const hasWord = ({ words }) => words.some(({ text }) => /\p{L}{2}/u.test(text));
@@ -219,13 +244,36 @@ function holdsValues({ cells }) {
 }
 
 // Numbers apart from the block: a row that was torn off it, or another list.
-function ownerOutside(row, { width, beside, isLong }) {
+function ownerOutside(row, block, beside) {
+  const width = widthOf(block);
   const least = Math.max(1, Math.min(2, width - 1));
   const { length } = row.cells;
   const isRow = holdsValues(row) || (!beside.get(row.line) && withDecimals(row) && length >= least);
   const torn = beside.has(row.line) && isRow && !row.name;
-  const alike = isLong && width > 2 && row.cells.length === width && !row.name && withDecimals(row);
-  return torn || alike ? "unread" : "context";
+  return torn || mayBePart(row, block) ? "unread" : "context";
+}
+
+const widthOf = ({ sources }) => Math.max(...sources.map(({ cells }) => cells.length));
+
+// Return whether a row anywhere in the text is as long as the rows of a block of several, holds
+// values, repeats none of them and is not called something else: then it may be one of them.
+function mayBePart(row, { rows, sources }) {
+  const { length } = row.cells;
+  const isAsLong = length === rows[0].length || length === widthOf({ sources });
+  if (rows.length < 2 || length < LEAST_ROW || !isAsLong) return false;
+  if (!withDecimals(row) && !holdsValues(row)) return false;
+  if (rows.some((own) => textsOf(own) === textsOf(row.cells))) return false;
+  return isCalledAlike(row, sources) && !namesOtherQuantity(row) && !isCalledOld(row);
+}
+
+const textsOf = (cells) => cells.map(({ text }) => text).join();
+
+const LEAST_ROW = 3; // numbers of a row that is told from other numbers by its length
+
+// Return whether a row has no name, or the name of a source but for its number.
+function isCalledAlike({ name }, sources) {
+  const stem = (text) => text.toLowerCase().replace(/[^\p{L}]/gu, "");
+  return !stem(name) || sources.some((source) => stem(source.name) === stem(name));
 }
 
 /**

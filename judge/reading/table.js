@@ -53,7 +53,6 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 /** @typedef {{ options: Options, known: Map<string, number> }} Request `known` are symbols */
 
 const LONGEST = 100_000; // characters of a text
-const FEWEST_ROWS = 2; // of a table; a row of its width apart from it then belongs to it
 const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 and 0T2
 
 /**
@@ -114,7 +113,9 @@ const DEFINITION = new RegExp(
  */
 function readFirstBlock(text, blocks, request) {
   let firstError = null;
+  let unreadRows = 0; // of the first block beside which a number is unread
   for (const block of blocks) {
+    if (block.cells.length < unreadRows) break; // it may be a part of that table
     let tokens = [];
     try {
       tokens = requireReadable(block, text);
@@ -131,6 +132,7 @@ function readFirstBlock(text, blocks, request) {
         throw error;
       }
       firstError ??= error;
+      if (error.tokens) unreadRows ||= block.cells.length;
     }
   }
   throw firstError ?? new ArmError(formatMessage("no rows", { given: quoteText(text) }));
@@ -141,7 +143,7 @@ function readFirstBlock(text, blocks, request) {
 /** @param {import("./table_blocks.js").TableBlock} block @param {string} text */
 function requireReadable({ torn, cells, block }, text) {
   if (torn) throw new ArmError(formatMessage("row torn", { line: quoteText(torn.trim()) }));
-  const tokens = tokensOf(text, block, FEWEST_ROWS);
+  const tokens = tokensOf(text, block);
   refuseUnread(text, tokens, formatMessage("your table"));
   if (splitMatrices(cells) && FRAMES.test(text)) throw new NoLink("table.frames");
   return tokens;
