@@ -4,6 +4,7 @@
 
 import { cosSin, jointNames, revoluteFlags } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
+import { combinations } from "../geometry/walk.js";
 import { joinList } from "../sentences.js";
 import { makeCause } from "./ranking.js";
 
@@ -58,13 +59,15 @@ function* mistakesInOneJoint(arm) {
   const turns = revoluteFlags(arm);
   const names = jointNames(arm);
   yield* elbowFormula(arm);
-  for (const [k, joint] of names.entries()) {
-    for (const [key, undo] of turns[k] ? ANGLE_MISTAKES : SLIDE_MISTAKES)
-      yield [makeCause(key, { joint }), changeJoint(k, undo)];
-    for (let n = k + 1; n < names.length; n++) {
-      const exchange = (q) => q.map((x, i) => (i === k ? q[n] : i === n ? q[k] : x)); // handed in
-      yield [makeCause("ik.exchanged", { first: joint, second: names[n] }), exchange];
+  // A sign of one joint is commoner than half a turn of another, which may give the same position.
+  for (const n of ANGLE_MISTAKES.keys())
+    for (const [k, joint] of names.entries()) {
+      const [key, undo] = (turns[k] ? ANGLE_MISTAKES : SLIDE_MISTAKES)[n] ?? [];
+      if (key) yield [makeCause(key, { joint }), changeJoint(k, undo)];
     }
+  for (const [i, j] of combinations([...names.keys()], 2)) {
+    const exchange = (q) => q.map((x, k) => (k === i ? q[j] : k === j ? q[i] : x)); // handed in
+    yield [makeCause("ik.exchanged", { first: names[i], second: names[j] }), exchange];
   }
 }
 
