@@ -247,6 +247,8 @@ def test_forgotten_pen_in_trajectory_is_named():
         (UR_TASK, UR10E, 4, 180 / math.pi, "ik.joint degrees:q_5"),
         (UR_TASK, UR10E, 5, -1, "ik.sign:q_6"),
         (STANFORD_TASK, STANFORD, 2, 1000, "ik.joint millimetres:q_3"),
+        # q_4 half a turn off gives the same position
+        (STANFORD_TASK, STANFORD, 4, -1, "ik.sign:q_5"),
     ],
 )
 def test_one_mistaken_joint_of_trajectory_is_named(task, arm, joint, factor, cause):
@@ -298,6 +300,44 @@ def test_lengths_exchanged_between_distant_rows_are_named():
     rows[0][3], rows[5][3] = rows[5][3], rows[0][3]
     verdict = checks.compare_jacobian(UR.with_rows(rows).jacobian(BENT).round(4), UR10E, BENT)
     assert verdict.causes == ("table.d exchanged:1:6",)
+
+
+def format_dh_table(rows):
+    """Return a table of revolute joints as text."""
+    lines = [f"{a} {alpha} {d} q{k}{theta:+}" for k, (_, a, alpha, d, theta) in enumerate(rows, 1)]
+    return "\n".join(["a alpha d theta", *lines])
+
+
+@pytest.mark.parametrize(("column", "i", "j"), [("d", 1, 3), ("d", 3, 7), ("a", 4, 6)])
+@pytest.mark.parametrize("keeps_signs", [True, False])
+def test_exchanged_lengths_are_named(column, i, j, keeps_signs):
+    """The Panda's d_7 and a_4 are negative, and the other lengths positive."""
+    index = {"a": 1, "d": 3}[column]
+    rows = [list(row) for row in KNOWN["PANDA"].rows]
+    first, second = rows[i - 1], rows[j - 1]
+    x, y = first[index], second[index]
+    first[index] = math.copysign(y, x) if keeps_signs else y
+    second[index] = math.copysign(x, y) if keeps_signs else x
+    cause = f"table.{column} exchanged:{i}:{j}"
+    assert checks.compare_tables(format_dh_table(rows), PANDA).causes == (cause,)
+    jacobian = KNOWN["PANDA"].with_rows(rows).jacobian(SEVEN)
+    assert checks.compare_jacobian(jacobian.round(4), PANDA, SEVEN).causes == (cause,)
+
+
+@pytest.mark.parametrize(
+    ("joint", "factor", "cause"),
+    [
+        (4, 180 / math.pi, "ik.joint degrees:q_5"),
+        (4, math.pi / 180, "ik.joint converted:q_5"),
+        (2, 1000, "ik.joint millimetres:q_3"),
+        (2, 1 / 1000, "ik.joint converted:q_3"),
+    ],
+)
+def test_unit_of_one_joint_of_jacobian_is_named(joint, factor, cause):
+    q = SLID.copy()
+    q[joint] *= factor
+    jacobian = KNOWN["STANFORD"].jacobian(q)
+    assert checks.compare_jacobian(jacobian.round(5), STANFORD, SLID).causes == (cause,)
 
 
 def test_zero_exchanged_with_a_digit_is_named():

@@ -48,19 +48,21 @@ function* otherLengths({ penless, alike = [], robots = [] }) {
 }
 
 /**
- * Two lengths of a column exchanged, each row keeping its sign. Handed in.
+ * List two lengths of a column exchanged, with each row's sign kept or exchanged. Handed in.
  * @param {Arm} arm @returns {Generator<ChainMistake>}
  */
 function* exchangedLengths({ rows }) {
   for (const column of ["a", "d"]) {
     const links = rows.flatMap((row, i) => (row[column] ? [i] : []));
     for (const [i, j] of combinations(links, 2)) {
-      if (Math.abs(rows[i][column]) === Math.abs(rows[j][column])) continue;
-      const lengths = { [i]: rows[j][column], [j]: rows[i][column] };
-      const exchange = changeRows((row, k) =>
-        k in lengths ? { [column]: Math.sign(row[column]) * Math.abs(lengths[k]) } : {},
-      );
-      yield [makeCause(`table.${column} exchanged`, { i: i + 1, j: j + 1 }), exchange];
+      const [first, second] = [rows[i][column], rows[j][column]];
+      if (Math.abs(first) === Math.abs(second)) continue;
+      const signs = first * second < 0 ? [-1, 1] : [1];
+      for (const sign of signs) {
+        const lengths = { [i]: sign * second, [j]: sign * first };
+        const exchange = changeRows((_, k) => (k in lengths ? { [column]: lengths[k] } : {}));
+        yield [makeCause(`table.${column} exchanged`, { i: i + 1, j: j + 1 }), exchange];
+      }
     }
   }
 }
@@ -104,7 +106,8 @@ function mistakesInRow(row, index) {
 
 /**
  * List mistakes in the joint values: degrees for radians or the reverse, the maker's signs, the
- * sign of one joint, one joint in degrees, a slide in millimetres. All handed in.
+ * sign of one joint, and one joint in degrees, in millimetres or converted once too often. All
+ * handed in.
  * @param {string} degreesKey of the message on degrees
  * @param {Arm} arm
  * @returns {ChainMistake[]}
@@ -122,8 +125,11 @@ export function poseMistakes(degreesKey, arm) {
   for (const [k, joint] of jointNames(arm).entries()) {
     const change = (factor) => changeJoints((x, i) => (i === k ? factor * x : x));
     mistakes.push([makeCause("ik.sign", { joint }), change(-1)]);
-    if (turns[k]) mistakes.push([makeCause("ik.joint degrees", { joint }), change(RAD)]);
-    else mistakes.push([makeCause("ik.joint millimetres", { joint }), change(1000)]);
+    const [key, factor, _unit] = turns[k]
+      ? ["ik.joint degrees", DEG, "radians"]
+      : ["ik.joint millimetres", 1000, "metres"];
+    mistakes.push([makeCause(key, { joint }), change(factor)]);
+    mistakes.push([makeCause("ik.joint converted", { joint, _unit }), change(1 / factor)]);
   }
   return mistakes;
 }

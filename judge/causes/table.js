@@ -1,5 +1,5 @@
-// Why a table is another arm: every reading with up to two slips undone, and the entries that it
-// leaves wrong. The fewest slips win, a wrong entry being one.
+// Finds the mistakes that make a table another arm: it tries each correction of the rows against
+// each arm that the student may have described, and keeps those that leave the fewest mistakes.
 
 import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
 import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geometry/rows.js";
@@ -14,129 +14,184 @@ import { combineCauses, makeCause } from "./ranking.js";
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 
 /**
- * One reading of what was meant: its causes, the rows, the arm they are held against, and what that
- * leaves: the entries that differ, as row and column, or else the axes.
+ * A supposed mistake: its cause, the corrected rows, the arm they are compared with, and the
+ * differences that remain. These are entries, as row and column, or else axes.
  * @typedef {{ cause: Cause | null, rows: TableRow[], reference: TableRow[],
- *   left: ([number, string] | Difference)[] }} Try
+ *   differences: ([number, string] | Difference)[] }} Hypothesis
+ */
+/**
+ * A cause and the function that corrects the rows. The third entry says that a correction counts
+ * only if no difference remains.
+ * @typedef {[Cause | null, (rows: TableRow[]) => TableRow[], boolean?]} Correction
  */
 
-const FEW = 3; // entries: more of them are no slips, but another table
+const MAX_ENTRIES = 3; // a table with more wrong entries is another table
 
 /**
- * The readings with the fewest slips, several where they leave nothing; else one, and rather one
- * that leaves entries.
- * @returns {Try[]}
+ * Find the hypotheses with the fewest mistakes, where a remaining difference counts as one. Of
+ * several that leave differences only one is returned, preferably one that leaves entries.
+ * @param {TableRow[]} rows as typed
+ * @param {import("../geometry/arm.js").Arm} reference
+ * @param {TableRow[]} expected rows of the reference, with snapped angles
+ * @param {boolean} modified whether the rows were read in Craig's convention
+ * @param {number} tolerance of a length (m)
+ * @returns {Hypothesis[]}
  */
-export function findFewestMistakes(rows, reference, wanted, modified, length) {
-  const all = tries(rows, reference, wanted, modified, length);
-  const fewest = Math.min(...all.map(slipsOf));
-  const best = all.filter((t) => slipsOf(t) === fewest);
-  const whole = best.filter(({ left }) => !left.length);
-  if (whole.length) return whole;
-  return [best.find(({ left }) => Array.isArray(left[0])) ?? best[0]];
+export function findFewestMistakes(rows, reference, expected, modified, tolerance) {
+  const hypotheses = listHypotheses(rows, reference, expected, modified, tolerance);
+  const fewest = Math.min(...hypotheses.map(countMistakes));
+  const best = hypotheses.filter((hypothesis) => countMistakes(hypothesis) === fewest);
+  const complete = best.filter(({ differences }) => !differences.length);
+  if (complete.length) return complete;
+  return [best.find(({ differences }) => Array.isArray(differences[0])) ?? best[0]];
 }
 
-/** @param {Try} t */
-const slipsOf = ({ cause: why, left }) => (why?.keys.length ?? 0) + left.length;
+/** @param {Hypothesis} hypothesis */
+const countMistakes = ({ cause, differences }) => (cause?.keys.length ?? 0) + differences.length;
 
-/** @returns {Try[]} */
-function tries(rows, reference, wanted, modified, length) {
-  const others = references(reference).map(([why, arm]) => [why, snapRows(arm)]);
-  return [[null, wanted], ...others].flatMap(([other, arm]) =>
-    mends(rows.length, modified).flatMap(([mistake, mend, local]) => {
-      const why = other && mistake ? combineCauses(other, mistake) : (other ?? mistake);
-      const mended = snapRows(mend(rows));
-      const off = entriesOff(mended, arm, length);
-      const left = local ? off : fewerOff(off, axesOff(mended, arm, length), why);
-      if (!left || why?.keys.length > 2 || (local && left.length)) return [];
-      return [{ cause: why, rows: mended, reference: arm, left }];
+/** @returns {Hypothesis[]} */
+function listHypotheses(rows, reference, expected, modified, tolerance) {
+  const others = listOtherArms(reference).map(([cause, other]) => [cause, snapRows(other)]);
+  const corrections = listCorrections(rows, modified);
+  return [[null, expected], ...others].flatMap(([otherArm, arm]) =>
+    corrections.flatMap(([mistake, correct, isWhole]) => {
+      const cause = otherArm && mistake ? combineCauses(otherArm, mistake) : (otherArm ?? mistake);
+      const corrected = snapRows(correct(rows));
+      const entries = listWrongEntries(corrected, arm, tolerance);
+      const differences = isWhole
+        ? entries
+        : chooseDifferences(entries, listWrongAxes(corrected, arm, tolerance), cause);
+      if (!differences || cause?.keys.length > 2 || (isWhole && differences.length)) return [];
+      return [{ cause, rows: corrected, reference: arm, differences }];
     }),
   );
 }
 
-// Return the differences that a reading leaves: the entries, where they are few and no more than
-// the axes; else the axes, of which beside a cause there is one. Null where that is too much.
-function fewerOff(entries, axes, why) {
-  const few = entries && entries.length <= FEW;
-  if (few && axes.length && entries.length <= axes.length) return entries;
-  if (!why || axes.length < 2) return axes;
-  return few ? entries : null;
+// Return the wrong entries if they are few and no more than the wrong axes; else the wrong axes.
+// Null if a cause leaves many of both.
+function chooseDifferences(entries, axes, cause) {
+  const isFew = entries && entries.length <= MAX_ENTRIES;
+  if (isFew && axes.length && entries.length <= axes.length) return entries;
+  if (!cause || axes.length < 2) return axes;
+  return isFew ? entries : null;
 }
 
-// The axes that differ, in whatever frames the rows are.
-const axesOff = (rows, wanted, length) =>
-  compareAxes(describeAxes(rows), describeAxes(wanted), length, ANGLE_TOLERANCE).differences;
+// List the axes that differ. The frames of the rows do not matter.
+const listWrongAxes = (rows, expected, tolerance) =>
+  compareAxes(describeAxes(rows), describeAxes(expected), tolerance, ANGLE_TOLERANCE).differences;
 
-/** @returns {[number, string][] | null} null where rows do not correspond */
-function entriesOff(rows, wanted, length) {
-  const alike =
-    rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
-  if (!alike) return null;
+/** @returns {[number, string][] | null} null if the rows do not correspond */
+function listWrongEntries(rows, expected, tolerance) {
+  const areAlike =
+    rows.length === expected.length && rows.every(({ kind }, k) => kind === expected[k].kind);
+  if (!areAlike) return null;
+  const isWrong = (row, k, column) => {
+    const [actual, right] = [row[column], expected[k][column]];
+    if (column === jointColumn(row.kind)) return false;
+    return isAngleColumn(column)
+      ? angleDistance(actual, right) > ANGLE_TOLERANCE
+      : Math.abs(actual - right) > tolerance;
+  };
   return rows.flatMap((row, k) =>
-    ENTRIES.filter((column) => {
-      const [x, y] = [row[column], wanted[k][column]];
-      const free = column === jointColumn(row.kind);
-      return (
-        !free &&
-        (isAngleColumn(column) ? angleDistance(x, y) > ANGLE_TOLERANCE : Math.abs(x - y) > length)
-      );
-    }).map((column) => /** @type {[number, string]} */ ([k, column])),
+    ENTRIES.filter((column) => isWrong(row, k, column)).map(
+      (column) => /** @type {[number, string]} */ ([k, column]),
+    ),
   );
 }
 
-const swap = (one, other) => (row) => ({ ...row, [one]: row[other], [other]: row[one] });
-
-// Mistakes in the arrangement, undone: columns, convention (where it is not the modified one) and,
-// which must explain everything, rows. All handed in.
-/** @returns {[Cause | null, (rows: TableRow[]) => TableRow[], boolean?][]} */
-function mends(count, modified) {
-  const rows = [...Array(count).keys()];
+/**
+ * List corrections of usual mistakes in the arrangement of a table, all handed in.
+ * @param {TableRow[]} typedRows
+ * @param {boolean} modified
+ * @returns {Correction[]}
+ */
+function listCorrections(typedRows, modified) {
+  const indices = [...typedRows.keys()];
+  const pairs = combinations(indices, 2);
   return [
-    [null, (read) => read],
-    [makeCause("table.alpha and theta"), (read) => read.map(swap("alpha", "theta"))],
-    [makeCause("table.a and d"), (read) => read.map(swap("a", "d"))],
-    ...(modified ? [] : [/** @type {any} */ ([makeCause("table.craig"), convertFromCraig])]),
-    [makeCause("table.into craig"), toCraig],
-    ...rows.map((k) => aAndDOf(k)),
-    ...combinations(rows, 2).map(([i, j]) => exchanged(i, j)),
+    [null, (rows) => rows],
+    [makeCause("table.alpha and theta"), exchangeColumns("alpha", "theta")],
+    [makeCause("table.a and d"), exchangeColumns("a", "d")],
+    ...(modified ? [] : [/** @type {Correction} */ ([makeCause("table.craig"), convertFromCraig])]),
+    [makeCause("table.into craig"), lowerLinkColumns],
+    ...indices.map(exchangeLengthsInRow),
+    ...pairs.map(([i, j]) => exchangeRows(i, j)),
+    ...pairs.flatMap(([i, j]) => [...exchangeLengths(typedRows, i, j)]),
   ];
 }
 
-// The lengths of one row.
-/** @returns {[Cause, (rows: TableRow[]) => TableRow[], boolean]} */
-const aAndDOf = (k) => [
+const exchangeInRow = (row, first, second) => ({
+  ...row,
+  [first]: row[second],
+  [second]: row[first],
+});
+const exchangeColumns = (first, second) => (rows) =>
+  rows.map((row) => exchangeInRow(row, first, second));
+
+// Exchange a and d of row k.
+/** @returns {Correction} */
+const exchangeLengthsInRow = (k) => [
   makeCause("table.a and d in row", { row: k + 1 }),
-  (rows) => rows.map((r, i) => (i === k && r.kind !== "prismatic" ? swap("a", "d")(r) : r)),
+  (rows) =>
+    rows.map((row, i) =>
+      i === k && row.kind !== "prismatic" ? exchangeInRow(row, "a", "d") : row,
+    ),
   true,
 ];
 
-/** @returns {[Cause, (rows: TableRow[]) => TableRow[], boolean]} */
-const exchanged = (i, j) => [
+/** @returns {Correction} */
+const exchangeRows = (i, j) => [
   makeCause("table.rows exchanged", { i: i + 1, j: j + 1 }),
   (rows) => rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row)),
   true,
 ];
 
-// a and alpha stand one row too high.
-const toCraig = (rows) =>
+/**
+ * Exchange two lengths of a column: with their signs, and so that each row keeps its sign. None if
+ * the rows differ in nothing else, since then the rows are exchanged.
+ * @param {TableRow[]} typedRows @param {number} i @param {number} j
+ * @returns {Generator<Correction>}
+ */
+function* exchangeLengths(typedRows, i, j) {
+  for (const column of ["a", "d"]) {
+    const [first, second] = [typedRows[i], typedRows[j]];
+    const [x, y] = [first[column], second[column]];
+    const areJoints = [first, second].some(({ kind }) => jointColumn(kind) === column);
+    const areSameRows = ENTRIES.every((name) => name === column || first[name] === second[name]);
+    if (areJoints || areSameRows || !x || !y || Math.abs(x) === Math.abs(y)) continue;
+    const signs = x * y < 0 ? [1, -1] : [1];
+    for (const sign of signs)
+      yield [
+        makeCause(`table.${column} exchanged`, { i: i + 1, j: j + 1 }),
+        (rows) => {
+          const lengths = { [i]: sign * rows[j][column], [j]: sign * rows[i][column] };
+          return rows.map((row, k) => (k in lengths ? { ...row, [column]: lengths[k] } : row));
+        },
+        true,
+      ];
+  }
+}
+
+// Move a and alpha, typed one row too high, down by a row.
+const lowerLinkColumns = (rows) =>
   rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));
 
-// Other arms that a student may have described: without the pen, one length taken for another, or
-// another robot of a like name.
+// List other arms that a student may have described: without the pen, with one length taken for
+// another, or another robot of nearly the same name.
 /** @returns {[Cause, TableRow[]][]} */
-const references = (arm) => [
+const listOtherArms = (arm) => [
   ...(arm.penless ? [[makeCause("table.pen"), arm.penless.rows]] : []),
   ...(arm.alike ?? []).map(({ name, other, rows }) => [
     makeCause("table.length", { name, other }),
     rows,
   ]),
   ...(arm.robots ?? []).flatMap(({ name, rows, penless }) => {
-    const why = makeCause("table.robot", { name });
+    const cause = makeCause("table.robot", { name });
     return penless
       ? [
-          [why, rows],
-          [combineCauses(why, makeCause("table.pen")), penless],
+          [cause, rows],
+          [combineCauses(cause, makeCause("table.pen")), penless],
         ]
-      : [[why, rows]];
+      : [[cause, rows]];
   }),
 ];

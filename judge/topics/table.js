@@ -342,7 +342,7 @@ function reportDifferences({ table, reference, rows, wanted }, length) {
   const { a, alpha } = table.rows[0];
   const isCraig = causes.some(({ keys }) => keys.includes("table.craig"));
   const own = isCraig ? { ...table, modified: true, added: Number(Boolean(a || alpha)) } : table;
-  const findings = hypothesis.left.map((difference) =>
+  const findings = hypothesis.differences.map((difference) =>
     Array.isArray(difference)
       ? describeEntry(own, hypothesis, difference, length)
       : describeDifference(own, difference),
