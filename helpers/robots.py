@@ -6,7 +6,7 @@ The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off
 
 import warnings
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import pi
 from typing import Any
 
@@ -26,6 +26,7 @@ __all__ = [
     "UR10E",
     "UR10E_HOMEWORK",
     "find_arm",
+    "find_circle_task",
     "restore_lengths",
 ]
 
@@ -188,6 +189,44 @@ def find_arm(name: str) -> Arm:
         if arm.name.casefold() == str(name).casefold():
             return arm
     raise ArmError(f"no arm is called {name!r}; expected one of {', '.join(a.name for a in arms)}")
+
+
+@dataclass(frozen=True)
+class CircleTask:
+    """The circle below the tip that the homework asks an arm to draw from its home.
+
+    Args:
+        normal: Base axis at right angles to the circle's plane: "x" or "y".
+        seconds: Duration of the circle.
+        locked_joint: Number of the joint that stays still; None if all move.
+        rates: How the joint rates are computed: "inverse" with J⁻¹, "pseudo" with the
+            pseudo-inverse.
+    """
+
+    normal: str
+    seconds: float
+    locked_joint: int | None = None
+    rates: str = "inverse"
+
+
+_PANDA_CIRCLE = CircleTask(normal="x", seconds=5, locked_joint=3)
+# The home of the UR10e is singular: J has no inverse there.
+_UR10E_CIRCLE = CircleTask(normal="y", seconds=20, rates="pseudo")
+_CIRCLE_TASKS = (
+    (PANDA, _PANDA_CIRCLE),
+    (PANDA_HOMEWORK, _PANDA_CIRCLE),
+    (UR10E, _UR10E_CIRCLE),
+    (UR10E_HOMEWORK, _UR10E_CIRCLE),
+)
+
+
+def find_circle_task(arm: Arm) -> CircleTask | None:
+    """Find the homework's circle of an arm, with any lengths; None if no homework asks for one."""
+    require_type(arm, Arm, "arm")
+    tasks = (
+        task for known, task in _CIRCLE_TASKS if (known.name, known.dof) == (arm.name, arm.dof)
+    )
+    return next(tasks, None)
 
 
 def restore_lengths(arm: Arm, names: Iterable[str]) -> Arm:

@@ -112,6 +112,7 @@ RIGHT = {
     "expressions.plain_formula": dict(name="alpha"),
     "expressions.entry_latex": dict(text="a"),
     "robots.find_arm": dict(name="panda"),
+    "robots.find_circle_task": dict(arm=ELBOW),
     "robots.restore_lengths": dict(arm=ELBOW, names=["a_2"]),
     "derive.Axis": dict(point=(0, 0, 0), direction=(0, 0, 1), joint="revolute"),
     "derive.derive": dict(axes=AXES, tip=np.eye(4), tolerance=1e-9),

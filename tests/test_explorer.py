@@ -19,7 +19,7 @@ from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.checks import compare_tables
 from helpers.checks.arms import arm_data
 from helpers.explorer import ArmExplorer, ArmFigure, judge
-from helpers.explorer.data import arm_from
+from helpers.explorer.data import arm_from, circle_arm_data
 from helpers.explorer.figure import ANY_ARM, ONE_ARM
 from helpers.explorer.widget import BUNDLE, widget_module
 from helpers.inverse import elbow, stanford, ur
@@ -313,7 +313,7 @@ RUNS = [
 @needs_node
 @pytest.mark.parametrize(("asked", "wanted"), RUNS, ids=lambda value: "")
 def test_homework_trajectory_matches_python(asked, wanted):
-    run = {"steps": 1000, **asked}
+    run = {"steps": 1000, "locked": 2, **asked}
     answer = ask("runs", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, runs=[run])[0]
     locked = PANDA_HOMEWORK.lock(3)
     path = circle_below(locked, locked.home, 0.1, "zy", 5, run["steps"])
@@ -325,7 +325,7 @@ def test_homework_trajectory_matches_python(asked, wanted):
 
 @needs_node
 def test_ur10e_circle_fails_jumps_or_is_damped():
-    wall = {"normal": "y", "seconds": 20, "locked": -1}
+    wall = {"normal": "y", "seconds": 20}
     pseudo, damping = {**wall, "rates": "pseudo"}, {**wall, "rates": "damped"}
     runs = [wall, pseudo, {**pseudo, "cutoff": 0.01}, damping, {**damping, "gain": 5}]
     broken, *others = ask("runs", arm=arm_data(UR10E_HOMEWORK), start=[0] * 6, runs=runs)
@@ -345,8 +345,8 @@ def test_torques_along_path_match_python():
 @needs_node
 def test_failed_trace_blames_arm_only_if_singular():
     for arm, run, stuck in (
-        (PANDA_HOMEWORK, {"mistake": "z_i"}, False),
-        (UR10E_HOMEWORK, {"normal": "y", "locked": -1}, True),
+        (PANDA_HOMEWORK, {"mistake": "z_i", "locked": 2}, False),
+        (UR10E_HOMEWORK, {"normal": "y"}, True),
     ):
         (found,) = ask("runs", arm=arm_data(arm), start=arm.home, runs=[run])
         assert (found["failedStep"], found["isSingular"]) == (0, stuck)
@@ -514,8 +514,10 @@ def test_explorer_spec_holds_chosen_options():
     """The keys are those that page/src reads."""
     all_views = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"]
     panda = arm_data(PANDA)
+    circle = {"normal": "x", "seconds": 5, "rates": "inverse", "locked": 2}
     assert ArmExplorer(PANDA)._spec == {
-        "arms": [panda], "views": all_views, "unit": "deg", "reference": None, "link": False
+        "arms": [{**panda, "circle": circle}], "views": all_views, "unit": "deg",
+        "reference": None, "link": False
     }  # fmt: skip
     chosen = ArmExplorer(
         PANDA, views=["pose"], reference=ELBOW, arms=[ELBOW], unit="rad", link=True
@@ -524,6 +526,13 @@ def test_explorer_spec_holds_chosen_options():
         "arms": [panda, arm_data(ELBOW)], "views": ["pose"], "unit": "rad",
         "reference": arm_data(ELBOW), "link": True
     }  # fmt: skip
+
+
+def test_circle_is_exported_for_the_homeworks_arms():
+    ur10e = {"normal": "y", "seconds": 20, "rates": "pseudo"}
+    penless = UR10E.with_values(l_pen=0)
+    assert [circle_arm_data(arm).get("circle") for arm in (UR10E, penless)] == [ur10e, ur10e]
+    assert [circle_arm_data(arm).get("circle") for arm in (ELBOW, PANDA.lock(3))] == [None, None]
 
 
 def test_two_arms_of_one_name_are_rejected():

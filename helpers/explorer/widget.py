@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
-from helpers.explorer.data import arm_from, branches_data, path_data
+from helpers.explorer.data import arm_from, branches_data, circle_arm_data, path_data
 from helpers.explorer.still import draw_still
 from helpers.explorer.stub import RUN_HINT, describe_pose, live_html
 from helpers.inputs import (
@@ -132,9 +132,11 @@ class ArmExplorer(LiveWidget):
         # While a whole state is being set, a new arm must not drop the results set with it.
         self._is_settled = False
         self._arms = _arms_by_name((arm, *tuple_of_items(arms, "arms", "arms to choose from")))
+        views = _require_choices("view", views, VIEWS)
+        to_data = circle_arm_data if "homework" in views else arm_data
         spec = {
-            "arms": [arm_data(a) for a in self._arms.values()],
-            "views": _require_choices("view", views, VIEWS),
+            "arms": [to_data(a) for a in self._arms.values()],
+            "views": views,
             "unit": _require_choices("unit", [unit], UNITS)[0],
             "reference": None if reference is None else arm_data(reference),
             "link": bool(link),

@@ -44,6 +44,8 @@ import { movingRows } from "./kinematics.js";
  * @property {{ report: string, links: number[], bodies: number[][], gravity: number }} [lumped] a
  *   report's model with some links lumped: [mass, x, y, z] of each row
  * @property {Arm[]} [family] other arms of the same name in the catalogue
+ * @property {Partial<import("../../page/src/homework_run.js").Run>} [circle] the homework's circle,
+ *   where it differs from the default run; only on the explorer's page
  */
 
 export const ROW_KINDS = ["revolute", "prismatic", "fixed"];

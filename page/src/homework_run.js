@@ -35,7 +35,7 @@ import { pick, taskRows } from "../../judge/geometry/task_rows.js";
  */
 
 /** @type {Run} */
-export const HOMEWORK = {
+export const DEFAULT_RUN = {
   method: "euler",
   rates: "inverse",
   steps: 1000,
@@ -45,7 +45,7 @@ export const HOMEWORK = {
   gain: 0,
   cutoff: 1e-9,
   damping: 0.02,
-  locked: 2,
+  locked: -1,
   mistake: "",
 };
 
@@ -173,13 +173,13 @@ class CircleSimulation {
  * Simulate a run around the circle.
  * @param {Arm} arm
  * @param {number[]} start
- * @param {Partial<Run>} options fields that differ from HOMEWORK
+ * @param {Partial<Run>} options fields that differ from DEFAULT_RUN
  * @returns joint values along the run (at most 181), the tip's errors, whole turns of the joints,
  *   the smallest singular value, the step at which the run ended (null if it closed), and whether
  *   the arm is singular there
  */
 export function simulateCircle(arm, start, options = {}) {
-  const run = { ...HOMEWORK, ...options };
+  const run = { ...DEFAULT_RUN, ...options };
   // the exact method inverts nothing; the pseudo-inverse only supplies the singular values
   if (run.method === "exact") run.rates = "pseudo";
   const simulation = new CircleSimulation(arm, start, run);
@@ -199,7 +199,6 @@ export function traceCircle(arm, start, circle = {}) {
   const { path } = simulateCircle(arm, start, {
     method: "exact",
     steps: 180,
-    locked: -1,
     ...circle,
   });
   if (path.length === 1) path.push(start); // a path needs two points
@@ -233,7 +232,7 @@ export const BOUNDS = {
   locked: [-1, 15],
 };
 const INTEGER_FIELDS = ["steps", "locked"];
-const RUN_FIELDS = Object.keys(HOMEWORK);
+const RUN_FIELDS = Object.keys(DEFAULT_RUN);
 
 // Format a run for a link.
 export const formatRun = (run) => RUN_FIELDS.map((key) => run[key]).join("_");

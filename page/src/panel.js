@@ -44,7 +44,7 @@ export function buildPanel(host, store, { views, arms, makeLink }) {
   const link = makeLink?.(notice.notify, signal);
   const stage = makeStage(store, tools);
   const sliders = makeSliders(store, tools);
-  const tabs = makeTabs(store, views, { ...tools, fit: stage.fit });
+  const tabs = makeTabs(store, views, { ...tools, arms, fit: stage.fit });
   const card = h("section.explorer");
   const head = makeHeader(store, { ...tools, arms, link, stage, card });
   const bench = h("div.bench", {}, stage.root, sliders.root);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { parseFragment, formatFragment } from "../../page/src/link.js";
-import { HOMEWORK } from "../../page/src/homework_run.js";
+import { DEFAULT_RUN } from "../../page/src/homework_run.js";
 import { makeInitialState, Store } from "../../page/src/state.js";
 import { ARMS, PANDA } from "./arms.mjs";
 
@@ -11,7 +11,7 @@ const VIEWS = ["table", "pose", "torque", "homework"];
 const read = (fragment) => parseFragment(fragment, ARMS, VIEWS);
 
 test("a link restores the explorer's state", () => {
-  const runs = [HOMEWORK, { ...HOMEWORK, method: "rk4", mistake: "z_i", steps: 100, radius: 0.05, gain: 5 }];
+  const runs = [DEFAULT_RUN, { ...DEFAULT_RUN, method: "rk4", mistake: "z_i", steps: 100, radius: 0.05, gain: 5 }];
   const q = [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7];
   const store = new Store(makeInitialState({ arm: PANDA, q, view: "homework", unit: "rad", frames: "all", runs, chosenRun: 1 }));
   store.dispatch({ type: "editTable", rows: PANDA.rows.map((r, i) => (i ? r : { ...r, d: 0.4 })) });

@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { homePose, MAX_ROWS, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { EMPTY, measureTipOffset, makeInitialState, Store } from "../../page/src/state.js";
-import { HOMEWORK } from "../../page/src/homework_run.js";
+import { DEFAULT_RUN } from "../../page/src/homework_run.js";
+import { makeStartingRun } from "../../page/src/views/homework_words.js";
 import { findBranches } from "../../page/src/motion.js";
 import { describeRank, describeTable } from "../../page/src/verdicts.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
@@ -19,7 +20,7 @@ function playing() {
   store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: [[0, 0, 0]] });
   store.dispatch({ type: "setBranches", arm, branches: findBranches(PANDA, PANDA.home, 20) });
   store.dispatch({ type: "setPlaying", on: true });
-  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], progress: 0.5, hold: { kind: "tip" }, runs: [HOMEWORK, HOMEWORK], chosenRun: 1, runStart: PANDA.home });
+  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], progress: 0.5, hold: { kind: "tip" }, runs: [DEFAULT_RUN, DEFAULT_RUN], chosenRun: 1, runStart: PANDA.home });
   for (const [key, none] of Object.entries(EMPTY)) assert.notDeepEqual(store.state[key], none, key);
   return store;
 }
@@ -174,7 +175,7 @@ test("unknown fields are refused by name", () => {
 
 test("undo restores the chosen run and edited runs", () => {
   const store = start();
-  const runs = [HOMEWORK, { ...HOMEWORK, steps: 250 }];
+  const runs = [DEFAULT_RUN, { ...DEFAULT_RUN, steps: 250 }];
   store.dispatch({ type: "setFields", runs });
   store.dispatch({ type: "setFields", chosenRun: 1 });
   store.dispatch({ type: "undo" });
@@ -218,4 +219,11 @@ test("undoing the choice of an arm restores its base", () => {
   store.dispatch({ type: "selectArm", arm: ELBOW });
   store.dispatch({ type: "undo" });
   assert.deepEqual([store.state.arm.name, store.state.base.name], [PANDA.name, PANDA.name]);
+});
+
+test("the starting run takes the circle of the arm's data", () => {
+  const base = { ...PANDA, circle: { normal: "y", seconds: 20 } };
+  assert.deepEqual(makeStartingRun(base, base), { ...DEFAULT_RUN, normal: "y", seconds: 20 });
+  assert.equal(makeStartingRun({ ...base, rows: base.rows.slice(1) }, base), null);
+  assert.equal(makeStartingRun(PANDA, PANDA), null);
 });

@@ -9,6 +9,7 @@ import { makeFields } from "./homework_fields.js";
 import { makeWall } from "./homework_pictures.js";
 import {
   formatMillimetres,
+  describeCircleArms,
   describeRun,
   describeResult,
   makeStartingRun,
@@ -18,16 +19,14 @@ import { makeTransport } from "./transport.js";
 
 export const title = "Play the homework";
 
-const OTHER_ARMS_NOTE =
-  "The homework’s circle is drawn by the Panda and the UR10e: choose one of them above.";
-
 export const build = (store, tools) => new HomeworkView(store, tools);
 
 /** The view: the runs, which one is chosen, and their results. */
 class HomeworkView {
   /** @param {import("../state.js").Store} store */
-  constructor(store, { announce, signal }) {
+  constructor(store, { announce, arms, signal }) {
     this.store = store;
+    this.arms = arms;
     this.announce = announce;
     this.signal = signal;
     this.results = new Map(); // by arm, start and run
@@ -53,7 +52,7 @@ class HomeworkView {
       this.wall.root,
       this.plots.root,
     );
-    this.others = h("p.words", {}, OTHER_ARMS_NOTE);
+    this.others = h("p.words", {}, describeCircleArms(this.arms));
     return h("div.homework", {}, this.played, this.others);
   }
 

@@ -1,10 +1,12 @@
 // Descriptions of the homework's runs.
 
 import { movingRows } from "../../../judge/geometry/kinematics.js";
-import { HOMEWORK } from "../homework_run.js";
+import { DEFAULT_RUN } from "../homework_run.js";
 import { listJointsWhere, listJointsPastLimits } from "../verdicts.js";
 import { formatDegrees, formatFixed, formatScientific } from "../text.js";
 import { joinList } from "../../../judge/sentences.js";
+
+/** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 
 export const METHOD_NAMES = {
   euler: "Euler",
@@ -22,12 +24,26 @@ export const MISTAKE_NAMES = {
   sign: "rates with the wrong sign",
   next: "velocity of the next step",
 };
-// Return the run that the homework asks of an arm: the Panda with joint 3 locked, the UR10e in
-// front of its wall; null for other arms.
+/**
+ * Return the run that the homework asks of an arm; null if it asks for none, or if the reader's
+ * table has another number of joints.
+ * @param {Arm} arm
+ * @param {Arm} base the listed arm whose table was edited
+ * @returns {import("../homework_run.js").Run | null}
+ */
 export function makeStartingRun(arm, base) {
-  if (/^Panda/.test(base.name) && movingRows(arm).length === 7) return { ...HOMEWORK };
-  if (!/^UR10e/.test(base.name) || movingRows(arm).length !== 6) return null;
-  return { ...HOMEWORK, locked: -1, normal: "y", seconds: 20, rates: "pseudo" };
+  const hasSameJoints = movingRows(arm).length === movingRows(base).length;
+  return base.circle && hasSameJoints ? { ...DEFAULT_RUN, ...base.circle } : null;
+}
+
+/**
+ * Describe which arms of a list the homework asks for a circle.
+ * @param {Arm[]} arms
+ */
+export function describeCircleArms(arms) {
+  const names = arms.filter(({ circle }) => circle).map(({ name }) => `the ${name}`);
+  if (!names.length) return "No homework asks this arm for a circle.";
+  return `The homework’s circle is drawn by ${joinList(names, "or")}: choose one of them above.`;
 }
 
 export function formatMillimetres(v) {
