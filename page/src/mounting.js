@@ -2,19 +2,22 @@
 // helpers/base_and_tool.py does.
 
 import { cross, dot, minus, norm, scaled } from "../../judge/geometry/kinematics.js";
+import { orthonormalize } from "../../judge/geometry/target.js";
 import { readEntry } from "../../judge/reading/entry.js";
 
 /** @typedef {import("../../judge/geometry/kinematics.js").Frame} Frame */
 
 const ROUND_OFF = 1e-12; // m, and sines
-const RIGID = 1e-6; // largest error of the rotation in a typed pose
+const RIGID = 1e-6; // largest error of the rotation in a typed pose that needs no mending
+const DECIMALS = [3, 4, 5, 6, 7]; // of a rounded rotation; fewer leave it open by a degree
 const EXPECTED = "expected x, y, z, roll, pitch, yaw, or the rows of a 4 x 4 pose";
 
 /**
  * Read a pose: x, y, z, roll, pitch, yaw, or the entries of a 4x4 matrix row by row.
  * @param {string} text
  * @param {string} unit of angles without a unit
- * @returns {{ pose: Frame } | { error: string }}
+ * @returns {{ pose: Frame, note?: string } | { error: string }} `note` says that the nearest
+ *   rotation was taken
  */
 export function readPose(text, unit) {
   const parts = text.split(/[\s,;|&[\]()]+/).filter(Boolean);
@@ -34,8 +37,28 @@ function readMatrix(values) {
   const last = values.slice(12).map((v, k) => v - (k === 3 ? 1 : 0));
   const gaps = [...minus(cross(x, y), z), norm(x) - 1, norm(y) - 1, ...last];
   const error = Math.max(...gaps.map(Math.abs));
-  if (error > RIGID) return { error: `is no rigid pose; its rotation needs six digits or more` };
-  return { pose: { x, y, z, o } };
+  if (error <= RIGID) return { pose: { x, y, z, o } };
+  const rows = [0, 1, 2].map((i) => values.slice(4 * i, 4 * i + 4));
+  return (
+    mendRotation(rows, last) ?? {
+      error: `is no rigid pose, even if its numbers are rounded to three decimals or more`,
+    }
+  );
+}
+
+// Return the pose with the nearest rotation if rounding explains why its own is none, else null.
+// Nine entries of a rotation were rounded by half a unit each at most (helpers/poses.py).
+function mendRotation(rows, last) {
+  const entries = rows.flatMap((row) => row.slice(0, 3));
+  const isRounded = (n) => entries.every((v) => Math.abs(v - Number(v.toFixed(n))) < ROUND_OFF);
+  const decimals = DECIMALS.find(isRounded);
+  const nearest = orthonormalize(rows);
+  const moved = Math.hypot(...nearest.flatMap((row, i) => row.map((v, k) => v - rows[i][k])));
+  const isExplained = moved > 0 && decimals && moved <= 1.5 * 10 ** -decimals;
+  if (!isExplained || Math.max(...last.map(Math.abs)) > RIGID) return null;
+  const [x, y, z, o] = [0, 1, 2, 3].map((k) => nearest.map((row) => row[k]));
+  const note = `The pose has only ${decimals} decimals; the nearest rotation was taken.`;
+  return { pose: { x, y, z, o }, note };
 }
 
 // The pose of R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll).

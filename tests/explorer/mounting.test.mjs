@@ -33,6 +33,21 @@ test("a 4x4 pose is read row by row, others are refused", () => {
   assert.match(readPose("1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1", "rad").error, /no rigid pose/);
 });
 
+// Rot_x(30°) by hand: its cosine is 0.866025, its sine 1/2.
+const turned = (cosine) => `1 0 0 0 0 ${cosine} -0.5 0 0 0.5 ${cosine} 0.2 0 0 0 1`;
+
+test("a pose with few decimals becomes the nearest rotation", () => {
+  for (const cosine of ["0.866", "0.8660", "0.86603"]) {
+    const { pose, note } = readPose(turned(cosine), "rad");
+    assert.match(note, /only [35] decimals; the nearest rotation was taken/);
+    assert.ok(Math.abs(pose.y[1] - Math.cos(Math.PI / 6)) < 1e-3);
+    assert.ok(Math.abs(pose.y[1] ** 2 + pose.y[2] ** 2 - 1) < 1e-12);
+    assert.deepEqual(pose.o, [0, 0, 0.2]);
+  }
+  assert.equal(readPose(turned("0.8660254"), "rad").note, undefined);
+  for (const cosine of ["0.87", "0.868"]) assert.match(readPose(turned(cosine), "rad").error, /no rigid pose/);
+});
+
 test("a base and a tool leave the joints their limits", () => {
   const { pose } = readPose("0 0 0.5 0 30 0", "deg");
   const { rows } = makeTypedArm([...makePoseRows(pose), ...PANDA.rows, ...makePoseRows(pose)], PANDA);

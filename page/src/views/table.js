@@ -47,7 +47,7 @@ export function build(store, { announce, fit }) {
   const add = button("Add a row", () => change([...store.state.arm.rows, NEW_ROW]));
   const back = button("Back to the first table", () => change(store.state.base.rows));
   const row = h("div.row", {}, add, back, makeCopyButton(store, announce));
-  const mounts = makeMountFields(store, { change, complain, fit });
+  const mounts = makeMountFields(store, { change, complain, fit, reading });
   const root = h("div.dh", {}, grid.root, error, reading.root, row, mounts, verdict);
   const update = (state, derived) => {
     grid.update(state);
@@ -61,12 +61,13 @@ export function build(store, { announce, fit }) {
 }
 
 // Make the fields for a base and a tool; each becomes fixed rows of the table.
-function makeMountFields(store, { change, complain, fit }) {
+function makeMountFields(store, { change, complain, fit, reading }) {
   const mount = (label, input, place) => {
     const result = readPose(input.value, store.state.unit);
     complain("error" in result ? `${label}: this ${result.error}.` : "");
     if ("error" in result) return;
     place(makePoseRows(result.pose));
+    if (result.note) reading.show(result.note, store.state.arm);
     fit();
   };
   const putBefore = (rows) =>
