@@ -1,4 +1,4 @@
-"""A course from one command: sheets with numbers of their own, keys, and marks with reasons.
+"""Make and mark a course whose students each get their own numbers.
 
 `python -m course --help` lists the commands; the instructors' page of the book shows each.
 """

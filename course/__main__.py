@@ -1,4 +1,4 @@
-"""Make a course, print a key, sort and mark what was handed in, make an autograder."""
+"""Make a course, print a key, sort and mark hand-ins, make an autograder."""
 
 import argparse
 import json
@@ -49,7 +49,10 @@ _OPTIONS: dict[str, dict[str, Any]] = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command; return 0, or 2 with a message on stderr if it fails."""
+    """Run a command.
+
+    Returns 0, or 2 with a message on stderr if the command fails.
+    """
     parser = argparse.ArgumentParser(prog="python -m course", description=__doc__)
     commands = parser.add_subparsers(required=True)
     for name, (run, description, names) in COMMANDS.items():
@@ -129,7 +132,7 @@ def _count(options: argparse.Namespace) -> None:
 
 
 def _show_progress(line: str) -> None:
-    """Show a line in place of the last one, if stderr is a terminal."""
+    """Show a line in place of the last line, if stderr is a terminal."""
     if sys.stderr.isatty():
         print(f"\r{line}", end="", file=sys.stderr, flush=True)
 

@@ -11,13 +11,13 @@ from typing import Any
 
 ANSWERS_FILE = "answers.json"
 NOTEBOOK_FILE = "homework.ipynb"
-PREFIX = "answer_"  # of the variables that hold answers
+PREFIX = "answer_"  # Variables that hold answers begin so.
 SHEET = "sheet"  # the answer that names the sheet, as "course/student"
 MARKED_LINE = "Answers of this sheet: "
 
 
 def to_json_value(value: Any) -> Any:
-    """Convert a value to numbers, texts and lists; convert anything else to the text of it."""
+    """Convert a value to numbers, texts and lists, and anything else to its text."""
     if hasattr(value, "tolist"):
         value = value.tolist()  # arrays of NumPy and matrices of SymPy
     if isinstance(value, dict):
@@ -28,7 +28,7 @@ def to_json_value(value: Any) -> Any:
 
 
 def collect_answers(variables: Mapping[str, Any]) -> dict[str, Any]:
-    """Collect the answers among a notebook's variables; leave out those without a value."""
+    """Collect the answers among a notebook's variables, without those that have no value."""
     return {
         name[len("answer_") :]: to_json_value(value)
         for name, value in variables.items()
@@ -70,7 +70,7 @@ def find_printed_answers(notebook: Mapping[str, Any]) -> dict[str, Any] | None:
 
 
 def parse_answers(text: str | bytes) -> dict[str, Any] | None:
-    """Return the answers in a JSON text, without prefixes; None if it is no JSON object."""
+    """Return the answers in a JSON text without prefixes, or None if it is no JSON object."""
     try:
         data = json.loads(text)
     except (ValueError, RecursionError):
@@ -81,14 +81,14 @@ def parse_answers(text: str | bytes) -> dict[str, Any] | None:
 
 
 def list_code_cells(notebook: Any) -> list[Mapping[str, Any]]:
-    """List the code cells of a notebook; the list is empty if the data are no notebook."""
+    """List the code cells of a notebook, or none if the data are no notebook."""
     cells = notebook.get("cells") if isinstance(notebook, Mapping) else None
     cells = cells if isinstance(cells, list) else []
     return [c for c in cells if isinstance(c, Mapping) and c.get("cell_type") == "code"]
 
 
 def read_source(cell: Mapping[str, Any]) -> str:
-    """Return the source of a cell, which notebooks keep as one text or as lines."""
+    """Return the source of a cell, which notebooks keep as text or as lines."""
     return _join_lines(cell.get("source"))
 
 

@@ -23,7 +23,7 @@ _CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_\d+_.+", re.I 
 _GRADESCOPE, _KEYS = "submission_metadata.yml", (":sid", ":email", ":name")
 _IGNORED = {"__MACOSX", ".DS_Store"}  # macOS adds these to a zip
 
-Labels = tuple[str, ...]  # ids, mail addresses or names of one student
+Labels = tuple[str, ...]  # ids, mail addresses or names of a student
 Sorted = tuple[dict[str, list[HandedFile]], Labels]
 
 
@@ -69,7 +69,7 @@ def _is_marked_late(file: HandedFile) -> bool:
 
 
 def sort_by_student(files: Iterable[HandedFile], names: Mapping[str, str]) -> Sorted:
-    """Sort files by the student they belong to, with a message for each doubtful one."""
+    """Sort files by their students, with a message for each doubtful file."""
     files = [file for file in files if not _IGNORED & {*PurePosixPath(file.name).parts}]
     lists = [file for file in files if file.name.endswith(_GRADESCOPE)]
     submitters = {
@@ -94,7 +94,7 @@ def _find_sheet_owner(file: HandedFile) -> str:
 
 
 def _describe_doubt(file: HandedFile, student: str, reason: str) -> str:
-    """Say what must be looked at by hand; "" for a file that is surely the student's."""
+    """Return a message about a file that needs a look, or "" if it is surely the student's."""
     if reason or file.trouble:
         return f"not placed: {file}: {reason}".removesuffix(": ")
     other = compare_sheet_names(_find_sheet_owner(file) or None, student)
@@ -104,7 +104,7 @@ def _describe_doubt(file: HandedFile, student: str, reason: str) -> str:
 def _find_owner_labels(
     file: HandedFile, index: StudentIndex, submitters: Mapping[str, Labels]
 ) -> tuple[str, Labels]:
-    """Return a key that files of one owner share, and labels of the owner."""
+    """Return a key that files of an owner share, and labels of the owner."""
     parts = PurePosixPath(file.name).parts
     for part in parts:
         if part in submitters:

@@ -31,7 +31,7 @@ class HandedFile:
 
     @property
     def kind(self) -> str:
-        """Ending in small letters, such as ".ipynb"; "" for a file that was not read.
+        """Ending in small letters, such as ".ipynb", or "" for a file that was not read.
 
         Windows hides endings, so `answers.json.txt` is a JSON file too.
         """
@@ -62,7 +62,7 @@ def read_files(
 
 
 def _walk(root: Path) -> Iterator[HandedFile]:
-    """Read every file below a folder; report links and what cannot be opened."""
+    """Read every file below a folder, and report links and unreadable files."""
     errors: list[OSError] = []
     for folder, subfolders, names in os.walk(root, onerror=errors.append):
         subfolders.sort()
@@ -102,7 +102,7 @@ def _unpack_zips(files: Iterable[HandedFile], depth: int = 2) -> Iterator[Handed
 
 
 def _read_zip(file: Path | io.BytesIO, depth: int = 2) -> Iterator[HandedFile]:
-    """Read the files in a zip; report a zip that is broken."""
+    """Read the files in a zip, or report that the zip is broken."""
     try:
         with zipfile.ZipFile(file) as archive:
             members = [member for member in archive.infolist() if not member.is_dir()]
@@ -112,7 +112,10 @@ def _read_zip(file: Path | io.BytesIO, depth: int = 2) -> Iterator[HandedFile]:
 
 
 def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> HandedFile:
-    """Read one file of a zip; zipfile never reads more bytes than `file_size` says."""
+    """Read a file of a zip.
+
+    zipfile never reads more bytes than `file_size` says.
+    """
     if member.file_size > MAX_BYTES:
         return HandedFile(member.filename, trouble=f"larger than {MAX_BYTES:,} bytes")
     try:

@@ -28,18 +28,19 @@ from course.store import Course
 from helpers.inputs import ArmError, whole_number
 
 _STOPPED = "marking it stopped; please look at it by hand"
-_OVERRIDES, _LATE = "overrides.csv", "late.csv"  # in the folder of the course
+# Files in the folder of the course.
+_OVERRIDES, _LATE = "overrides.csv", "late.csv"
 MAX_HINTS = 3  # hand-ins of a student that get hints before the deadline
-# A spreadsheet runs a cell that begins with one of these (OWASP, CSV injection).
+# A spreadsheet runs a cell that begins with such a character (OWASP, CSV injection).
 _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 
-Record = dict[str, Any]  # what mark.json holds
+Record = dict[str, Any]  # the contents of mark.json
 Marks = Sequence[Mapping[str, Any]]
 Overrides = dict[str, tuple[float, str]]  # credits and reasons by part
 
 
 class Result(NamedTuple):
-    """The rows of grades.csv, and what a second marking changed."""
+    """The rows of grades.csv and the changes by a second marking."""
 
     rows: list[dict[str, Any]]
     changes: list[dict[str, Any]]
@@ -49,7 +50,7 @@ def grade(
     folder: Path, out: Path, jobs: int = 0, *, again: bool = False, before_deadline: bool = False,
     report: Callable[[str], None] = lambda _: None,
 ) -> Result:  # fmt: skip
-    """Mark what every student of a course handed in, and write grades.csv and the feedback.
+    """Mark all hand-ins of a course and write grades.csv and the feedback.
 
     Args:
         folder: The course.
@@ -82,7 +83,10 @@ def grade(
 def _mark_all(
     folder: Path, out: Path, course: Course, jobs: int, *, again: bool, report: Callable
 ) -> dict[str, Record]:
-    """Mark all students by several processes; report a hand-in that breaks its process."""
+    """Mark all students by several processes.
+
+    A hand-in that breaks its process is marked alone, and its record says so.
+    """
     singles = {s: replace(course, secret="", sheets={s: x}) for s, x in course.sheets.items()}
     records = dict[str, Record]()
     broken = False
@@ -104,13 +108,13 @@ def _mark_all(
 
 
 def _mark_apart(folder: Path, out: Path, course: Course, again: bool) -> Record:
-    """Mark one student in a process of its own."""
+    """Mark a student in a separate process."""
     try:
         with make_pool(1, __name__) as pool:
             return pool.submit(mark_student, folder, out, course, again).result()
     except BrokenProcessPool:
         (student,) = course.sheets
-        return _save(out, student, make_record(course, student, HandIn(trouble=_STOPPED)))
+        return _save_record(out, student, make_record(course, student, HandIn(trouble=_STOPPED)))
 
 
 def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -> Record:
@@ -130,18 +134,18 @@ def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -
     except Exception as error:  # a hand-in may break its reader in ways nobody thought of
         trouble = f"{_STOPPED} ({type(error).__name__})"
         record = make_record(course, student, HandIn(trouble=trouble), digest)
-    return _save(out, student, record)
+    return _save_record(out, student, record)
 
 
 def make_record(course: Course, student: str, hand_in: HandIn, digest: str = "") -> Record:
-    """Mark the answers; those to another sheet are not marked."""
+    """Mark the answers of a hand-in, unless they belong to another sheet."""
     other = compare_sheet_names(hand_in.answers.get(SHEET), store.name_sheet(course, student))
     marks = mark_sheet(course.sheet(student), {} if other else hand_in.answers)
     note = "; ".join(filter(None, [other, hand_in.trouble]))
     return {"of": digest, "marks": [vars(mark) for mark in marks], "note": note, "hand_ins": 0}
 
 
-def _save(out: Path, student: str, record: Record) -> Record:
+def _save_record(out: Path, student: str, record: Record) -> Record:
     store.write_text(out / student / "mark.json", store.format_json(record))
     return record
 
@@ -155,7 +159,7 @@ def _read_record(out: Path, student: str) -> Record | None:
 
 
 def _make_digest(files: Iterable[HandedFile], sheet: Mapping[str, Any]) -> str:
-    """Return a digest of the contents of files and of a sheet; a touched file keeps it."""
+    """Return a digest of a sheet and of the contents of files, whatever the files' dates."""
     digest = hashlib.sha256(json.dumps(sheet, sort_keys=True).encode())
     for file in files:
         text = f"{file.name}\n{file.trouble}\n{len(file.content)}\n"
@@ -167,7 +171,9 @@ def _make_digest(files: Iterable[HandedFile], sheet: Mapping[str, Any]) -> str:
 
 
 def read_overrides(path: Path, course: Course) -> dict[str, Overrides]:
-    """Read the credits given by hand, by student and part; none if there is no such file.
+    """Read the credits given by hand, by student and part.
+
+    Without the file there are none.
 
     Raises ArmError with every line that names no student, no part or no credit from 0 to 1.
     """
@@ -193,17 +199,17 @@ def read_overrides(path: Path, course: Course) -> dict[str, Overrides]:
 
 
 def read_marks(folder: Path, out: Path, course: Course) -> dict[str, list[dict[str, Any]]]:
-    """Read the marks that `grade` stored, with those given by hand, by student."""
+    """Read the marks that `grade` stored or an instructor set by hand, by student."""
     overrides = read_overrides(folder / _OVERRIDES, course)
     records = {student: _read_record(out, student) for student in course.sheets}
     return {s: _apply_overrides(x["marks"], overrides.get(s, {})) for s, x in records.items() if x}
 
 
 def read_late(folder: Path, course: Course) -> dict[str, str]:
-    """Read what is known of late hand-ins, by student; "" for one that counts as in time.
+    """Read the remark on each student's lateness, "" for a hand-in that counts as in time.
 
-    What late.csv says of a student counts before the platform's mark, so that an empty cell is
-    an extension. Raises ArmError with every line that names no student.
+    A line of late.csv counts before the platform's mark, so that an empty cell is an extension.
+    Raises ArmError with every line that names no student.
     """
     late = {s: "late" if (folder / s / LATE_FILE).exists() else "" for s in course.sheets}
     path = folder / _LATE
@@ -243,7 +249,7 @@ def make_exports(course: Course, rows: Marks) -> dict[str, list[dict[str, Any]]]
 
     Canvas (lib/gradebook_importer.rb of instructure/canvas-lms) expects five columns about the
     student, finds students by the login where the ID is empty, and takes the points possible from
-    a row of that name. Moodle (docs.moodle.org, Grade import) asks which column is what.
+    a row of that name. Moodle (docs.moodle.org, Grade import) asks for the meaning of each column.
     """
     columns = dict.fromkeys(("Student", "ID", "SIS User ID", "SIS Login ID", "Section"), "")
     most = sum(map(course.weight, list_part_names(course.exercises)))
@@ -263,8 +269,11 @@ def _write_feedback(course: Course, student: str, marks: Marks, record: Record) 
     lines += [f"Note: {record['note']}."] if record["note"] else []
     for mark in marks:
         weight = course.weight(mark["part"])
-        what = parts[mark["part"]].what
-        lines += ["", f"{mark['part']}: {weight * mark['credit']:.3g} of {weight:g} for {what}"]
+        description = parts[mark["part"]].description
+        lines += [
+            "",
+            f"{mark['part']}: {weight * mark['credit']:.3g} of {weight:g} for {description}",
+        ]
         lines += [f"    {line}" for line in mark["message"].splitlines()]
     return "\n".join(lines) + "\n"
 
@@ -278,7 +287,7 @@ def _write_hints(course: Course, student: str, marks: Marks, record: Record) -> 
 
 
 def write_hints(marks: Marks, hand_ins: int, most: int = MAX_HINTS) -> list[str]:
-    """Return lines with the hint for each part; none after the first `most` hand-ins."""
+    """Return a line with the hint for each part, or a note after the first `most` hand-ins."""
     if hand_ins > most:
         return [f"Hints are given for {most} hand-ins; this one is read after the deadline."]
     return [f"{mark['part']}: {mark['hint']}" for mark in marks]
@@ -298,7 +307,7 @@ def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[st
 
 
 def format_table(rows: Marks) -> str:
-    """Format rows as CSV with line ends as RFC 4180 has them; no text is a formula."""
+    """Format rows as CSV by RFC 4180, with no text that a spreadsheet reads as a formula."""
     file = io.StringIO()
     names = list(dict.fromkeys(name for row in rows for name in row))
     writer = csv.DictWriter(file, names, restval="")

@@ -1,4 +1,4 @@
-"""Find the answers in the files of one student.
+"""Find the answers in the files of a student.
 
 An answers file counts before a notebook. Names do not matter, since learning platforms rename
 files. Nothing is raised for what a student may have done: `HandIn.trouble` reports it.
@@ -27,28 +27,28 @@ _MAX_NAMES = 5  # file names in a message
 
 @dataclass(frozen=True)
 class HandIn:
-    """The answers by name, and what went wrong while they were read."""
+    """The answers by name, and the trouble with reading them."""
 
     answers: Mapping[str, Any] = field(default_factory=dict)
     trouble: str = ""
 
 
 def read_hand_in(files: Sequence[HandedFile], parts: Collection[str]) -> HandIn:
-    """Return the answers in a student's files: those of answers.json, or else those printed."""
-    # In messages files that could not be read come first, then those that are no JSON.
+    """Return the answers in a student's files, from answers.json or else from printed lines."""
+    # Messages name first the files that could not be read, then files that are no JSON.
     files = [_check_json(file) for file in sorted(files, key=_is_readable)]
     files.sort(key=_is_readable)
     json_files = [file for file in files if file.kind in (".json", ".ipynb")]
-    notebooks = {f.name: data for f in json_files if list_code_cells(data := _load(f))}
+    notebooks = {f.name: data for f in json_files if list_code_cells(data := _load_json(f))}
     texts = {f.name: parse_answers(f.content) for f in json_files if f.name not in notebooks}
     lines = {name: find_printed_answers(book) for name, book in notebooks.items()}
     written, printed = (
-        {name: a for name, a in found.items() if a and _answers_some_part(a, parts)}
-        for found in (texts, lines)
+        {name: a for name, a in answers.items() if a and _answers_some_part(a, parts)}
+        for answers in (texts, lines)
     )
     for kind, candidates in (("answers files", written), ("notebooks", printed)):
         if candidates:
-            hand_in = _choose(kind, candidates)
+            hand_in = _choose_answers(kind, candidates)
             others = [name for name, a in printed.items() if a != hand_in.answers]
             if kind == "answers files" and others and not hand_in.trouble:
                 words = f"{others[0]} printed other answers; those of the answers file are marked"
@@ -59,7 +59,7 @@ def read_hand_in(files: Sequence[HandedFile], parts: Collection[str]) -> HandIn:
 
 def find_sheet_name(file: HandedFile) -> str:
     """Return the name of the sheet that a file answers, or "" if the file does not say."""
-    data = _load(file)
+    data = _load_json(file)
     cells = list_code_cells(data)
     if cells:
         match = _SHEET_LINE.search("\n".join(map(read_source, cells)))
@@ -68,17 +68,19 @@ def find_sheet_name(file: HandedFile) -> str:
     return str(answers.get(SHEET, ""))
 
 
-def compare_sheet_names(found: object, expected: str) -> str:
-    """Say that answers belong to another sheet; return "" if they do not say so."""
-    if found is None or str(found) == expected:
+def compare_sheet_names(sheet_name: object, expected: str) -> str:
+    """Return a message if answers belong to another sheet, else ""."""
+    if sheet_name is None or str(sheet_name) == expected:
         return ""
-    found = str(found)[:64]
+    sheet_name = str(sheet_name)[:64]
     course, _, student = expected.rpartition("/")
-    other_course, _, other_student = found.rpartition("/")
+    other_course, _, other_student = sheet_name.rpartition("/")
     if course and other_course and other_course != course:
-        return f"this answers a sheet of another course ({found!r})"
+        return f"this answers a sheet of another course ({sheet_name!r})"
     if other_student.partition("#")[0] == student.partition("#")[0]:
-        return f"this answers {found!r}, another sheet of the same student; {expected!r} is valid"
+        return (
+            f"this answers {sheet_name!r}, another sheet of the same student; {expected!r} is valid"
+        )
     return f"this answers the sheet of {other_student!r}, not of {student!r}"
 
 
@@ -86,7 +88,7 @@ def _is_readable(file: HandedFile) -> bool:
     return not file.trouble
 
 
-def _choose(kind: str, candidates: Mapping[str, Mapping[str, Any]]) -> HandIn:
+def _choose_answers(kind: str, candidates: Mapping[str, Mapping[str, Any]]) -> HandIn:
     """Return the only answers among candidates, or none and the names if they differ."""
     first, *others = candidates.values()
     if any(other != first for other in others):
@@ -102,7 +104,7 @@ def _answers_some_part(answers: Mapping[str, Any], parts: Collection[str]) -> bo
 
 
 def _explain_no_answers(files: Sequence[HandedFile], notebooks: Mapping[str, Any]) -> str:
-    """Say why there are no answers: an untouched sheet, one that was never run, other files."""
+    """Explain why a hand-in has no answers."""
     untouched = {name for name, book in notebooks.items() if _is_untouched(book)}
     begun = [name for name in notebooks if name not in untouched]
     if begun and not any(cell.get("outputs") for cell in list_code_cells(notebooks[begun[0]])):
@@ -124,7 +126,7 @@ def _is_untouched(notebook: Any) -> bool:
     return {rest.replace(" ", "") for name, rest in lines if name != SHEET} == {"=..."}
 
 
-def _load(file: HandedFile) -> Any:
+def _load_json(file: HandedFile) -> Any:
     try:
         return json.loads(file.content)
     except (ValueError, RecursionError):
@@ -132,7 +134,7 @@ def _load(file: HandedFile) -> Any:
 
 
 def _check_json(file: HandedFile) -> HandedFile:
-    """Add to a file that should be JSON why it is none."""
+    """Add the reason to a file that should be JSON and is not."""
     if file.trouble or file.kind not in (".json", ".ipynb"):
         return file
     try:

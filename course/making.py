@@ -1,4 +1,4 @@
-"""Make a course from a roster: a proved sheet for each student, as a notebook to answer in.
+"""Make a course from a roster, with a proved sheet for each student as a notebook.
 
 The notebook holds nothing of the key: only what the questions print, and whose sheet it is.
 """
@@ -26,7 +26,7 @@ from helpers.arm import Arm, Row
 from helpers.inputs import ArmError
 
 _MAX_TRIES = 20
-_FEW = 4  # sheets that one process draws sooner than others start
+_FEW = 4  # a single process draws so many sheets before further processes start
 _INSTRUCTIONS = (
     "Answer by the names that each question gives: put each answer in place of the dots. **Write"
     ' numbers as text, with the decimals that are asked**: `"0.350, -1.204, 0.077"`, or rows on'
@@ -139,7 +139,10 @@ def _draw_entries(course: Course, students: list[str], jobs: int) -> Iterator[di
 
 
 def draw_entry(course: Course, student: str, issue: int = 0) -> dict[str, Any]:
-    """Draw a student's proved sheet; return its issue, and lengths and numbers for each arm."""
+    """Draw a student's proved sheet.
+
+    Returns its issue, and the lengths and numbers for each arm.
+    """
     indices = range(len(course.exercises))
     sections = [_draw_proved_section(course, student, index, issue) for index in indices]
     return {"issue": issue, "sections": sections}
@@ -163,7 +166,7 @@ def _draw_proved_section(course: Course, student: str, index: int, issue: int) -
 
 
 def reissue_sheet(folder: Path, student: str) -> Course:
-    """Draw other numbers for one student; keep the old notebook beside the new one."""
+    """Draw new numbers for a student and keep the old notebook beside the new notebook."""
     course = store.load(folder)
     old = course.require_entry(student)
     new = {**old, **draw_entry(course, student, old["issue"] + 1)}
@@ -174,7 +177,7 @@ def reissue_sheet(folder: Path, student: str) -> Course:
 
 
 def drop_student(folder: Path, student: str) -> Course:
-    """Remove a student from the course; keep the student's folder."""
+    """Remove a student from the course, but keep the student's folder."""
     course = store.load(folder)
     course.require_entry(student)
     course = replace(course, sheets={s: x for s, x in course.sheets.items() if s != student})
@@ -183,7 +186,7 @@ def drop_student(folder: Path, student: str) -> Course:
 
 
 def make_right_answers(sheet: Sheet) -> dict[str, Any]:
-    """Make the key as a student would hand it in: four decimals, rows of a table, formulas."""
+    """Make the key in the form that a student would hand in."""
     values = {name: part.formulas or part.value for name, part in sheet.parts.items()}
     return {name: to_json_value(_as_typed(value)) for name, value in values.items()}
 
@@ -203,7 +206,7 @@ def _write_row(row: Row, number: int) -> list[str]:
 
 
 def make_notebook(course: Course, student: str) -> dict[str, Any]:
-    """Make a sheet's notebook (nbformat 4.5): questions, answer cells, how to hand in."""
+    """Make a sheet's notebook (nbformat 4.5) with questions and answer cells."""
     sheet, name = course.sheet(student), course.names[student]
     introduction = f"# {course.title}\n\n{name} ({student})\n\n{_INSTRUCTIONS}"
     arms = "\n".join(f"arm{s.suffix} = {_write_arm(s.arm)}" for s in sheet.sections)
@@ -223,7 +226,7 @@ def make_notebook(course: Course, student: str) -> dict[str, Any]:
             cell_id = f"question{section.suffix}-{number}"
             cells.append(_make_text_cell(cell_id, question.markdown))
             for part in question.parts:
-                code = f"# {part.what}\n{PREFIX}{part.name} = ..."
+                code = f"# {part.description}\n{PREFIX}{part.name} = ..."
                 cells.append(_make_code_cell(f"answer-{part.name}", code))
     cells.append(_make_text_cell("hand-in", _HAND_IN))
     cells.append(_make_code_cell("write", write_last_cell()))
@@ -243,7 +246,7 @@ def _write_arm(arm: Arm) -> str:
 
 
 def _describe_installation() -> str:
-    """Say how to get the helpers: from the address in pyproject.toml, or the book's folder."""
+    """Describe the installation from the address in pyproject.toml or the book's folder."""
     urls = metadata("manipulator-homework-helpers").get_all("Project-URL") or []
     addresses = [line.partition(", ")[2] for line in urls if line.startswith("Repository, ")]
     if addresses:

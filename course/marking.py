@@ -1,8 +1,8 @@
-"""Decide what an answer is worth, and why.
+"""Mark the answers of a sheet.
 
 Right in the decimals asked is worth 1. Any other answer is worth half of its share that is right,
-and half where one usual mistake explains all of it. What an answer is worth never depends on how
-many digits were typed: one unit of the last decimal asked is forgiven. So coarser digits earn only
+and half if a usual mistake explains all of it. The credit never depends on the number of typed
+digits, since a unit of the last decimal asked is forgiven. So coarser digits earn only
 where the rounded number is right by itself, a named mistake costs the same on every sheet, and an
 entry that is left out never earns more than one that is written.
 
@@ -30,7 +30,7 @@ from helpers.inputs import ArmError
 
 Array = NDArray[np.float64]
 
-MISTAKE_SHARE = 0.5  # of a part, for work with one mistake
+MISTAKE_SHARE = 0.5  # credit for work with one mistake
 _MAX_CHARACTERS = 8000  # the longest right column has 3473
 _ROUND_OFF = 1 + 1e-9
 _MAX_NAMED = 3  # mistakes that give the same numbers; nobody reads more
@@ -44,13 +44,13 @@ _BLANK = (None, "", "...", ".", "-")
 
 @dataclass(frozen=True)
 class Mark:
-    """The mark of one part.
+    """The mark of a part.
 
     Attributes:
         part: Name of the part.
         credit: From 0 to 1.
-        message: Why, in sentences to the student.
-        hint: Message for before the deadline: it may name a mistake, and tells no mark, no right
+        message: The reasons, in sentences to the student.
+        hint: Message before the deadline. It may name a mistake, but it contains no mark, no right
             or wrong entry and no number of the key.
         mistakes: Names of the mistakes in the judge's catalogue.
     """
@@ -63,38 +63,41 @@ class Mark:
 
 
 def mark_sheet(sheet: Sheet, answers: Mapping[str, Any]) -> tuple[Mark, ...]:
-    """Mark every part of a sheet; a part without an answer gets 0."""
+    """Mark every part of a sheet, with 0 for a part without an answer."""
     return tuple(mark_part(sheet, name, answers.get(name)) for name in sheet.parts)
 
 
 def mark_part(sheet: Sheet, name: str, answer: Any) -> Mark:
-    """Mark one answer. It raises nothing: what cannot be read gets 0."""
+    """Mark an answer, with 0 for an answer that cannot be read.
+
+    The function raises nothing.
+    """
     part = sheet.parts[name]
     question = next(q for q in sheet.questions if part in q.parts)
     try:
-        answer = _unwrap(answer)
+        answer = _replace_mappings(answer)
         if len(str(answer)) > _MAX_CHARACTERS:
-            return _refuse(name, f"Not read: it has more than {_MAX_CHARACTERS} characters.")
+            return _make_refusal(name, f"Not read: it has more than {_MAX_CHARACTERS} characters.")
         if not any(c.isalnum() and c != "0" for c in str(_fill_blanks(answer))):
-            return _refuse(name, NOT_ANSWERED)
+            return _make_refusal(name, NOT_ANSWERED)
         mark_kind = _BY_KIND.get(part.kind, _mark_numbers)
         return mark_kind(question, part, answer)
     except ArmError as error:
-        return _refuse(name, _HINT.sub("", f"Not read: {error}"))
-    except Exception as error:  # whatever breaks a reader costs its own part only
+        return _make_refusal(name, _HINT.sub("", f"Not read: {error}"))
+    except Exception as error:  # an answer that breaks a reader costs only its part
         message = f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
-        return _refuse(name, message)
+        return _make_refusal(name, message)
 
 
-def _refuse(name: str, message: str) -> Mark:
+def _make_refusal(name: str, message: str) -> Mark:
     return Mark(name, 0.0, message, message)
 
 
-def _unwrap(answer: Any) -> Any:
+def _replace_mappings(answer: Any) -> Any:
     """Replace mappings of names to entries by lists of the entries."""
     if isinstance(answer, Mapping):
         answer = list(answer.values())
-    return [_unwrap(entry) for entry in answer] if isinstance(answer, list) else answer
+    return [_replace_mappings(entry) for entry in answer] if isinstance(answer, list) else answer
 
 
 def _fill_blanks(answer: Any) -> Any:
@@ -108,14 +111,14 @@ def _fill_blanks(answer: Any) -> Any:
 
 
 def _mark_numbers(question: Question, part: Part, answer: Any) -> Mark:
-    """Mark numbers by their blocks: entries, columns or halves of columns."""
+    """Mark numbers by their blocks, which are entries, columns or halves of columns."""
     typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
     candidates = _shape_like(typed, part)
     return max((_mark_values(part, one) for one in candidates), key=lambda mark: mark.credit)
 
 
 def _read_numbers(answer: Any, name: str) -> TypedNumbers:
-    """Read a list, or else its entries as one text, where units and decimal commas are known."""
+    """Read a list, or its entries joined to a text, in which units and decimal commas are read."""
     try:
         return read_numbers(answer, name)
     except ArmError:
@@ -123,7 +126,7 @@ def _read_numbers(answer: Any, name: str) -> TypedNumbers:
             raise
         typed = read_numbers(_join_entries(answer), name)
         if typed.values.size != np.size(np.array(answer, dtype=object)):
-            raise  # an entry was taken for something else than a number
+            raise  # an entry is no number
         return typed
 
 
@@ -134,7 +137,7 @@ def _join_entries(answer: list[Any]) -> str:
 
 
 def _shape_like(typed: TypedNumbers, part: Part) -> list[TypedNumbers]:
-    """Return numbers in the shape of the right ones; half a Jacobian as either half.
+    """Return numbers in the shape of the right answer, half a Jacobian as either half.
 
     Raises ArmError if their count differs.
     """
@@ -155,10 +158,10 @@ def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
     errors = np.abs(typed.values - part.value)
     if errors.max() <= tolerance:
         return Mark(part.name, 1.0, _RIGHT, _NOTHING_SEEN)
-    is_right = _split(part, errors).max(axis=1) <= tolerance
-    counts = _split(part, np.abs(part.value - part.idle)).max(axis=1) > tolerance
+    is_right = _split_into_blocks(part, errors).max(axis=1) <= tolerance
+    counts = _split_into_blocks(part, np.abs(part.value - part.idle)).max(axis=1) > tolerance
     share = float((is_right & counts).sum() / max(1, counts.sum()))
-    named = [m for m in part.mistakes if _explains(part, typed.values, m)]
+    named = [m for m in part.mistakes if _is_explained_by(part, typed.values, m)]
     credit = MISTAKE_SHARE if named else MISTAKE_SHARE * share
     hint = _name_mistakes(named) if named else _NOTHING_SEEN
     lines = [*([hint] if named else []), _describe_wrong_blocks(part, ~is_right)]
@@ -168,20 +171,20 @@ def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
     return Mark(part.name, credit, "\n".join(lines), hint, tuple(m.name for m in named))
 
 
-def _explains(part: Part, values: Array, mistake: Mistake) -> bool:
+def _is_explained_by(part: Part, values: Array, mistake: Mistake) -> bool:
     """Return whether an answer has every block that a mistake makes and that needs some work."""
     # Millimetres that were computed from rounded metres are off by 1000 times as much.
     scale = max(1.0, np.abs(mistake.values).max() / np.abs(part.value).max())
     tolerance = part.unit * _ROUND_OFF * scale
-    needed = _split(part, np.abs(mistake.values - part.idle)).max(axis=1) > tolerance
-    fits = _split(part, np.abs(values - mistake.values)).max(axis=1) <= tolerance
+    needed = _split_into_blocks(part, np.abs(mistake.values - part.idle)).max(axis=1) > tolerance
+    fits = _split_into_blocks(part, np.abs(values - mistake.values)).max(axis=1) <= tolerance
     return bool(needed.any() and fits[needed].all())
 
 
-def _split(part: Part, values: Array) -> Array:
+def _split_into_blocks(part: Part, values: Array) -> Array:
     """Split values into the blocks that count by themselves, shape (blocks, numbers in each)."""
     values = np.broadcast_to(values, np.shape(part.value))
-    if part.kind == "jacobian":  # halves of columns, the linear one first
+    if part.kind == "jacobian":  # halves of columns, the linear half first
         return values.reshape(2, 3, -1).transpose(2, 0, 1).reshape(-1, 3)
     if part.kind == "rotation":
         return values.T
@@ -196,24 +199,24 @@ def _name_mistakes(mistakes: list[Mistake]) -> str:
 
 
 def _describe_wrong_blocks(part: Part, is_wrong: NDArray[np.bool_]) -> str:
-    """Say which blocks are wrong, such as "the linear half of columns 1, 3"."""
+    """Describe the wrong blocks, such as "the linear half of columns 1, 3"."""
     if part.kind == "column":
         names = np.array(["linear", "angular"])[is_wrong]
         return f"Not right: the {' and the '.join(names)} half."
     if part.kind != "jacobian":
         noun = "column" if part.kind == "rotation" else "number"
-        return f"Not right: {_count_places(noun, is_wrong)}."
+        return f"Not right: {_list_positions(noun, is_wrong)}."
     halves = [
-        f"the {half} half of {_count_places('column', wrong)}"
+        f"the {half} half of {_list_positions('column', wrong)}"
         for half, wrong in zip(("linear", "angular"), is_wrong.reshape(-1, 2).T, strict=True)
         if wrong.any()
     ]
     return f"Not right: {'; '.join(halves)}."
 
 
-def _count_places(noun: str, is_wrong: NDArray[np.bool_]) -> str:
-    places = [str(n + 1) for n in np.flatnonzero(is_wrong)]
-    return f"{noun}{'s' * (len(places) > 1)} {', '.join(places)}"
+def _list_positions(noun: str, is_wrong: NDArray[np.bool_]) -> str:
+    positions = [str(n + 1) for n in np.flatnonzero(is_wrong)]
+    return f"{noun}{'s' * (len(positions) > 1)} {', '.join(positions)}"
 
 
 def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
@@ -226,35 +229,35 @@ def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
         answer = [str(entry) for entry in answer]
     camera = topics.make_camera_arm(question.arm, question.numbers)
     poses = np.array(question.numbers["poses"])[:, : camera.dof].tolist()
-    found = ask_judge("formulas", mine=answer, arm=judge_data(camera), poses=poses)
-    if len(found) != np.size(part.value) or None in found:
+    values_at_poses = ask_judge("formulas", mine=answer, arm=judge_data(camera), poses=poses)
+    if len(values_at_poses) != np.size(part.value) or None in values_at_poses:
         raise ArmError("expected six formulas, one for each of v and ω, with a value at every pose")
-    values = np.array(found, dtype=float).reshape(-1, 6)
+    values = np.array(values_at_poses, dtype=float).reshape(-1, 6)
     return _mark_values(part, TypedNumbers(values, np.zeros_like(values)))
 
 
-# Tables and joint values, which have no one right value
+# Tables and joint values, of which several are right
 
 
 def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
-    """Mark a table in any choice of frames: right, one mistake, or another arm."""
+    """Mark a table in any choice of frames as right, as one mistake, or as another arm."""
     options = {
         "columns": "a alpha d theta", "lengths": "m", "angles": "rad", "convention": "standard",
         "tolerance": part.unit,
     }  # fmt: skip
     arm = judge_data(part.value)
-    found = ask_judge("table mistake", mine=format_table(answer), arm=arm, options=options)
-    if found["right"]:
-        return Mark(part.name, 1.0, found["headline"], _NOTHING_SEEN)
-    if "share" in found:  # the rows of the last joints are missing
-        return Mark(part.name, MISTAKE_SHARE * found["share"], found["headline"], _NOTHING_SEEN)
-    if not found["name"]:
+    reply = ask_judge("table mistake", mine=format_table(answer), arm=arm, options=options)
+    if reply["right"]:
+        return Mark(part.name, 1.0, reply["headline"], _NOTHING_SEEN)
+    if "share" in reply:  # the rows of the last joints are missing
+        return Mark(part.name, MISTAKE_SHARE * reply["share"], reply["headline"], _NOTHING_SEEN)
+    if not reply["name"]:
         message = "Not right: it describes another arm, and no one mistake explains it."
         return Mark(part.name, 0.0, message, _NOTHING_SEEN)
-    message = f"This is what a mistake gives: {found['message'].rstrip('.')}."
-    has_size = found["name"].startswith(("course.entry", "table.number", "table.angle"))
+    message = f"This is what a mistake gives: {reply['message'].rstrip('.')}."
+    has_size = reply["name"].startswith(("course.entry", "table.number", "table.angle"))
     hint = _NOTHING_SEEN if has_size else message
-    return Mark(part.name, MISTAKE_SHARE, message, hint, (found["name"],))
+    return Mark(part.name, MISTAKE_SHARE, message, hint, (reply["name"],))
 
 
 def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
@@ -276,12 +279,12 @@ def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
     if wrong.any() and coarse.any(axis=1).all():
         lines.append(f"Too few decimals: {part.digits} were asked.")
     elif wrong.any():
-        lines.append(f"Not right: {_count_places('row', wrong)}.")
+        lines.append(f"Not right: {_list_positions('row', wrong)}.")
     return Mark(part.name, credit, "\n".join(lines), _NOTHING_SEEN)
 
 
 def _match_branches(question: Question, part: Part, rows: Array, tolerance: Any) -> NDArray:
-    """Return which row is which branch, shape (rows, branches), whole turns aside."""
+    """Return whether each row is each branch up to whole turns, shape (rows, branches)."""
     gaps = rows[:, None] - part.value[None]
     turns = np.asarray(question.arm.turning)
     gaps = np.where(turns, (gaps + np.pi) % (2 * np.pi) - np.pi, gaps)
@@ -290,7 +293,7 @@ def _match_branches(question: Question, part: Part, rows: Array, tolerance: Any)
 
 
 def _mark_pose(question: Question, part: Part, answer: Any) -> Mark:
-    """Mark joint values by whether they reach the target: any that do are right."""
+    """Mark joint values by whether they reach the target."""
     target = topics.make_target_pose(np.array(question.numbers["target"]))
     typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
     if typed.values.size != question.arm.dof:

@@ -1,4 +1,4 @@
-"""List what usual mistakes make of right work.
+"""List the answers that usual mistakes make of right work.
 
 The judge has the list (judge/causes), so that marks and messages come from one place.
 """

@@ -91,7 +91,7 @@ def _read_student(row: Mapping[str, str]) -> Student:
 
 
 def _describe_problem(student: Student, row: Mapping[str, str]) -> str:
-    """Say why a row gives no student; "" if it does."""
+    """Return the reason why a row gives no student, or ""."""
     if "\0" in (student.id, student.name):
         return f" has the columns {', '.join(row) or 'none'}; expected id and name"
     if not _ID.fullmatch(student.id) or _RESERVED.fullmatch(student.id.split(".")[0]):

@@ -1,4 +1,4 @@
-"""Draw homework with numbers of its own, write how it is asked, and compute its key.
+"""Draw homework with individual numbers, write its questions, and compute its key.
 
 A seed draws plain numbers. An arm and those numbers make a text and its key, so that exactly the
 printed numbers are judged. A sheet keeps what was drawn.
@@ -47,7 +47,7 @@ class Question:
     def markdown(self) -> str:
         """The question and the names to answer by."""
         title = self.topic[0].upper() + self.topic[1:]
-        names = [f"- `{p.name}`: {p.what}; {_describe_marking(p)}" for p in self.parts]
+        names = [f"- `{p.name}`: {p.description}; {_describe_marking(p)}" for p in self.parts]
         return "\n".join([f"## {title}", "", self.text, "", *names])
 
     def __repr__(self) -> str:
@@ -68,7 +68,7 @@ class Exercise:
 
 @dataclass(frozen=True)
 class Section:
-    """The questions of one student about one arm with the student's own lengths.
+    """The questions of a student about an arm with the student's lengths.
 
     `suffix` ends the names of its parts: "" for a sheet's first arm, "_2" for the second.
     """
@@ -89,7 +89,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Sheet:
-    """All questions of one student, in a section for each arm."""
+    """All questions of a student, in a section for each arm."""
 
     sections: tuple[Section, ...]
 
@@ -105,7 +105,9 @@ class Sheet:
 
 
 def draw_sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
-    """Draw a sheet about one arm from a seed; the same seed draws the same sheet.
+    """Draw a sheet about an arm from a seed.
+
+    The same seed draws the same sheet.
 
     Args:
         arm: Arm whose lengths are changed.
@@ -127,7 +129,7 @@ def draw_sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None)
 
 
 def draw_question(topic: str, arm: Arm, seed: int | str) -> Question:
-    """Draw a topic's question about an arm with other lengths."""
+    """Draw a topic's question about an arm with drawn lengths."""
     return draw_sheet(arm, seed, (topic,)).questions[0]
 
 
@@ -137,7 +139,7 @@ def make_question(topic: str, arm: Arm, numbers: Numbers) -> Question:
 
 
 def _describe_marking(part: Part) -> str:
-    """Say how many decimals are asked, and which pieces of an answer count."""
+    """Describe how many decimals are asked, and which pieces of an answer count."""
     pieces = _MARKED_PIECES.get(part.kind, "each number counts")
     return pieces if part.kind in ("column", "table") else f"{part.digits} decimals; {pieces}"
 
@@ -179,7 +181,7 @@ def _draw_lengths(arm: Arm, seed: int | str) -> Arm:
 
 
 def change_lengths(arm: Arm, values: Mapping[str, float]) -> Arm:
-    """Give an arm other values, and bodies of the six decimals that a sheet prints."""
+    """Give an arm new values, and bodies with the six decimals that a sheet prints."""
     arm = arm.with_values(**values)
     bodies = [[round(arm.number(x), 6) + 0.0 for x in (b.mass, *b.com)] for b in arm.bodies]
     return arm.with_bodies([Body(mass, com) for mass, *com in bodies])

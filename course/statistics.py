@@ -22,7 +22,10 @@ _OUTCOMES = {"right": BLUE, "partly": ORANGE, "wrong": RED, "not answered": GREY
 
 
 def write_statistics(folder: Path, out: Path) -> str:
-    """Write statistics.svg into the results; return the counts by part and by mistake as text."""
+    """Write statistics.svg into the results.
+
+    Returns the counts by part and by mistake as text.
+    """
     course = store.load(folder)
     marks = [mark for marks in read_marks(folder, out, course).values() for mark in marks]
     if not marks:

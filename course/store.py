@@ -1,4 +1,4 @@
-"""Keep a course on disk: `course.json` holds the arms, the secret and every drawn sheet.
+"""Keep a course on disk, as `course.json` with the arms, the secret and all drawn sheets.
 
 The file holds the drawn numbers, not the keys. Keys follow from the numbers, so whoever reads the
 file has them, and it stays with the instructor. Each file is written beside its place and then
@@ -32,7 +32,7 @@ class Course:
         secret: Text from which all seeds are derived.
         sheets: For each student's id the name, how often the sheet was issued anew, and for each
             arm the lengths and the drawn numbers.
-        weights: What a part is worth, by its name; 1 for a part that is not listed.
+        weights: The largest credit of a part by its name, 1 for a part that is not listed.
     """
 
     title: str
@@ -42,7 +42,7 @@ class Course:
     weights: Mapping[str, float] = field(default_factory=dict)
 
     def weight(self, part: str) -> float:
-        """Return what a part is worth."""
+        """Return the weight of a part."""
         return float(self.weights.get(part, 1))
 
     @property
@@ -51,7 +51,10 @@ class Course:
         return {student: str(entry["name"]) for student, entry in self.sheets.items()}
 
     def sheet(self, student: str) -> Sheet:
-        """Return a student's sheet; raise ArmError for an unknown id."""
+        """Return a student's sheet.
+
+        Raises ArmError for an unknown id.
+        """
         stored = zip(self.exercises, self.require_entry(student)["sections"], strict=True)
         return Sheet(
             tuple(
@@ -61,14 +64,17 @@ class Course:
         )
 
     def require_entry(self, student: str) -> Mapping[str, Any]:
-        """Return what is stored of a student; raise ArmError for an unknown id."""
+        """Return the stored entry of a student.
+
+        Raises ArmError for an unknown id.
+        """
         if student not in self.sheets:
             raise ArmError(f"student {student!r} is not in this course")
         return self.sheets[student]
 
 
 def name_sheet(course: Course, student: str) -> str:
-    """Return the name of a sheet: the course by its title and arms, the student, the issue."""
+    """Return the name of a sheet, made of course, student and issue."""
     label = json.dumps([course.title, [[x.arm.name, *x.topics] for x in course.exercises]])
     issue = int(course.sheets[student].get("issue", 0))
     short = hashlib.sha256(label.encode()).hexdigest()[:6]
@@ -76,13 +82,16 @@ def name_sheet(course: Course, student: str) -> str:
 
 
 def derive_seed(course: Course, student: str, index: int, attempt: int) -> str:
-    """Derive a seed for a section; 64 hexadecimal digits (HMAC-SHA-256, RFC 2104)."""
+    """Derive a section's seed of 64 hexadecimal digits (HMAC-SHA-256, RFC 2104)."""
     message = json.dumps([course.title, student, index, attempt])
     return hmac.digest(course.secret.encode(), message.encode(), "sha256").hex()
 
 
 def load(folder: Path) -> Course:
-    """Load the course in a folder; raise ArmError if `new` did not make its file."""
+    """Load the course in a folder.
+
+    Raises ArmError if `new` did not make its file.
+    """
     path = folder / FILE
     try:
         data = json.loads(path.read_bytes())
@@ -119,12 +128,18 @@ def save(course: Course, folder: Path) -> None:
 
 
 def format_json(data: Mapping[str, Any]) -> str:
-    """Format data as JSON; raise ValueError for a number that JSON does not know."""
+    """Format data as JSON.
+
+    Raises ValueError for a number that JSON does not know.
+    """
     return json.dumps(data, indent=1, allow_nan=False) + "\n"
 
 
 def write_text(path: Path, text: str, mode: int = 0o666) -> None:
-    """Write a text file whole or not at all; escape what is no text, such as odd file names."""
+    """Write a text file whole or not at all.
+
+    Bytes that are no text, such as those of odd file names, are escaped.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}")
     beside.unlink(missing_ok=True)
@@ -134,7 +149,7 @@ def write_text(path: Path, text: str, mode: int = 0o666) -> None:
 
 
 def arm_to_json(arm: Arm) -> dict[str, Any]:
-    """Convert an arm to plain data; entries stay as written, unknown limits are left out."""
+    """Convert an arm to plain data, with entries as written and without unknown limits."""
     require_type(arm, Arm, "arm")
     return {
         "name": arm.name,
@@ -155,7 +170,10 @@ def _row_to_json(row: Row) -> dict[str, Any]:
 
 
 def arm_from_json(data: Mapping[str, Any]) -> Arm:
-    """Make the arm that `arm_to_json` converted; raise ArmError if the data make none."""
+    """Make the arm that `arm_to_json` converted.
+
+    Raises ArmError if the data make none.
+    """
     try:
         rows = [Row(**row["entries"], joint=Joint(**row["joint"])) for row in data["rows"]]
         return Arm(**{**data, "rows": rows, "bodies": [Body(**body) for body in data["bodies"]]})

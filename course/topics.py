@@ -1,4 +1,4 @@
-"""The topics of the homework: how numbers are drawn, how they are asked, and what is right.
+"""Draw the numbers of each topic of the homework, write its questions and compute their key.
 
 Drawn numbers are plain data. A later NumPy may draw other numbers from the same seed, and still
 asks the same questions about stored ones.
@@ -23,38 +23,39 @@ from helpers.statics import gravity_torque, static_torque
 
 Array = NDArray[np.float64]
 Rng = np.random.Generator
-Numbers = Mapping[str, Any]  # what was drawn for a topic
+Numbers = Mapping[str, Any]  # the drawn numbers of a topic
 Kind = Literal["numbers", "rotation", "table", "jacobian", "column", "torques", "branches", "pose"]
 
 _MAX_TRIES = 500
 _EULER_STEPS = 1000  # steps that the sheet asks for, or more
-_KEY_STEPS = 100  # of the key's own trace, which is exact at each of them
+_KEY_STEPS = 100  # The key's trace is exact at each step.
 _SMALLEST_SINGULAR_VALUE = 0.04  # questions keep this distance from singular poses
-_TARGET_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 rad at most
+_TARGET_DIGITS = 6  # A target is printed to 1e-6 m, which moves a joint by 1e-6 / 0.04 rad.
 _FEWEST_DIGITS, _MOST_DIGITS = 3, 4  # decimals that are asked
 _EULER_DIGITS = 2  # decimals that 1000 Euler steps give
-_SECRET_POSES = 4  # at which formulas are judged
-_FORMULA_SHARE = 1e-4  # of the largest number: formulas may hold constants of four digits
+_SECRET_POSES = 4  # Formulas are judged at these poses.
+# Tolerance divided by the largest number, since constants in formulas may have four digits.
+_FORMULA_SHARE = 1e-4
 _EVEN_LENGTH = 1.25  # columns are drawn within this factor of the usual length of their formulas
 
 
 @dataclass(frozen=True)
 class Part:
-    """One answer that a question asks for.
+    """An answer that a question asks for.
 
     Attributes:
         name: Name to answer by.
-        what: What is asked.
-        kind: How it is judged.
+        description: The quantity that is asked, with its unit.
+        kind: The kind of answer, which determines how it is judged.
         value: Right answer: an array; an `Arm` for a table; for a column its values at the secret
             poses, shape (k, 6); the branches, shape (k, dof), for inverse kinematics.
         mistakes: Usual mistakes with their answers.
-        idle: Values that need no work: zeros, or what the question or another part gives.
+        idle: Values that need no work, such as zeros or values that the question gives.
         formulas: Six formulas of a column.
     """
 
     name: str
-    what: str
+    description: str
     kind: Kind
     value: Any
     mistakes: tuple[Mistake, ...] = ()
@@ -63,10 +64,10 @@ class Part:
 
     @cached_property
     def digits(self) -> int:
-        """Decimals asked: the fewest that tell every mistake from the right answer; 0 if none do.
+        """Number of decimals to ask for, the fewest that show every mistake, or 0 if none do.
 
-        A mistake counts as told if some number differs by more than two units, so that no answer
-        is within a unit of both.
+        A mistake shows if some number differs by more than two units, so that no answer is within
+        a unit of both.
         """
         if self.name.startswith(("quarter", "half")):
             digits = range(_EULER_DIGITS, _EULER_DIGITS + 1)
@@ -78,7 +79,7 @@ class Part:
 
     @property
     def unit(self) -> float:
-        """Largest error that is forgiven: one unit of the last decimal asked."""
+        """Largest error that is forgiven, a unit of the last decimal asked."""
         if self.kind == "column":
             return _FORMULA_SHARE * max(1.0, float(np.abs(self.value).max()))
         return 10.0**-self.digits
@@ -99,9 +100,9 @@ def _draw_pose(arm: Arm, rng: Rng) -> list[float]:
 
 
 def _draw_table(arm: Arm, rng: Rng) -> Numbers | None:
-    """Draw an arm of four joints, each of which moves or turns the tip in another direction.
+    """Draw an arm of four joints that move or turn the tip in four independent directions.
 
-    It is not the arm of the other questions, whose table stands on the sheet.
+    The sheet shows the table of the arm of all further questions, so this arm differs from it.
     """
     rows = [_draw_row(rng) for _ in range(4)]
     rows[-1]["alpha"] = "0"
@@ -151,9 +152,9 @@ def _ask_table(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
         " of this arm in the standard convention. Every choice of frames that the convention allows"
         " is right."
     )
-    what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, the joint's"
-    what += " variable (q_1, q_2, ...) in theta or d"
-    return text, (Part("table", what, "table", right),)
+    description = "the table, one row (a, alpha, d, theta) for each joint: m and rad, the joint's"
+    description += " variable (q_1, q_2, ...) in theta or d"
+    return text, (Part("table", description, "table", right),)
 
 
 def _ask_pose(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
@@ -230,7 +231,9 @@ def _ask_jacobian(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
 
 def _make_column_part(camera: Arm, numbers: Numbers, column: int) -> Part:
     """Return the part that asks for a column in symbols, judged at the secret poses."""
-    what = f"column {column} of the camera's Jacobian in symbols, six formulas (v, ω) in base axes"
+    description = (
+        f"column {column} of the camera's Jacobian in symbols, six formulas (v, ω) in base axes"
+    )
     poses = np.array(numbers["poses"])[:, : camera.dof]
     values = jacobian(camera, poses)[:, :, column - 1]
     mistakes = [
@@ -238,12 +241,14 @@ def _make_column_part(camera: Arm, numbers: Numbers, column: int) -> Part:
         for m in list_mistakes("jacobian", camera, poses=poses)
     ]
     entries = symbolic.jacobian(camera)[:, column - 1]
-    part = _make_part("J_column", what, "column", values, mistakes)
+    part = _make_part("J_column", description, "column", values, mistakes)
     return replace(part, formulas=tuple(str(entry) for entry in entries))
 
 
-def _make_part(name: str, what: str, kind: Kind, value: Array, mistakes: list[Mistake]) -> Part:
-    return Part(name, what, kind, value, select_visible(mistakes, value))
+def _make_part(
+    name: str, description: str, kind: Kind, value: Array, mistakes: list[Mistake]
+) -> Part:
+    return Part(name, description, kind, value, select_visible(mistakes, value))
 
 
 def _draw_circle(arm: Arm, rng: Rng) -> Numbers | None:
@@ -314,8 +319,8 @@ def _ask_torque(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     g_mistakes = list_mistakes("torques", arm, q=numbers["q"], wrench=np.zeros(6))
     tau_mistakes = list_mistakes("torques", arm, q=numbers["q"], wrench=wrench)
     g = _make_part("g", "the torques that hold the weight (N m)", "torques", right["g"], g_mistakes)
-    what = "the torques with the force (N m)"
-    tau = _make_part("tau", what, "torques", right["tau"], tau_mistakes)
+    description = "the torques with the force (N m)"
+    tau = _make_part("tau", description, "torques", right["tau"], tau_mistakes)
     return text, (g, replace(tau, idle=right["g"]))
 
 
@@ -355,16 +360,16 @@ def _count_branches_of(arm: Arm, _lengths: tuple[tuple[str, float], ...]) -> int
 
 def _ask_target(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     target = np.array(numbers["target"])
-    asked = "pose $[R\\ p]$" if target.shape[1] == 4 else "position $p$"
-    asked += f" $= {format_matrix(target, _TARGET_DIGITS)}$."
+    quantity = "pose $[R\\ p]$" if target.shape[1] == 4 else "position $p$"
+    quantity += f" $= {format_matrix(target, _TARGET_DIGITS)}$."
     if not find_closed_form(arm):
-        what = "joint values (rad; m where one slides) that give this"
-        part = Part("q", what, "pose", np.array(numbers["solution"]))
-        return f"Find joint values that give the tip the {asked}", (part,)
+        description = "joint values (rad; m where one slides) that give this"
+        part = Part("q", description, "pose", np.array(numbers["solution"]))
+        return f"Find joint values that give the tip the {quantity}", (part,)
     branches = _find_branches(arm, numbers)
     text = (
-        f"Find every set of joint values within the limits that give the tip the {asked} There are"
-        f" {len(branches)}; of more rows the first {len(branches)} count."
+        f"Find every set of joint values within the limits that give the tip the {quantity} There"
+        f" are {len(branches)}; of more rows the first {len(branches)} count."
     )
     limits = "; ".join(
         f"${name.replace('q_', 'q_{')}}}$ from {low:g} to {high:g}"
@@ -372,14 +377,14 @@ def _ask_target(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
         if np.isfinite([low, high]).all()
     )
     text += f" Limits: {limits}; whole turns count as the same." if limits else ""
-    what = "the branches, one row of joint values each (rad; m where one slides)"
-    return text, (Part("q", what, "branches", branches),)
+    description = "the branches, one row of joint values each (rad; m where one slides)"
+    return text, (Part("q", description, "branches", branches),)
 
 
 def make_target_pose(target: Array) -> Array:
     """Return a printed target as a point, shape (3,), or as a rigid motion, shape (4, 4).
 
-    The rotation is the nearest one to the rounded entries.
+    The rotation is the rotation nearest to the rounded entries.
     """
     if target.shape[1] == 1:
         return target[:, 0]
@@ -390,7 +395,10 @@ def make_target_pose(target: Array) -> Array:
 
 
 class Topic(NamedTuple):
-    """How a topic draws its numbers, or None for a useless draw, and how it asks for its parts."""
+    """Functions that draw the numbers of a topic and write its question.
+
+    `draw` returns None for useless numbers.
+    """
 
     draw: Callable[[Arm, Rng], Numbers | None]
     ask: Callable[[Arm, Numbers], tuple[str, tuple[Part, ...]]]
@@ -434,16 +442,16 @@ def draw_numbers(topic: str, arm: Arm, rng: Rng) -> Numbers:
 
 
 def _compute_at_pose(numbers: Numbers, arm: Arm, q: Array) -> dict[str, Array]:
-    """Compute the right numbers at one pose, by the names of the parts."""
+    """Compute the right numbers at a pose, by the names of the parts."""
     T = forward_kinematics(arm, q)
-    found = {"p": T[..., :3, 3], "R": T[..., :3, :3]}
+    values = {"p": T[..., :3, 3], "R": T[..., :3, :3]}
     if "q_dot" in numbers:
         J = jacobian(arm, q)
-        found |= {"J": J, "xi": J @ np.array(numbers["q_dot"])}
+        values |= {"J": J, "xi": J @ np.array(numbers["q_dot"])}
     if "force" in numbers:
         tau = static_torque(arm, q, np.r_[numbers["force"], 0, 0, 0])
-        found |= {"g": gravity_torque(arm, q), "tau": tau}
-    return found
+        values |= {"g": gravity_torque(arm, q), "tau": tau}
+    return values
 
 
 def _format_bodies(arm: Arm) -> str:
@@ -463,7 +471,7 @@ def format_matrix(values: Any, digits: int = 4) -> str:
 
 
 def find_missing_property(topic: str, arm: Arm) -> str:
-    """Return what an arm lacks for a topic, or ""."""
+    """Return the name of the property that an arm lacks for a topic, or ""."""
     if not arm.dof:
         return "a joint that moves"
     if topic == "circle tracing" and arm.dof != 6:
@@ -472,7 +480,7 @@ def find_missing_property(topic: str, arm: Arm) -> str:
 
 
 def find_closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
-    """Return the closed form that finds every branch of an arm, or None."""
+    """Return the solver that finds every branch of an arm in closed form, or None."""
     probe = forward_kinematics(arm, np.full(arm.dof, 0.4))
     for solver in (inverse.elbow, inverse.ur, inverse.stanford, inverse.spherical_wrist):
         with suppress(ArmError):

@@ -61,7 +61,7 @@ def strip_questions(course, folder, student):
     lengths = {*(x for arm in own_arms for x in arm.values.values()), *map(abs, centres)}
     for cell in book["cells"]:
         source = "" if cell["source"] in printed else cell["source"]
-        for text in (*tables, *(part.what for part in own.parts.values())):
+        for text in (*tables, *(part.description for part in own.parts.values())):
             source = source.replace(text, "")
         source = source.replace(student, "").replace(course.names[student], "")
         cell["source"] = re.sub(

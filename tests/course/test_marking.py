@@ -82,7 +82,7 @@ def mark(name, answer, own=ELBOWS):
 def test_right_answer_in_asked_digits_is_worth_one(arm):
     own = get_sheet(arm)
     for part in list_measured_parts(own):
-        assert f"`{part.name}`: {part.what}; {part.digits} decimals; " in "\n".join(
+        assert f"`{part.name}`: {part.description}; {part.digits} decimals; " in "\n".join(
             question.markdown for question in own.questions
         )
         cut = np.trunc(part.value * 10**part.digits) / 10**part.digits
