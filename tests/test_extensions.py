@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 from docutils import nodes
 
-from tools.pages import fold, keep_together, keep_whole, visit_math_block
+from tools.pages import fold_box, join_to_neighbours, keep_words_unbroken, visit_math_block
 from tools.pictures import svg_size, visit_image
 
 PANELS = ((12, 8, 93, 166), (207, 17, 186, 166))
@@ -70,7 +70,7 @@ def test_dropdown_becomes_details_element():
     box = nodes.admonition("", nodes.title("", "Solution"), nodes.paragraph("", "Four."))
     box["classes"], box["ids"] = ["solution", "dropdown"], ["here"]
     around = nodes.section("", box)
-    fold(box)
+    fold_box(box)
     start = '<details class="admonition solution" id="here"><summary class="admonition-title">'
     made = [part.astext() for part in around]
     assert made == [start, "Solution", "</summary>", "Four.", "</details>"]
@@ -96,7 +96,7 @@ def test_formula_gets_a_single_table(tex):
 def test_unit_is_not_broken_from_its_number(words, kept):
     paragraph = nodes.paragraph("", "", nodes.Text(words), nodes.literal("", "5 s"))
     for text in list(paragraph.findall(nodes.Text)):
-        keep_whole(text)
+        keep_words_unbroken(text)
     assert paragraph.astext() == kept.replace("_", "\N{NO-BREAK SPACE}") + "5 s"
 
 
@@ -114,7 +114,7 @@ def test_unit_is_not_broken_from_its_number(words, kept):
 def test_text_touching_a_formula_stays_on_its_line(before, behind, shown):
     around = [nodes.Text(before)] if before else []
     paragraph = nodes.paragraph("", "", *around, nodes.math("", "+5"), nodes.Text(behind))
-    keep_together(paragraph[len(around)])
+    join_to_neighbours(paragraph[len(around)])
     parts = [part.astext().replace("\N{NO-BREAK SPACE}", " ") for part in paragraph]
     assert re.sub("[{}]", "", "".join(parts)) == before + "+5" + behind
     assert [part for part in parts if part] == shown
@@ -131,12 +131,12 @@ def test_text_touching_a_formula_stays_on_its_line(before, behind, shown):
 )
 def test_index_and_option_are_not_broken_at_hyphen(of, words, unbroken):
     paragraph = of("", "", nodes.Text(words))
-    keep_whole(paragraph[0])
+    keep_words_unbroken(paragraph[0])
     assert paragraph.astext().replace("\N{NO-BREAK SPACE}", " ") == words
     assert [part.astext() for part in paragraph.findall(nodes.inline)] == unbroken
 
 
 def test_typed_code_gets_straight_quotes():
     paragraph = nodes.paragraph("", "", nodes.Text("“so”: x=”craig” or f[“arm”]"))
-    keep_whole(paragraph[0])
+    keep_words_unbroken(paragraph[0])
     assert paragraph.astext() == '“so”: x="craig" or f["arm"]'

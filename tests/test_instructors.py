@@ -10,7 +10,7 @@ from helpers.explorer import ArmExplorer
 from helpers.robots import ARMS
 from tests import test_notebooks
 from tests.laws import ALL_ARMS, instructors_arm
-from tools.refresh import refresh
+from tools.refresh import refresh_notebook
 
 LAWS_OF_A_NOTEBOOK = [
     law
@@ -50,7 +50,7 @@ def a_chapter():
 def test_new_chapter_passes_notebook_tests(tmp_path):
     path = tmp_path / "06_dynamics.ipynb"
     nbformat.write(a_chapter(), path)
-    refresh(path)  # step 4
+    refresh_notebook(path)  # step 4
     assert len(LAWS_OF_A_NOTEBOOK) > 8
     for law in LAWS_OF_A_NOTEBOOK:
         law(path)

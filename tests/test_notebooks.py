@@ -13,8 +13,8 @@ from statistics import median
 import nbformat
 import pytest
 
-from tools.refresh import dress, hide_drawing_code
-from tools.setup_note import IMPORT_COMMENT, setup_note
+from tools.refresh import hide_drawing_code, write_derived_cells
+from tools.setup_note import IMPORT_COMMENT, format_setup_note
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
@@ -198,7 +198,7 @@ def test_notebook_is_below_750_kb(path):
 def test_notebook_is_as_refresh_leaves_it(path):
     """Its note on `helpers`, the folded code of drawings, citations with their list."""
     notebook = read(path)
-    dress(notebook, path.stem)
+    write_derived_cells(notebook, path.stem)
     assert notebook == read(path), f"run: make refresh NOTEBOOKS=book/{path.name}"
 
 
@@ -210,7 +210,7 @@ def test_notebook_is_as_refresh_leaves_it(path):
     ],
 )
 def test_setup_note_says_where_book_and_helpers_are(addresses, link, source):
-    note = setup_note("02_x", *addresses)
+    note = format_setup_note("02_x", *addresses)
     assert link in note
     assert source in note
 

@@ -13,7 +13,7 @@ from playwright.sync_api import Error
 
 import helpers
 from tools import pdf
-from tools.refresh import refresh
+from tools.refresh import refresh_notebook
 
 ROOT = Path(__file__).parents[1]
 
@@ -81,7 +81,7 @@ def notebook(tmp_path):
 
 def test_refresh_stores_outputs_without_machine_details(notebook):
     title_id, *ids = [cell.id for cell in nbformat.read(notebook, as_version=4).cells]
-    refresh(notebook)
+    refresh_notebook(notebook)
     first_bytes = notebook.read_bytes()
     refreshed = nbformat.read(notebook, as_version=4)
     title, setup_note, printing_cell, value_cell = refreshed.cells
@@ -95,7 +95,7 @@ def test_refresh_stores_outputs_without_machine_details(notebook):
     assert [printing_cell.execution_count, value_cell.execution_count] == [1, 2]
     assert set(refreshed.metadata) == {"kernelspec", "language_info", "myst"}
     assert refreshed.metadata.kernelspec.name == "python3"
-    refresh(notebook)
+    refresh_notebook(notebook)
     assert notebook.read_bytes() == first_bytes
 
 

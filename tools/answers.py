@@ -39,7 +39,10 @@ DESCRIPTION = (
 
 
 class SheetPage(NamedTuple):
-    """An answer sheet of the book; `arms` share its formulas and differ in their numbers."""
+    """An answer sheet of the book.
+
+    `arms` share its formulas and differ in their numbers.
+    """
 
     name: str
     heading: str

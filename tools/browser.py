@@ -17,7 +17,7 @@ FLAGS = [
     "--enable-unsafe-swiftshader",
     "--font-render-hinting=none",  # characters get the same width as in a browser's window
 ]
-# The headless shell comes first: it draws no window, which in the others costs more than a page.
+# The headless shell comes first, since it draws no window, which costs more than a page.
 PROGRAMS = (
     "chromium-headless-shell",
     "chromium",

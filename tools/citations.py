@@ -1,4 +1,4 @@
-"""Citations: a text links to a work in the list at its notebook's end, `[Craig 2018](#craig2018)`.
+"""Write citations, links such as `[Craig 2018](#craig2018)` to a list at a notebook's end.
 
 `tools/refresh.py` writes the labels of these links and the list below `## References` from
 `book/references.bib`. An entry of the list leads to the whole entry on the page of references.
@@ -25,21 +25,21 @@ def read_works() -> Mapping[str, Entry]:
     return parse_file(BIBLIOGRAPHY).entries
 
 
-def short_label(key: str) -> str:
-    """Return a work's label, as Craig 2018: up to two authors, or the first and others."""
+def make_label(key: str) -> str:
+    """Return a work's label such as Craig 2018, with the names of at most two authors."""
     work = read_works()[key]
     names = [" ".join(author.last_names) for author in work.persons["author"]]
     authors = f"{names[0]} and others" if len(names) > 2 else " and ".join(names)
     return re.sub(r"[{}]", "", f"{authors} {work.fields['year']}")
 
 
-def list_item(key: str) -> str:
+def format_list_item(key: str) -> str:
     """Return a work as an item of a notebook's list, with the anchor that citations link to."""
     title = re.sub(r"[{}]", "", read_works()[key].fields["title"]).replace("--", "–")
-    return f'- <a id="{key}"></a>[{short_label(key)}](references.md#{key}): *{title}*'
+    return f'- <a id="{key}"></a>[{make_label(key)}](references.md#{key}): *{title}*'
 
 
-def cite(notebook: nbformat.NotebookNode) -> None:
+def write_citations(notebook: nbformat.NotebookNode) -> None:
     """Write the label of each citation, and the list of all cited works at the end."""
     cited: set[str] = set()
 
@@ -47,15 +47,15 @@ def cite(notebook: nbformat.NotebookNode) -> None:
         if link[1] not in read_works():
             return link[0]
         cited.add(link[1])
-        return f"[{short_label(link[1])}](#{link[1]})"
+        return f"[{make_label(link[1])}](#{link[1]})"
 
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             text, heading, _ = cell.source.partition(LIST)
             cell.source = LINK.sub(label_link, text)
             if heading:
-                keys = sorted(cited, key=short_label)
-                cell.source += f"{heading}\n" + "\n".join(map(list_item, keys))
+                keys = sorted(cited, key=make_label)
+                cell.source += f"{heading}\n" + "\n".join(map(format_list_item, keys))
 
 
 def register_works(app: Sphinx, _doctree: nodes.document) -> None:

@@ -34,11 +34,11 @@ IDS_FROM_SPHINX = re.compile(r"\{(eval-rst|bibliography)\}")  # pages whose anch
 
 
 class Kind(NamedTuple):
-    """The notation of one kind of numbered item."""
+    """The notation of a kind of numbered item."""
 
     name: str
     item: re.Pattern  # groups: anchor, text up to the number, number
-    attempt: re.Pattern  # what looks like such an item, well formed or not
+    attempt: re.Pattern  # text that looks like such an item, well formed or not
     form: str
     mention: re.Pattern
 
@@ -84,15 +84,15 @@ class Cell:
     is_folded: bool = False
     is_below_picture: bool = True
 
-    def place(self, offset: int = 0) -> str:
-        """Return where the text at an offset stands, for a message."""
+    def describe_position(self, offset: int = 0) -> str:
+        """Describe the position of the text at an offset, for a message."""
         if self.index is None:
             return f"{self.path.name}, line {self.text.count(chr(10), 0, offset) + 1}"
         return f"{self.path.name}, cell {self.index}"
 
 
 def read_cells(path: Path) -> list[Cell]:
-    """Return the Markdown cells of a notebook, or a page as one cell."""
+    """Return the Markdown cells of a notebook, or a page as a single cell."""
     if path.suffix == ".md":
         return [Cell(path, None, path.read_text(encoding="utf-8"))]
     cells = nbformat.read(path, as_version=4).cells
@@ -110,23 +110,27 @@ def read_cells(path: Path) -> list[Cell]:
 
 
 def read_book(folder: Path = BOOK) -> dict[Path, list[Cell]]:
-    """Return the cells of every notebook and page; sheets in `answers` are made by the build."""
+    """Return the cells of every notebook and page, without the sheets in `answers`."""
     paths = sorted([*folder.glob("*.ipynb"), *folder.glob("*.md")])
     return {path.resolve(): read_cells(path) for path in paths}
 
 
-def blank(pattern: re.Pattern, text: str) -> str:
+def replace_with_spaces(pattern: re.Pattern, text: str) -> str:
     """Return the text with spaces in place of each match, so that offsets stay."""
     return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
-def items_of(kind: Kind, cells: list[Cell]) -> list[tuple[Cell, re.Match]]:
+def find_items(kind: Kind, cells: list[Cell]) -> list[tuple[Cell, re.Match]]:
     """Return the well-formed items of a kind, in their order on the page."""
-    return [(cell, match) for cell in cells for match in kind.item.finditer(blank(CODE, cell.text))]
+    return [
+        (cell, match)
+        for cell in cells
+        for match in kind.item.finditer(replace_with_spaces(CODE, cell.text))
+    ]
 
 
-def expected_number(path: Path, position: int) -> str:
-    """Return the number of the item at a position, from 1; chapters number as 2.1, 2.2."""
+def compute_number(path: Path, position: int) -> str:
+    """Return the number of the item at a position from 1, such as 2.1 in chapter 2."""
     chapter = re.match(r"0*(\d+)_", path.name)
     return f"{chapter[1]}.{position}" if chapter else str(position)
 
@@ -134,14 +138,14 @@ def expected_number(path: Path, position: int) -> str:
 def count_items(book: dict[Path, list[Cell]]) -> dict[tuple[Path, str], str]:
     """Return the right number of each item, by its page and anchor."""
     return {
-        (path, match[1]): expected_number(path, position)
+        (path, match[1]): compute_number(path, position)
         for path, cells in book.items()
         for kind in KINDS
-        for position, (_, match) in enumerate(items_of(kind, cells), start=1)
+        for position, (_, match) in enumerate(find_items(kind, cells), start=1)
     }
 
 
-def target_of(link: re.Match, path: Path) -> tuple[Path, str]:
+def find_target(link: re.Match, path: Path) -> tuple[Path, str]:
     """Return the file and the anchor that a link in a file at `path` leads to."""
     return ((path.parent / link[2]).resolve() if link[2] else path), link[3] or ""
 
@@ -152,7 +156,7 @@ def renumber(folder: Path = BOOK) -> list[Path]:
     numbers = count_items(book)
     changed = []
     for path, cells in book.items():
-        texts = {cell.index: renumbered(cell.text, path, numbers) for cell in cells}
+        texts = {cell.index: renumber_text(cell.text, path, numbers) for cell in cells}
         if all(texts[cell.index] == cell.text for cell in cells):
             continue
         changed.append(path)
@@ -166,7 +170,7 @@ def renumber(folder: Path = BOOK) -> list[Path]:
     return changed
 
 
-def renumbered(text: str, path: Path, numbers: dict[tuple[Path, str], str]) -> str:
+def renumber_text(text: str, path: Path, numbers: dict[tuple[Path, str], str]) -> str:
     """Return a text with the right numbers in its items and in the links to items."""
 
     def rewrite_item(item: re.Match) -> str:
@@ -174,7 +178,7 @@ def renumbered(text: str, path: Path, numbers: dict[tuple[Path, str], str]) -> s
         return item[0][:start] + numbers[path, item[1]] + item[0][end:]
 
     def rewrite_mention(link: re.Match) -> str:
-        number = numbers.get(target_of(link, path))
+        number = numbers.get(find_target(link, path))
         label = link[1]
         for kind in KINDS if number else ():
             label = kind.mention.sub(lambda mention: mention[1] + number, label)
@@ -205,28 +209,28 @@ def find_mistakes(folder: Path = BOOK) -> list[str]:
 
 def find_anchors(cells: list[Cell]) -> Iterator[str]:
     for cell in cells:
-        yield from ANCHOR.findall(blank(CODE, cell.text))
+        yield from ANCHOR.findall(replace_with_spaces(CODE, cell.text))
 
 
 def check_forms(kind: Kind, cells: list[Cell]) -> Iterator[str]:
-    """Report what looks like an item of a kind and is not written as one."""
+    """Report text that looks like an item of a kind and is malformed."""
     for cell in cells:
-        text = blank(CODE, cell.text)
+        text = replace_with_spaces(CODE, cell.text)
         rest = kind.attempt.search(kind.item.sub(lambda item: " " * len(item[0]), text))
         if rest:
             line = text[rest.start() :].partition("\n")[0][:60]
             problem = f"malformed {kind.name} at {line!r}; expected {kind.form}"
-            yield f"{cell.place(rest.start())}: {problem}"
+            yield f"{cell.describe_position(rest.start())}: {problem}"
         elif kind.name == "figure" and kind.item.search(text) and not cell.is_below_picture:
-            yield f"{cell.place()}: a caption without a code cell right above it"
+            yield f"{cell.describe_position()}: a caption without a code cell right above it"
 
 
 def check_order(kind: Kind, path: Path, cells: list[Cell]) -> Iterator[str]:
     """Report numbers that occur twice or are out of order."""
     seen: dict[str, str] = {}
-    for position, (cell, match) in enumerate(items_of(kind, cells), start=1):
-        number, right = match[3], expected_number(path, position)
-        place = cell.place(match.start())
+    for position, (cell, match) in enumerate(find_items(kind, cells), start=1):
+        number, right = match[3], compute_number(path, position)
+        place = cell.describe_position(match.start())
         if number in seen:
             problem = f"{kind.name} {number} occurs twice, first in {seen[number]}"
             yield f"{place}: {problem}; run make refresh"
@@ -239,8 +243,8 @@ def check_anchors(cells: list[Cell]) -> Iterator[str]:
     """Report anchors that occur twice on a page."""
     seen: dict[str, str] = {}
     for cell in cells:
-        for anchor in ANCHOR.finditer(blank(CODE, cell.text)):
-            place = cell.place(anchor.start())
+        for anchor in ANCHOR.finditer(replace_with_spaces(CODE, cell.text)):
+            place = cell.describe_position(anchor.start())
             if anchor[1] in seen:
                 yield f"{place}: anchor {anchor[1]} occurs twice, first in {seen[anchor[1]]}"
             seen.setdefault(anchor[1], place)
@@ -250,20 +254,22 @@ def check_solutions(cells: list[Cell]) -> Iterator[str]:
     """Report solutions that belong to no exercise, do not fold, or end with the notebook."""
     heading, last = "", None
     for cell in cells:
-        text = blank(CODE, cell.text)
+        text = replace_with_spaces(CODE, cell.text)
         for match in HEADING.finditer(text):
             if match[2].strip() == "Solution":
+                position = cell.describe_position(match.start())
                 if not heading.startswith("Exercise "):
-                    yield f"{cell.place(match.start())}: a solution without an exercise above it"
+                    yield f"{position}: a solution without an exercise above it"
                 if not SOLUTION.fullmatch(cell.text) or not cell.is_folded:
                     yield (
-                        f"{cell.place(match.start())}: malformed solution; expected a cell with"
+                        f"{position}: malformed solution; expected a cell with"
                         ' "#### Solution" alone and "jp-MarkdownHeadingCollapsed": true'
                     )
                 last = cell
             heading = match[2]
     if last is not None and heading == "Solution":
-        yield f"{last.place()}: no heading follows the last solution, which folds all below it"
+        position = last.describe_position()
+        yield f"{position}: no heading follows the last solution, which folds all below it"
 
 
 def check_links(
@@ -273,11 +279,11 @@ def check_links(
     numbers: dict[tuple[Path, str], str],
 ) -> Iterator[str]:
     """Report links that lead nowhere, and mentions with a wrong number or without a link."""
-    text = blank(MATH, blank(CODE, cell.text))
+    text = replace_with_spaces(MATH, replace_with_spaces(CODE, cell.text))
     path = cell.path.resolve()
     for link in LINK.finditer(text):
-        place = cell.place(link.start())
-        file, anchor = target_of(link, path)
+        place = cell.describe_position(link.start())
+        file, anchor = find_target(link, path)
         if file.parent.name == "answers":  # the build makes these pages, and checks the link
             continue
         if file not in book:
@@ -291,12 +297,12 @@ def check_links(
             if mention and mention[2] != number:
                 problem = f"{link[1]} leads to {kind.name} {number}"
                 yield f"{place}: {problem}; run make refresh"
-    prose = blank(LINK, blank(CODE, cell.text))
+    prose = replace_with_spaces(LINK, replace_with_spaces(CODE, cell.text))
     for kind in KINDS:
-        prose = blank(kind.item, prose)
-    prose = blank(MATH, prose)
+        prose = replace_with_spaces(kind.item, prose)
+    prose = replace_with_spaces(MATH, prose)
     for mention in BARE_MENTION.finditer(prose):
-        place = cell.place(mention.start())
+        place = cell.describe_position(mention.start())
         yield f"{place}: {mention[0]} is no link; expected [{mention[0]}](#its-anchor)"
 
 
@@ -308,7 +314,8 @@ def has_ids_from_sphinx(cells: list[Cell]) -> bool:
 def check_plain(cell: Cell) -> Iterator[str]:
     """Report directives, roles and labels in notebooks, which only Sphinx understands."""
     if cell.index is not None and (myst := MYST.search(cell.text)):
-        yield f"{cell.place()}: MyST markup {myst[0].strip()!r}; expected plain Markdown"
+        position = cell.describe_position()
+        yield f"{position}: MyST markup {myst[0].strip()!r}; expected plain Markdown"
 
 
 def report_mistakes(app: Sphinx, *_: object) -> None:
@@ -325,7 +332,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
 if __name__ == "__main__":
     if "--write" in sys.argv:
         for changed_path in renumber():
-            print(f"renumbered {changed_path.name}")
-    found_mistakes = find_mistakes()
-    print("\n".join(found_mistakes), end="\n" if found_mistakes else "")
-    sys.exit(bool(found_mistakes))
+            print(f"renumber_text {changed_path.name}")
+    mistakes = find_mistakes()
+    print("\n".join(mistakes), end="\n" if mistakes else "")
+    sys.exit(bool(mistakes))

@@ -1,4 +1,4 @@
-"""A Sphinx extension: what the book's pages are made of, decided on the document tree.
+"""A Sphinx extension that prepares the document tree of the book's pages.
 
 Folded boxes become `<details>`, which work without a script; tables get a box to scroll in;
 formulas become MathML. Pictures are in `pictures.py`.
@@ -51,9 +51,11 @@ def is_long(tex: str) -> bool:
     return len(SIGN.findall(tex)) > LINE
 
 
-def formula(node: nodes.Element, tex: str, display: bool = False) -> str:
-    """A formula in MathML, in a line with places where it may break if it is long; one that cannot
-    be set is told with its place, and stays TeX."""
+def convert_formula(node: nodes.Element, tex: str, display: bool = False) -> str:
+    """Convert a formula to MathML, which may break between its parts if it is long.
+
+    A formula that cannot be converted gets a warning and stays TeX.
+    """
     try:
         html = typeset.convert_to_mathml(tex, display)
         if display or "<mtable" in html or not is_long(tex):
@@ -65,8 +67,8 @@ def formula(node: nodes.Element, tex: str, display: bool = False) -> str:
 
 
 def visit_math(translator, node) -> None:
-    """A matrix may scroll."""
-    html = formula(node, node.astext())
+    """Write a formula within a line, with a box that scrolls around a matrix."""
+    html = convert_formula(node, node.astext())
     scrolls = "<mtable" in html
     translator.body.append(f'<span class="matrix">{html}</span>' if scrolls else html)
     raise nodes.SkipNode
@@ -84,7 +86,7 @@ def visit_math_block(translator, node) -> None:
         translator.add_permalink_ref(node, "Link to this equation")
         translator.body.append("</span>")
     rows = r"\\" in WITHIN.sub("", tex) and not node.get("no-wrap")
-    html = formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
+    html = convert_formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
     translator.body.append(f'<div class="display">{html}</div></div>\n')
     raise nodes.SkipNode
 
@@ -97,12 +99,11 @@ def depart_folded_code(translator, _node) -> None:
     translator.body.append("</details>\n")
 
 
-def fold(box: nodes.Element) -> None:
-    """Turn a box with a title into one that is opened at its title."""
+def fold_box(box: nodes.Element) -> None:
+    """Turn a box with a title into a box that is opened at its title."""
     title, *rest = box.children
-    for link in list(
-        title.findall(nodes.reference)
-    ):  # in what is pressed to open, nothing else can be pressed
+    # A summary is pressed to open its box, so that it holds no links.
+    for link in list(title.findall(nodes.reference)):
         link.replace_self(link.children)
     names = " ".join(name for name in box["classes"] if name != "dropdown")
     first, more = box["ids"][:1], box["ids"][1:]
@@ -110,8 +111,8 @@ def fold(box: nodes.Element) -> None:
     others = "".join(f'<span id="{name}"></span>' for name in more)
     start = f'<details class="admonition {names}"{ids}><summary class="admonition-title">{others}'
     raw = [nodes.raw("", text, format="html") for text in (start, "</summary>", "</details>")]
-    place = box.parent.index(box)
-    box.parent[place : place + 1] = [
+    index = box.parent.index(box)
+    box.parent[index : index + 1] = [
         raw[0],
         nodes.inline("", "", *title.children),
         raw[1],
@@ -120,13 +121,12 @@ def fold(box: nodes.Element) -> None:
     ]
 
 
-def keep_together(formula: nodes.math) -> None:
-    """No line begins with the unit or the comma behind a formula, and none ends with the bracket or
-    quote before it."""
-    place, parent = formula.parent.index(formula), formula.parent
+def join_to_neighbours(formula: nodes.math) -> None:
+    """Keep a formula on a line with the bracket before it and the unit or comma behind it."""
+    position, parent = formula.parent.index(formula), formula.parent
     before, after = (
         parent[k] if 0 <= k < len(parent) and isinstance(parent[k], nodes.Text) else nodes.Text("")
-        for k in (place - 1, place + 1)
+        for k in (position - 1, position + 1)
     )
     opened, closed = OPENED.search(before), AFTER.match(after)
     front, behind = opened[0] if opened else "", closed[0] if closed else ""
@@ -140,25 +140,28 @@ def keep_together(formula: nodes.math) -> None:
         parent.replace(after, nodes.Text(after[len(behind) :]))
 
 
-def keep_whole(text: nodes.Text) -> None:
-    """No line begins with the unit of a number, or within an index or a command's option; what is
-    to be typed keeps its straight quotes."""
+def keep_words_unbroken(text: nodes.Text) -> None:
+    """Keep units with their numbers, and indices and options of commands unbroken.
+
+    Code that is to be typed keeps its straight quotes.
+    """
     if isinstance(text.parent, nodes.FixedTextElement | nodes.math):
         return
-    kept, whole = text, OPTION
+    changed, unbroken = text, OPTION
     if not isinstance(text.parent, nodes.literal):
-        kept = MEASURED.sub(lambda found: found[0].replace(" ", SPACE), TYPED.sub(r'"\1"', text))
-        whole = INDEXED
+        typed = TYPED.sub(r'"\1"', text)
+        changed = MEASURED.sub(lambda match: match[0].replace(" ", SPACE), typed)
+        unbroken = INDEXED
     parts = [
         nodes.inline("", part, classes=["unbroken"]) if k % 2 else nodes.Text(part)
-        for k, part in enumerate(whole.split(kept))
+        for k, part in enumerate(unbroken.split(changed))
     ]
-    if kept != text or len(parts) > 1:
+    if changed != text or len(parts) > 1:
         text.parent.replace(text, parts)
 
 
-def thin_out(table: nodes.table) -> None:
-    """Text stands on the left anyway; where all cells are alike, the table says how."""
+def drop_alignment_classes(table: nodes.table) -> None:
+    """Drop classes of alignment that equal the default, and move a shared class to the table."""
     cells = list(table.findall(nodes.entry))
     for cell in cells:
         cell["classes"] = [name for name in cell["classes"] if name != "text-left"]
@@ -168,30 +171,28 @@ def thin_out(table: nodes.table) -> None:
             cell["classes"] = []
 
 
-def prepare(app: Sphinx, doctree: nodes.document, name: str) -> None:
-    """Fold what is to be folded, keep formulas and numbers with what follows them, and give tables
-    a box."""
+def prepare_page(app: Sphinx, doctree: nodes.document, name: str) -> None:
+    """Fold boxes, keep formulas and numbers with their units, and put tables into a box."""
     for box in list(
         doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))
     ):
-        fold(box)
+        fold_box(box)
     for formula in list(doctree.findall(nodes.math)):
-        keep_together(formula)
+        join_to_neighbours(formula)
     for text in list(doctree.findall(nodes.Text)):
-        keep_whole(text)
+        keep_words_unbroken(text)
     for table in list(doctree.findall(nodes.table)):
-        thin_out(table)
+        drop_alignment_classes(table)
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
     stills.add_stills(app, doctree, name)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    app.add_config_value(
-        "comments_config", {}, "html"
-    )  # Jupyter Book sets it for an extension not used here
+    # Jupyter Book sets this value for an extension that the book does not use.
+    app.add_config_value("comments_config", {}, "html")
     app.add_directive("arm", LiveArm)
     app.add_node(HideCodeCellNode, override=True, html=(visit_folded_code, depart_folded_code))
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
-    app.connect("doctree-resolved", prepare, priority=900)
+    app.connect("doctree-resolved", prepare_page, priority=900)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,4 +1,4 @@
-"""Print the built book into one PDF: `python -m tools.pdf`.
+"""Print the built book into a PDF by `python -m tools.pdf`.
 
 All pages become one document in the order of the contents. Chromium then tags it for screen readers
 as a whole, numbers its pages from 1 on, and keeps links between pages. Each reference names the
@@ -56,7 +56,10 @@ def extract_article(tab: Page, name: str) -> tuple[str, list[str], str]:
 
 
 def contents_html(titles: dict[str, str]) -> str:
-    """Return the table of contents, of all pages but the first; pdf.js adds page numbers."""
+    """Return the table of contents of all pages but the first, without page numbers.
+
+    pdf.js adds the numbers.
+    """
     _, *names = titles
     lines = (
         f'<li><a href="#{name.replace("/", "-")}--">{escape(titles[name])}</a></li>'
@@ -66,7 +69,7 @@ def contents_html(titles: dict[str, str]) -> str:
 
 
 def join_pages(browser: Browser) -> str:
-    """Return all pages as one HTML document."""
+    """Return all pages as a single HTML document."""
     articles, styles, titles = [], {}, {}
     tab = open_print_tab(browser)
     for name in list_pages():

@@ -36,7 +36,7 @@ def panel_sizes(svg: ET.Element) -> dict[str, tuple[int, int]]:
 
 
 def visit_image(translator, node) -> None:
-    """Write a drawing once as a whole and once for each panel, under one text alternative.
+    """Write a drawing as a whole and panel by panel, with a single text alternative.
 
     The style sheet hides one of the two forms, and browsers do not load hidden lazy images.
     """
@@ -65,14 +65,14 @@ def visit_image(translator, node) -> None:
 
 
 def _panel_image(image_start: str, panel: str, width: int, height: int, max_width: int) -> str:
-    """Return an image of one panel; its share of the widest panel keeps all at one scale."""
+    """Return an image of a panel, with its share of the widest panel as its scale."""
     limit = 1.5 * width * PIXELS_PER_UNIT["pt"]
     style = f"aspect-ratio: {width} / {height}; max-width: {limit:.0f}px; "
     return f'{image_start}#{panel}" class="panel" style="{style}--share: {width / max_width:.1%}">'
 
 
 def shorten_names(_app: Sphinx, env: BuildEnvironment) -> None:
-    """Cut MyST-NB's 64-digit names of drawings to 8 digits; pages repeat them often."""
+    """Cut MyST-NB's 64-digit names of drawings to 8 digits, since pages repeat them often."""
     for source, (pages, name) in env.images.items():
         if HASHED_NAME.fullmatch(name):
             env.images[source] = pages, name[-12:]

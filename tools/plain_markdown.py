@@ -181,7 +181,7 @@ def fold_solution(
 
 
 def explicit_ids(section: nodes.section) -> list[str]:
-    """Return the ids of a section that anchors give it; another id comes from its title."""
+    """Return the ids that anchors give a section, without the id from its title."""
     is_explicit = section.document.nametypes
     return [name for name in section["ids"] if is_explicit.get(name)]
 
@@ -261,7 +261,7 @@ def visible_parts(paragraph: nodes.paragraph) -> list[nodes.Node]:
 
 
 def register_targets(app: Sphinx, doctree: nodes.document) -> None:
-    """Let links from other files find every id: MyST looks among the headings' slugs alone."""
+    """Let links from further files find every id, since MyST searches only slugs of headings."""
     places = {name: (0, name, "") for name in doctree.ids}
     app.env.metadata[app.env.docname].setdefault("myst_slugs", {}).update(places)
 

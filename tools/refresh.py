@@ -1,7 +1,8 @@
-"""Run notebooks in place and store their outputs: `python -m tools.refresh book/02_jacobian.ipynb`.
+"""Run notebooks in place and store their outputs.
 
-Only what is the same on every machine is kept. Then figures, formulas and exercises of the whole
-book are numbered anew, with all links to them.
+The command is `python -m tools.refresh book/02_jacobian.ipynb`. Outputs that differ
+between machines are dropped. Then figures, formulas and exercises of the whole book are numbered
+anew, with all links to them.
 """
 
 import re
@@ -12,7 +13,7 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
-from tools.citations import cite
+from tools.citations import write_citations
 from tools.numbering import find_mistakes, renumber
 from tools.setup_note import write_setup_note
 
@@ -40,14 +41,14 @@ def draws_only(cell: nbformat.NotebookNode, below: nbformat.NotebookNode) -> boo
     return bool(is_code and has_caption and not REPORTS_RESULT.search(cell.source))
 
 
-def dress(notebook: nbformat.NotebookNode, page: str) -> None:
-    """Write what the other cells of a notebook determine: its note, folds and citations."""
+def write_derived_cells(notebook: nbformat.NotebookNode, page: str) -> None:
+    """Write the parts of a notebook that follow from its cells: note, folds and citations."""
     write_setup_note(notebook, page)
     hide_drawing_code(notebook)
-    cite(notebook)
+    write_citations(notebook)
 
 
-def refresh(path: Path) -> None:
+def refresh_notebook(path: Path) -> None:
     """Run a notebook in its own folder and write it back with its outputs."""
     notebook = nbformat.read(path, as_version=4)
     about = {key: notebook.metadata[key] for key in ("myst",) if key in notebook.metadata}
@@ -64,7 +65,7 @@ def refresh(path: Path) -> None:
                 output["metadata"] = {}
         if cell.cell_type == "code":
             cell.metadata.pop("jupyter", None)
-    dress(notebook, path.stem)
+    write_derived_cells(notebook, path.stem)
     nbformat.write(notebook, path)
 
 
@@ -72,6 +73,6 @@ if __name__ == "__main__":
     for changed_path in renumber():
         print(f"renumbered {changed_path.name}")
     for name in sys.argv[1:]:
-        refresh(Path(name))
+        refresh_notebook(Path(name))
         print(name)
     sys.exit("\n".join(find_mistakes()) or None)

@@ -1,4 +1,4 @@
-"""Take the README's screenshots from the built book: `python -m tools.screenshots`."""
+"""Take the README's screenshots from the built book by `python -m tools.screenshots`."""
 
 from pathlib import Path
 
@@ -25,7 +25,7 @@ def capture_chapter(browser: Browser) -> None:
 
 
 def capture_explorer(browser: Browser) -> None:
-    """Capture an explorer in chapter 5 that lists all joint vectors of one pose."""
+    """Capture an explorer in chapter 5 that lists all joint vectors of a pose."""
     page = browser.new_page(viewport={"width": 720, "height": 1000}, color_scheme="light")
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
     explorer = page.locator(".cell .arm-explorer:not([data-figure])").first

@@ -1,4 +1,4 @@
-"""Write the search index of the book: a script that the search loads when a reader first uses it.
+"""Write the search index of the book as a script that the first search loads.
 
 Sphinx's own search fetches each page for the text around a hit, which a browser forbids on pages
 opened from a file (sphinx-doc/sphinx#10407). Here the text comes with the index. A section, an
@@ -81,8 +81,10 @@ def is_solution(node: nodes.Node) -> bool:
 
 
 def iterate_text(node: nodes.Node) -> Iterator[str]:
-    """Yield the readable text of a node, without code, outputs, long formulas, solutions and the
-    parts that are entries of their own."""
+    """Yield the readable text of a node.
+
+    Code, outputs, long formulas, solutions and parts that are separate entries are left out.
+    """
     if isinstance(node, nodes.Text):
         yield node.astext()
     elif node.get("reftype") == "ref" and not node["refexplicit"]:
@@ -100,13 +102,13 @@ def iterate_text(node: nodes.Node) -> Iterator[str]:
 
 
 def join_text(parts: list[nodes.Node]) -> str:
-    """Return the readable text of nodes in one line."""
+    """Return the readable text of nodes in a line."""
     text = " ".join(" ".join("".join(iterate_text(part)) for part in parts).split())
-    return re.sub(r"\s+(?=[,.;:)])", "", text)  # where a formula was left out
+    return re.sub(r"\s+(?=[,.;:)])", "", text)  # a long formula left a blank
 
 
 def make_entry(title: nodes.Node, anchor: str, parts: list[nodes.Node]) -> Entry:
-    """Make an entry from its title, its place and what stands below the title."""
+    """Make an entry from its title, its anchor and the nodes below the title."""
     name = "".join(text for child in title.children for text in iterate_text(child))
     return {
         "anchor": anchor,
@@ -175,7 +177,7 @@ def forget_page(_app: Sphinx, env: BuildEnvironment, page: str) -> None:
 
 
 def get_kind(env: BuildEnvironment, page: str) -> str:
-    """Return what a page is: a numbered chapter, an answer sheet, a list or a side page."""
+    """Return whether a page is a "chapter", an answer "sheet", a "list" or a "side" page."""
     if page in env.toc_secnumbers:
         return "chapter"
     if page.startswith(SHEETS):

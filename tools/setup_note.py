@@ -1,4 +1,4 @@
-"""The note below each notebook's title: what the notebook is and how to get `helpers`.
+"""Write the note below each notebook's title on how to get `helpers`.
 
 `tools/refresh.py` writes it, with the addresses that `book/_config.yml` has by then. The pages
 leave it out (tag `remove-cell`), since they are the readable book and run nothing.
@@ -15,7 +15,7 @@ PACKAGE = "manipulator-homework-helpers[explorer]"
 IMPORT_COMMENT = "# No module helpers? The note above says how to get it.\n"
 
 
-def setup_note(
+def format_setup_note(
     page: str, book_address: str = "", repository: str = "", *, links_to_answers: bool = False
 ) -> str:
     """Return the note of a notebook.
@@ -52,7 +52,7 @@ def write_setup_note(notebook: nbformat.NotebookNode, page: str) -> None:
     """Write the note below the title, and a comment that points to it above the first import."""
     cells = [cell for cell in notebook.cells if cell.get("id") != CELL_ID]
     links_to_answers = any("](answers/" in cell.source for cell in cells)
-    text = setup_note(page, *read_addresses(), links_to_answers=links_to_answers)
+    text = format_setup_note(page, *read_addresses(), links_to_answers=links_to_answers)
     note = nbformat.v4.new_markdown_cell(text, id=CELL_ID)
     note.metadata["tags"] = ["remove-cell"]
     notebook.cells = [cells[0], note, *cells[1:]]

@@ -39,7 +39,7 @@ BuildHtml = Callable[[str, str, int], str]
 
 
 class PageScripts:
-    """The scripts of one page, and the style sheets that its figures share.
+    """The scripts of a page, and the style sheets that its figures share.
 
     Args:
         root: Path from the page to the top folder of the book, as "../".
@@ -78,7 +78,7 @@ class PageScripts:
 
 
 def load_script(script: Path) -> BuildHtml:
-    """Load a bundle, and return the function that builds the HTML of one of its parts.
+    """Load a bundle, and return the function that builds the HTML of a live part.
 
     The function takes the kind of figure ("" for an explorer or a form), the part's data as JSON,
     and its number on the page.
