@@ -20,6 +20,10 @@ import { joinList } from "../../../judge/sentences.js";
  *   guessed
  */
 
+/** @typedef {import("./question.js").Question} Question */
+/** @typedef {import("./question.js").ListedArm} ListedArm */
+/** @typedef {import("../../../judge/advice.js").Advice} Advice */
+
 const NO_CORRECTION = { spellcheck: "false", autocomplete: "off", autocapitalize: "off" };
 /** @type {Record<string, Field>} */
 const FIELDS = {
@@ -81,6 +85,7 @@ function makeControl({ choices, rows, hint }, id, options) {
     : h("input", { ...NO_CORRECTION, ...shared });
 }
 
+/** @param {Field} field @param {string} id @param {HTMLElement} control */
 function makeBox({ label, hint, rows }, id, control) {
   const below = hint === undefined || rows ? [] : [h("p.about", { id: `${id}-hint` }, hint)];
   return h("div.field", {}, h("label", { for: id }, label), control, ...below);
@@ -89,14 +94,14 @@ function makeBox({ label, hint, rows }, id, control) {
 /**
  * Build the form: its controls and their boxes, both by field, and the folded line.
  * @param {string} id
- * @param {any[]} arms
- * @param {any} given fields that the chapter fixes; they are not shown
+ * @param {ListedArm[]} arms
+ * @param {Partial<Question>} [given] fields that the chapter fixes; they are not shown
  */
 export function buildForm(id, arms, given) {
   const asks = Object.entries(QUESTIONS).map(([key, { title }]) => [key, title]);
   const whose = arms.map((arm) => [arm.key, getDisplayName(arm.title)]);
   const own = arms.length > 1 && given ? [] : [[OWN_ARM, "My own table"]];
-  /** @type {Record<string, any>} */
+  /** @type {Record<string, Field>} */
   const all = {
     ask: { label: "Question", choices: asks },
     arm: { label: "Arm", choices: [...whose, ...own] },
@@ -173,7 +178,11 @@ const listGivenFields = (given, arms) => [
   ...("q" in given ? ["unit"] : []),
 ];
 
-// Describe a chapter's question in one line.
+/**
+ * Describe a chapter's question in one line.
+ * @param {Partial<Question>} question
+ * @param {ListedArm[]} arms
+ */
 function describeQuestion({ ask, q, wrench }, arms) {
   const whose = arms.length === 1 ? `, ${arms[0].title}` : "";
   return [`${QUESTIONS[ask].title}${whose}`, q && `q = (${q})`, wrench && `wrench (${wrench})`]
@@ -210,8 +219,8 @@ export function adaptForm({ fields, boxes, told, folded }, question, arms) {
 /**
  * List the names of the numbers that a field's grid has; empty for a field without one.
  * @param {string} key
- * @param {import("./question.js").Question} question
- * @param {any[]} arms
+ * @param {Question} question
+ * @param {ListedArm[]} arms
  */
 export function listNumberNames(key, { ask, arm: armKey }, arms) {
   const arm = arms.find((listed) => listed.key === armKey);
@@ -240,15 +249,17 @@ const listJointNames = (arm) => {
 };
 
 /**
- * The field that an advice of the judge sets, and its new value.
- * @type {Record<string, (value: any, question: any, arms: any[]) => [string, string | undefined]>}
+ * The field that an advice of the judge sets, and its new value; undefined if the page has none.
+ * @typedef {(value: Advice["value"], question: Question, arms: ListedArm[]) =>
+ *   [string, string | undefined]} FieldSetter
  */
+/** @type {Record<string, FieldSetter>} */
 const FIELD_SETTERS = {
-  angles: (value, { ask }) => [ask === "table" ? "angles" : "unit", value],
+  angles: (value, { ask }) => [ask === "table" ? "angles" : "unit", String(value)],
   angularFirst: (value) => ["first", value ? "omega" : "v"],
   frame: (value) => ["frame", String(value)],
-  convention: (value) => ["convention", value],
-  lengths: (value) => ["lengths", value],
+  convention: (value) => ["convention", String(value)],
+  lengths: (value) => ["lengths", String(value)],
   locked: (value, { arm }) => ["arm", `${arm}.lock(${value})`],
   arm: (value, _, arms) => ["arm", arms.find(({ title }) => title === value)?.key],
   values: (value, { values }) => ["values", [values, `${value} = `].filter(Boolean).join(", ")],
@@ -256,8 +267,9 @@ const FIELD_SETTERS = {
 
 /**
  * Turn an advice of the judge into a button's text and action; null if it changes nothing here.
- * @param {import("../../../judge/advice.js").Advice} advice
- * @param {import("./question.js").Question} question
+ * @param {Advice} advice
+ * @param {Question} question
+ * @param {ListedArm[]} arms
  */
 export function makeOffer({ field, value }, question, arms) {
   const [key, to] = FIELD_SETTERS[field]?.(value, question, arms) ?? [];

@@ -6,7 +6,7 @@ import { mount } from "./page.js";
 export { mount };
 export { ask } from "../../../judge/index.js";
 
-const script = /** @type {any} */ (globalThis.document?.currentScript);
+const script = /** @type {HTMLScriptElement} */ (globalThis.document?.currentScript);
 if (script) {
   const book = new URL("..", script.src).href;
   for (const [i, stub] of document.querySelectorAll(".arm-judge").entries())

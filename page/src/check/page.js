@@ -30,6 +30,16 @@ import { addToolButtons } from "./tools.js";
 
 /** @typedef {import("./question.js").Question} Question */
 /** @typedef {import("./question.js").Outcome} Outcome */
+/** @typedef {import("./question.js").ListedArm} ListedArm */
+/**
+ * What the page offers to a form.
+ * @typedef {object} PageData
+ * @property {ListedArm[]} arms
+ * @property {Question[]} examples
+ * @property {Partial<Question>} [given] fields that a chapter fixes
+ * @property {string} scope name of the form in the browser's storage
+ */
+/** @typedef {InputEvent & { target: import("./still_form.js").Control }} FieldEvent */
 
 const MAX_SHOWN_LENGTH = 50_000; // characters; a longer answer is not shown in its field
 const READ_DELAY = 120; // ms after the last key before the answer is read
@@ -53,7 +63,8 @@ export function mount(stub, book, id) {
   const { arms, examples = [], given } = JSON.parse(stub.querySelector("script").textContent);
   const form = buildForm(id, arms, given);
   const check = new AnswerCheck(form, { arms, examples, given, scope: nameScope(given, id) });
-  form.form.addEventListener("input", (event) => check.handleInput(/** @type {any} */ (event)));
+  const handleInput = (/** @type {FieldEvent} */ event) => check.handleInput(event);
+  form.form.addEventListener("input", handleInput);
   form.form.addEventListener("submit", (event) => event.preventDefault());
   addToolButtons(check, book);
   addFileInput(check, stub);
@@ -136,7 +147,7 @@ function readLinks(check, stub) {
 export class AnswerCheck {
   /**
    * @param {ReturnType<typeof buildForm>} form
-   * @param {{ arms: any[], examples: Question[], given?: Partial<Question>, scope: string }} page
+   * @param {PageData} page
    */
   constructor(form, { arms, examples, given, scope }) {
     this.form = form;
@@ -153,7 +164,8 @@ export class AnswerCheck {
     /** @type {Outcome} */
     this.outcome = {};
     this.listeners = [];
-    this.timer = /** @type {any} */ (0);
+    /** @type {ReturnType<typeof setTimeout>} */
+    this.timer = undefined;
     for (const [key, grid] of Object.entries(form.grids))
       grid.onChange = (text) => this.typeInto(key, text);
     form.fields.answer.addEventListener("focus", () => this.raiseAnswerField());
@@ -296,6 +308,7 @@ export class AnswerCheck {
     this.begin(this.makeFirstQuestion());
   }
 
+  /** @param {FieldEvent} event */
   handleInput({ target, inputType }) {
     const { fields } = this.form;
     const key = Object.keys(fields).find((name) => fields[name] === target);

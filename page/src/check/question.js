@@ -15,6 +15,10 @@ import { checkTable } from "./topics/table.js";
 /** @typedef {import("../../../judge/verdict.js").Verdict} Verdict */
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /**
+ * An arm of the page's list; `explorer` is its name there, if the explorer has it.
+ * @typedef {Arm & { key: string, title: string, explorer?: string }} ListedArm
+ */
+/**
  * Judges an answer; throws ArmError if it cannot be judged.
  * @typedef {(question: Question, arm: Arm) => Verdict} Checker
  */
@@ -264,8 +268,7 @@ export function judgeQuestion(question, arms) {
   }
 }
 
-const findTokens = (/** @type {any} */ { tokens, typed, table }) =>
-  tokens ?? typed?.tokens ?? table?.tokens;
+const findTokens = (/** @type {Verdict} */ { tokens, typed }) => tokens ?? typed?.tokens;
 
 const hasPose = ({ ask }) => QUESTIONS[ask].fields.includes("q");
 const findMissingField = (question, arm) =>

@@ -13,16 +13,27 @@ const TABLE_HEADERS = ["a (m)", "α", "d (m)", "θ"];
 const MAX_ROWS = 40;
 const MAX_CELLWISE_LENGTH = 8000; // characters of an answer that is shown without a verdict
 
+/** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /** @typedef {import("./question.js").Question} Question */
+/** @typedef {import("./question.js").Outcome} Outcome */
+/**
+ * The cells of an answer, as they were read.
+ * @typedef {object} Reading
+ * @property {string[]} columns their headers
+ * @property {string[]} rows their headers
+ * @property {(row: number, column: number) => HTMLElement} cell makes a cell
+ * @property {number} [unread] count of cells that could not be read
+ */
 
 /**
  * Show how the answer was read: formulas typeset, wrong cells marked, unreadable cells as typed.
+ * @param {HTMLElement} region
  * @param {Question} question
+ * @param {Outcome} outcome
  */
-export function showReading(place, question, outcome) {
-  /** @type {any} */
+export function showReading(region, question, outcome) {
   const reading = getReading(question, outcome);
-  place.hidden = !reading;
+  region.hidden = !reading;
   if (!reading) return;
   const { columns, rows, cell, unread = 0 } = reading;
   const head = h(
@@ -43,23 +54,29 @@ export function showReading(place, question, outcome) {
   const odd = unread ? `; ${unread === 1 ? "1 entry" : `${unread} entries`} could not be` : "";
   const caption = h("caption", {}, `How your answer is read${first}${odd}`);
   const kind = question.ask === "table" ? "table.read" : "table.read.grid";
-  place.replaceChildren(h(kind, {}, caption, h("thead", {}, head), h("tbody", {}, body)));
+  region.replaceChildren(h(kind, {}, caption, h("thead", {}, head), h("tbody", {}, body)));
 }
 
+/**
+ * Return the cells of an answer; null if none are shown.
+ * @param {Question} question
+ * @param {Outcome} outcome
+ * @returns {Reading | null}
+ */
 function getReading(question, outcome) {
   const { table } = outcome.verdict ?? {};
   if (table) return readTableCells(table);
   return readMatrixCells(getMatrix(question, outcome)) ?? readPartly(question, outcome);
 }
 
-/** @param {import("../../../judge/verdict.js").ReadTable} table */
+/** @param {import("../../../judge/verdict.js").ReadTable} table @returns {Reading} */
 const readTableCells = ({ cells, wrong }) => ({
   columns: TABLE_HEADERS,
   rows: cells.map((_, i) => String(i + 1)),
   cell: (i, k) => makeCell(typesetNumber(cells[i][k]), wrong[i][k]),
 });
 
-/** @param {ReturnType<typeof getMatrix>} matrix */
+/** @param {ReturnType<typeof getMatrix>} matrix @returns {Reading | null} */
 function readMatrixCells(matrix) {
   if (!matrix) return null;
   const { typed, wrong, shape } = matrix;
@@ -76,7 +93,12 @@ function readMatrixCells(matrix) {
   };
 }
 
-// Read an answer that could not be judged, cell by cell.
+/**
+ * Read an answer that could not be judged, cell by cell.
+ * @param {Question} question
+ * @param {Outcome} outcome
+ * @returns {Reading | null}
+ */
 function readPartly(question, { error, tokens, arm, q }) {
   const { ask, answer } = question;
   const isLong = answer.length > MAX_CELLWISE_LENGTH;
@@ -106,7 +128,13 @@ function findLargestBlock(text) {
     .map((row) => row.map((cell) => cell.text));
 }
 
-// Return whether a cell is a formula with a meaning for this arm.
+/**
+ * Return whether a cell is a formula with a meaning for this arm.
+ * @param {string} ask kind of question
+ * @param {string} text
+ * @param {Arm} arm
+ * @param {number[]} [q]
+ */
 function isReadable(ask, text, arm, q) {
   const named = ask === "branches" || ask === "pose";
   const bare = plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "");
