@@ -2,7 +2,7 @@
 // line of JSON out, until nobody asks.
 
 import { createInterface } from "node:readline";
-import { computeHoldingTorques, jacobianColumns, movingRows, linkFrames, frameMatrix, wrenchTorque } from "../judge/geometry/kinematics.js";
+import { computeHoldingTorques, jacobianColumns, movingRows, linkFrames, frameMatrix, computeWrenchTorques } from "../judge/geometry/kinematics.js";
 import { isSameMachine } from "../judge/geometry/axes.js";
 import { findClosedForm, needsPose, solveInverse } from "../judge/geometry/inverse.js";
 import { determinant, decomposeSingular } from "../judge/geometry/linear.js";
@@ -20,7 +20,7 @@ function numbers(arm, q, wrench) {
   const frames = linkFrames(arm, q);
   const columns = jacobianColumns(arm, frames);
   return {
-    frames: frames.map(frameMatrix), columns, gravity: computeHoldingTorques(arm, frames), push: wrenchTorque(columns, wrench),
+    frames: frames.map(frameMatrix), columns, gravity: computeHoldingTorques(arm, frames), push: computeWrenchTorques(columns, wrench),
     values: decomposeSingular(columns).values, determinant: determinant(columns),
   };
 }

@@ -18,25 +18,29 @@ import { tableMistakes } from "./chain.js";
 /** @typedef {import("../matching.js").Solutions} Solutions */
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 
-const COARSE = 0.0175; // rad or m: with a unit above one degree some slip would fit anything
+const COARSEST_DIGIT = 0.0175; // rad or m: with a coarser one some mistake would fit anything
 const QUARTER = Math.PI / 2;
 const NUDGE = 1e-6; // rad or m: a difference for a derivative
 
 /**
- * @param {Solutions} right @param {Answer} answer
+ * Explain joint values that equal no branch.
+ * @param {Solutions} right
+ * @param {Answer} answer
+ * @param {number} number of the answer, from 1
+ * @param {number | null} tolerance
  * @returns {{ causes: Cause[], finding: Finding }}
  */
 export function explainWrongAnswer(right, answer, number, tolerance) {
   const where = formatMessage("answer", { number });
-  const plainly = (key) => ({
+  const reportWithoutCause = (key) => ({
     causes: [],
     finding: { what: "answer", where, words: formatMessage(key, { number }) },
   });
-  if (!right.branches.length) return plainly("ik no branch");
-  if (reachesTarget(right, answer.values)) return plainly("ik unlisted");
-  const [away, turned] = measureMiss(right, answer.values);
-  const { causes, words } = why(right, answer, tolerance);
-  const off = describeMiss(away, answer.values.length >= 6 ? turned : 0);
+  if (!right.branches.length) return reportWithoutCause("ik no branch");
+  if (reachesTarget(right, answer.values)) return reportWithoutCause("ik unlisted");
+  const [distance, angle] = measureMiss(right, answer.values);
+  const { causes, words } = findBranchCauses(right, answer, tolerance);
+  const off = describeMiss(distance, answer.values.length >= 6 ? angle : 0);
   const what = causes.length ? causeName(causes[0]) : "answer";
   return {
     causes,
@@ -47,85 +51,92 @@ export function explainWrongAnswer(right, answer, number, tolerance) {
 // Explain joint values by a mix of two branches, by one mistake, or by one mistake with a wrong
 // shoulder; if none fits, name the joints that occur in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
-function why(right, answer, tolerance) {
+function findBranchCauses(right, answer, tolerance) {
   const fits = matchJointsByBranch(right, answer, tolerance);
-  const mixed = mixedOf(right, fits);
-  if (mixed) return orPlus(mixed, right, answer, tolerance);
-  const causes = mended(right, answer, tolerance);
+  const mixed = explainMixedBranches(right, fits);
+  if (mixed) return addElbowFormula(mixed, right, answer, tolerance);
+  const causes = listCauses(right, answer, tolerance);
   if (causes.length) return { causes, words: uncapitalize(joinCauseMessages(causes)) };
-  const astray = jointNames(right.arm).filter((_, k) => !fits.some((row) => row[k]));
-  const key = astray.length > 1 ? "ik in no branch" : "ik one in no branch";
-  return { causes: [], words: formatMessage(key, { joints: joinList(astray) }) };
+  const strayJoints = jointNames(right.arm).filter((_, k) => !fits.some((row) => row[k]));
+  const key = strayJoints.length > 1 ? "ik in no branch" : "ik one in no branch";
+  return { causes: [], words: formatMessage(key, { joints: joinList(strayJoints) }) };
 }
 
-// In a planar arm slip 12 gives the second angle of the other elbow, so both causes are stated.
-function orPlus(mixed, right, answer, tolerance) {
-  const [plus] = jointMistakes(right.arm).filter(([{ keys }]) =>
+// Add slip 12 to a mix of branches: in a planar arm both give the other elbow's second angle.
+function addElbowFormula(mixed, right, answer, tolerance) {
+  const [elbow] = jointMistakes(right.arm).filter(([{ keys }]) =>
     keys.includes("ik.plus for minus"),
   );
-  if (!plus || findBranch(right, undone(answer, plus[1]), tolerance) < 0) return mixed;
+  if (!elbow || findBranch(right, undoMistake(answer, elbow[1]), tolerance) < 0) return mixed;
   const words = formatMessage("or", {
     first: mixed.words,
-    others: uncapitalize(causeMessage(plus[0])),
+    others: uncapitalize(causeMessage(elbow[0])),
   });
-  return { causes: [...mixed.causes, plus[0]], words };
+  return { causes: [...mixed.causes, elbow[0]], words };
 }
 
 // Return whether an answer fits a branch and, with so few digits, a mistake in that branch as well.
 export const looksLikeMistake = (right, answer) =>
-  jointMistakes(right.arm).some(([, mend]) =>
+  jointMistakes(right.arm).some(([, undo]) =>
     right.branches.some(({ q, free }) => {
-      const made = { values: mend(q), units: answer.units };
-      const slipped = { ...right, branches: [{ q: made.values, free }] };
-      const both = findBranch(right, answer, null) >= 0 && findBranch(slipped, answer, null) === 0;
-      return both && changes(right, { values: q, units: q.map(() => 0) }, made);
+      const mistaken = { values: undo(q), units: answer.units };
+      const withMistake = { ...right, branches: [{ q: mistaken.values, free }] };
+      const fitsBoth =
+        findBranch(right, answer, null) >= 0 && findBranch(withMistake, answer, null) === 0;
+      return fitsBoth && exceedsDigits(right, { values: q, units: q.map(() => 0) }, mistaken);
     }),
   );
 
 // List the mistakes without which an answer would equal a branch or reach the target by another
 // table; if there are none, those without which only the shoulder would differ.
-function mended(right, answer, tolerance) {
-  const each = [...jointMistakes(right.arm), ...kept(right, answer)];
-  const without = each.map(([one, mend]) => ({ cause: one, mended: undone(answer, mend) }));
-  const worth = without.filter((one) => fine(one.mended) && changes(right, answer, one.mended));
-  const by = (test) => worth.filter((one) => test(one.mended)).map((one) => one.cause);
-  const plain = by((one) => findBranch(right, one, tolerance) >= 0);
-  const arrives = (change) => reachesTarget(right, answer.values, answer.units, change);
-  const changed = arrives() || !fine(answer) ? [] : tableMistakes(right.arm);
-  const tables = changed.flatMap(([one, change]) => (arrives(change) ? [one] : []));
-  if (plain.length || tables.length) return distinct([...plain, ...tables]);
-  const turned = by((one) => shoulderAlone(matchJointsByBranch(right, one, tolerance)));
-  return distinct(turned).map((one) => combineCauses(one, makeCause("ik.shoulder")));
+function listCauses(right, answer, tolerance) {
+  const undone = [...jointMistakes(right.arm), ...listQuarterTurns(right, answer)]
+    .map(([cause, undo]) => ({ cause, corrected: undoMistake(answer, undo) }))
+    .filter(({ corrected }) => hasFineDigits(corrected) && exceedsDigits(right, answer, corrected));
+  const selectCauses = (isRight) =>
+    undone.flatMap(({ cause, corrected }) => (isRight(corrected) ? [cause] : []));
+  const single = selectCauses((corrected) => findBranch(right, corrected, tolerance) >= 0);
+  const reaches = (change) => reachesTarget(right, answer.values, answer.units, change);
+  const tableChanges = reaches() || !hasFineDigits(answer) ? [] : tableMistakes(right.arm);
+  const tables = tableChanges.flatMap(([cause, change]) => (reaches(change) ? [cause] : []));
+  if (single.length || tables.length) return dropRepeatedCauses([...single, ...tables]);
+  const withShoulder = selectCauses((corrected) =>
+    isOnlyShoulderWrong(matchJointsByBranch(right, corrected, tolerance)),
+  );
+  const shoulder = makeCause("ik.shoulder");
+  return dropRepeatedCauses(withShoulder).map((cause) => combineCauses(cause, shoulder));
 }
 
-const fine = ({ units }) => Math.max(...units) <= COARSE;
+const hasFineDigits = ({ units }) => Math.max(...units) <= COARSEST_DIGIT;
 
-const distinct = (found) =>
-  found.filter((one, i) => found.findIndex((other) => causeName(other) === causeName(one)) === i);
+function dropRepeatedCauses(causes) {
+  const names = causes.map(causeName);
+  return causes.filter((_, i) => names.indexOf(names[i]) === i);
+}
 
 // Undo a mistake in an answer, and carry the units of its last places along.
-function undone({ values, units }, mend) {
-  const without = mend(values);
-  const slope = values.map(
-    (_, k) => (mend(values.map((x, i) => (i === k ? x + NUDGE : x)))[k] - without[k]) / NUDGE,
+function undoMistake({ values, units }, undo) {
+  const corrected = undo(values);
+  const slopes = values.map(
+    (_, k) => (undo(values.map((x, i) => (i === k ? x + NUDGE : x)))[k] - corrected[k]) / NUDGE,
   );
-  return { values: without, units: units.map((u, k) => u * Math.abs(slope[k] || 1)) };
+  return { values: corrected, units: units.map((unit, k) => unit * Math.abs(slopes[k] || 1)) };
 }
 
-// Return whether a mistake changes more than the typed digits; near 0, degrees look like radians.
-const changes = ({ arm }, { values, units }, without) => {
+// Return whether a mistake changes more than the typed digits. Near 0, degrees look like radians.
+const exceedsDigits = ({ arm }, { values, units }, corrected) => {
   const turns = revoluteFlags(arm);
   return values.some((x, k) => {
-    const gap = Math.abs(x - without.values[k]) % (turns[k] ? 2 * Math.PI : Infinity);
+    const gap = Math.abs(x - corrected.values[k]) % (turns[k] ? 2 * Math.PI : Infinity);
     return gap > Math.max(units[k], 1e-3);
   });
 };
 
 /**
- * theta_1 = +-pi/2 kept from the singular case of an offset shoulder: slips 14 and 15.
+ * List theta_1 = +-pi/2 kept from the singular case of an offset shoulder: slips 14 and 15.
  * @returns {[Cause, (q: number[]) => number[]][]}
  */
-function kept({ branches }, { values: [first], units: [unit] }) {
+function listQuarterTurns({ branches }, { values: [first], units: [unit] }) {
   if (Math.abs(Math.abs(first) - QUARTER) > Math.max(unit, 1e-4)) return [];
   return branches.map((branch) => [
     makeCause("ik.quarter turn"),
@@ -134,7 +145,7 @@ function kept({ branches }, { values: [first], units: [unit] }) {
 }
 
 // Return whether an answer is a branch with the first joint of another: report E's list, chapter 5.
-const shoulderAlone = (fits) =>
+const isOnlyShoulderWrong = (fits) =>
   fits[0].length > 2 &&
   fits.some(([first]) => first) &&
   fits.some(([first, ...rest]) => !first && rest.every(Boolean));
@@ -142,10 +153,10 @@ const shoulderAlone = (fits) =>
 // Explain an answer whose every joint occurs in some branch: name the branch with most of its
 // joints, and one that has the others; null if a joint occurs in none.
 /** @returns {{ causes: Cause[], words: string } | null} */
-function mixedOf({ arm, branches }, fits) {
+function explainMixedBranches({ arm, branches }, fits) {
   const names = jointNames(arm);
   if (!names.every((_, k) => fits.some((row) => row[k]))) return null;
-  if (shoulderAlone(fits))
+  if (isOnlyShoulderWrong(fits))
     return {
       causes: [makeCause("ik.shoulder")],
       words: uncapitalize(formatMessage("ik.shoulder")),

@@ -49,7 +49,7 @@ const weightOf = ({ c, T, masses, centres, gravity }) =>
 const jacobianOf = ({ c, T }) => chains.flatJacobian(c, T);
 /** @param {LoadAtPose} at */
 const forceOf = (at) =>
-  at.F.some(Boolean) ? chains.wrenchTorques(jacobianOf(at), at.F) : at.c.at.map(() => 0);
+  at.F.some(Boolean) ? chains.multiplyByTranspose(jacobianOf(at), at.F) : at.c.at.map(() => 0);
 
 /** @param {Arm} arm @param {number[][]} wrenches @param {number[]} gravity @returns {Load} */
 export function makeLoad(arm, wrenches, gravity) {
@@ -233,7 +233,7 @@ function* listWeightMistakes({ c, gravity }) {
 function* listForceMistakes({ wrenches, c }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
   const withWrench = (change) => (at) =>
-    chains.wrenchTorques(jacobianOf(at), change(at.F, at.T.at(-1)));
+    chains.multiplyByTranspose(jacobianOf(at), change(at.F, at.T.at(-1)));
   const makeForceMistake = (key, change, fields) => ({
     cause: makeCause(key, fields),
     force: withWrench(change),
@@ -248,12 +248,12 @@ function* listForceMistakes({ wrenches, c }) {
         component,
       });
   const untransposed = (at) =>
-    chains.wrenchTorques(chains.transpose(jacobianOf(at), [c.dof, 6]), at.F);
+    chains.multiplyByTranspose(chains.transpose(jacobianOf(at), [c.dof, 6]), at.F);
   if (c.dof === 6) yield { cause: makeCause("tau.J for J^T"), force: untransposed }; // handed in
   for (const [cause, recipe] of jacobianRecipes(c)) {
     // Its linear rows are all 0: for a pure force it is as if the force were missing.
     if (cause.keys[0] === "J.rows of T") continue;
-    yield { cause, force: ({ c: chain, T, F }) => chains.wrenchTorques(recipe(chain, T), F) };
+    yield { cause, force: ({ c: chain, T, F }) => chains.multiplyByTranspose(recipe(chain, T), F) };
   }
 }
 

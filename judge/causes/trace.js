@@ -9,16 +9,16 @@ import { jointMistakes } from "./joints.js";
 import { tableMistakes } from "./chain.js";
 import { makeCause } from "./ranking.js";
 import {
-  displacedPaths,
+  listDisplacedPaths,
   isPathKnown,
-  pathsWithOneMistake,
-  pathsWithTwoMistakes,
+  listPathsWithOneMistake,
+  listPathsWithTwoMistakes,
 } from "./trace_paths.js";
 
 // Error that the method of a right program may leave. Euler's method on the homework's circle stays
-// well below; a tool that turns less counts as held.
+// well below it. A tool that turns less counts as held.
 export const [METHOD_ERROR, METHOD_TILT] = [2e-3, 1 / DEG]; // m, rad
-const FINE = 1e-5; // of what the joints turn: numbers in a program have digits too, as pi = 3.1416
+const FINE = 1e-5; // share of the joint motion: constants of a program have digits, as pi = 3.1416
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/path.js").Path} Path */
@@ -26,7 +26,7 @@ const FINE = 1e-5; // of what the joints turn: numbers in a program have digits 
  * The equation that the student's loop solves: K(q_k) (q_{k+1} - q_k) = (v(t_k) dt, 0 ...). In the
  * right one K is the Jacobian, as a list row by row, and v the path's velocity.
  * @typedef {object} Rule
- * @property {Cause} [one] the mistake in it
+ * @property {Cause} [cause] the mistake in it
  * @property {(c: any, T: any[]) => number[]} [K] of an arm at a pose
  * @property {(t: number, dt: number) => number[]} [v]
  */
@@ -66,36 +66,42 @@ export function findTraceCause(run, tip, allowed, { off, shown }) {
   const { path } = run;
   if (off && !isPathKnown(path)) return null;
   const [shifted, others] = off
-    ? [displacedPaths(path, tip[0], allowed[0]), pathsWithOneMistake(path)]
+    ? [listDisplacedPaths(path, tip[0], allowed[0]), listPathsWithOneMistake(path)]
     : [[], []];
-  const named = shifted.filter(({ one }) => one.keys[0] !== "trace.displaced");
-  if (right(run)) return shiftCause(run, named, shifted, allowed);
+  const named = shifted.filter(({ cause }) => cause.keys[0] !== "trace.displaced");
+  if (followsPath(run)) return findShiftCause(run, named, shifted, allowed);
   return (
-    wrongPathCause(run, [...others, ...named], tip, allowed, off) ??
-    loopCause(run, [...speeds(path), ...others.map(ledBy), ...matrices(run)]) ??
-    jointCause(run, allowed) ??
-    pathCause(shifted, path, tip, allowed) ??
-    (shown ? loopCause(run, matrices(run), [METHOD_ERROR, METHOD_TILT]) : null) ??
-    (off ? pathCause(pathsWithTwoMistakes(path), path, tip, allowed) : null)
+    findWrongPathCause(run, [...others, ...named], tip, allowed, off) ??
+    findLoopCause(run, [
+      ...listVelocityRules(path),
+      ...others.map(makePathRule),
+      ...listMatrixRules(run),
+    ]) ??
+    findJointCause(run, allowed) ??
+    findPathCause(shifted, path, tip, allowed) ??
+    (shown ? findLoopCause(run, listMatrixRules(run), [METHOD_ERROR, METHOD_TILT]) : null) ??
+    (off ? findPathCause(listPathsWithTwoMistakes(path), path, tip, allowed) : null)
   );
 }
 
-// Explain a trajectory that follows the right rule from another start; null if it begins right.
-function shiftCause(run, named, shifted, allowed) {
+// Explain a trajectory that follows the right rule from another start. Null if it begins right.
+function findShiftCause(run, named, shifted, allowed) {
   const [shift] = shifted;
   if (!shift) return null;
-  return named[0]?.one ?? tableCause(run, allowed) ?? jointCause(run, allowed) ?? shift.one;
+  return (
+    named[0]?.cause ?? findTableCause(run, allowed) ?? findJointCause(run, allowed) ?? shift.cause
+  );
 }
 
 // Find a table mistake or another path that explains the tip's path; null if the tip is not off.
-function wrongPathCause(run, others, tip, allowed, off) {
+function findWrongPathCause(run, others, tip, allowed, off) {
   if (!off) return null;
-  return tableCause(run, allowed) ?? pathCause(others, run.path, tip, allowed);
+  return findTableCause(run, allowed) ?? findPathCause(others, run.path, tip, allowed);
 }
 
 // Find a mistake in the joint values, such as one joint in degrees, without which the tip would
 // follow the path and the tool keep its orientation.
-function jointCause({ typedRows, arm, path }, allowed) {
+function findJointCause({ typedRows, arm, path }, allowed) {
   const isHeld = typedRows[0].length >= 6;
   const isRight = (undo) => {
     const toolAt = (row) => linkFrames(arm, undo(row)).at(-1);
@@ -110,7 +116,7 @@ function jointCause({ typedRows, arm, path }, allowed) {
 }
 
 // Find a table mistake, as a forgotten pen, with which the tip would follow the path.
-function tableCause({ q, arm, path }, allowed) {
+function findTableCause({ q, arm, path }, allowed) {
   const isNear = (change) => (row, k) => {
     const tip = chainFrames(change(makeChain(arm, row))).at(-1).o;
     return norm(minus(tip, path.position(path.times[k]))) <= allowed[k];
@@ -119,59 +125,62 @@ function tableCause({ q, arm, path }, allowed) {
 }
 
 // Return the first of other paths that the tip follows as closely as allowed.
-function pathCause(others, { times }, tip, allowed) {
-  for (const { one, path } of others) {
-    const near = (p, k) => norm(minus(p, path.position(times[k]))) <= allowed[k];
-    if (tip.every(near)) return one;
+function findPathCause(others, { times }, tip, allowed) {
+  for (const { cause, path } of others) {
+    const isNear = (p, k) => norm(minus(p, path.position(times[k]))) <= allowed[k];
+    if (tip.every(isNear)) return cause;
   }
   return null;
 }
 
 /** Return whether the right rule holds to the digits, by Euler's method. @param {Run} run */
-export const followsPathByEuler = (run) => fails(run, {}) <= 1;
+export const followsPathByEuler = (run) => measureRuleError(run, {}) <= 1;
 
-// Return whether it holds by a method so exact that only the sums computed here are off.
-const right = (run) => followsPathByEuler(run) || fails(run, {}, [0, 0]) <= 1;
+// Return whether the right rule holds, by Euler's method or to the round-off of the sums here.
+const followsPath = (run) => followsPathByEuler(run) || measureRuleError(run, {}, [0, 0]) <= 1;
 
 /**
  * Find the rule by which each step follows from the one before: by Euler's method to the digits, or
  * by any method within `near`. Null if no rule's error is below half of the right one's.
  * @param {Run} run @param {Iterable<Rule>} rules @param {number[] | null} near
  */
-function loopCause(run, rules, near = null) {
-  let [best, least] = [/** @type {Cause | null} */ (null), Math.min(1, fails(run, {}, near) / 2)];
+function findLoopCause(run, rules, near = null) {
+  let [best, least] = [
+    /** @type {Cause | null} */ (null),
+    Math.min(1, measureRuleError(run, {}, near) / 2),
+  ];
   for (const rule of rules) {
-    const left = fails(run, rule, near);
-    if (left < least) [best, least] = [rule.one, left];
+    const left = measureRuleError(run, rule, near);
+    if (left < least) [best, least] = [rule.cause, left];
   }
   return best;
 }
 
 /** @param {Path} path @returns {Rule[]} */
-const speeds = (path) => [
-  { one: makeCause("trace.millimetres"), v: (t) => scaled(1e3, path.velocity(t)) }, // slip 5
-  { one: makeCause("trace.next velocity"), v: (t, dt) => path.velocity(t + dt) }, // slip 21
+const listVelocityRules = (path) => [
+  { cause: makeCause("trace.millimetres"), v: (t) => scaled(1e3, path.velocity(t)) }, // slip 5
+  { cause: makeCause("trace.next velocity"), v: (t, dt) => path.velocity(t + dt) }, // slip 21
 ];
 
-const ledBy = ({ one, path }) => ({ one, v: path.velocity });
+const makePathRule = ({ cause, path }) => ({ cause, v: path.velocity });
 
 /** @param {Run} run @returns {Generator<Rule>} */
-function* matrices({ q, arm, at }) {
+function* listMatrixRules({ q, arm, at }) {
   const [here, T] = at(0);
   const millimetres = (c, frames) =>
     flatJacobian(c, frames).map((x, i) => (i < 3 * c.dof ? 1e3 * x : x));
-  yield { one: makeCause("J.millimetres"), K: millimetres }; // slip 26
+  yield { cause: makeCause("J.millimetres"), K: millimetres }; // slip 26
   const first = flatJacobian(here, T);
-  yield { one: makeCause("trace.jacobian held"), K: () => first }; // handed in
-  for (const [one, K] of jacobianRecipes(here)) yield { one, K };
-  for (const [one, change] of tableMistakes(arm))
-    yield { one, K: (c) => flatJacobian(change(c), chainFrames(change(c))) };
+  yield { cause: makeCause("trace.jacobian held"), K: () => first }; // handed in
+  for (const [cause, K] of jacobianRecipes(here)) yield { cause, K };
+  for (const [cause, change] of tableMistakes(arm))
+    yield { cause, K: (c) => flatJacobian(change(c), chainFrames(change(c))) };
   // handed in
-  if (q[0].length >= 6) yield { one: makeCause("trace.position only"), K: linearAlone };
+  if (q[0].length >= 6) yield { cause: makeCause("trace.position only"), K: keepPositionOnly };
 }
 
 // Use the linear rows only, and require the motion that their pseudo-inverse gives.
-function linearAlone(c, T) {
+function keepPositionOnly(c, T) {
   const J = flatJacobian(c, T).slice(0, 3 * c.dof);
   const each = Array.from({ length: c.dof }, (_, k) => [0, 1, 2].map((i) => J[i * c.dof + k]));
   const still = nullSpace(each);
@@ -194,7 +203,11 @@ function linearAlone(c, T) {
  * and the difference between trapezoidal and midpoint sums.
  * @param {Run} run @param {Rule} rule @param {number[] | null} near (m, rad)
  */
-function fails({ q, units, path, at }, { K = flatJacobian, v = path.velocity }, near = null) {
+function measureRuleError(
+  { q, units, path, at },
+  { K = flatJacobian, v = path.velocity },
+  near = null,
+) {
   const first = K(...at(0));
   const rows = q[0].length < 6 ? 3 : first.length / q[0].length;
   const sum = new Array(rows).fill(0);
@@ -203,17 +216,18 @@ function fails({ q, units, path, at }, { K = flatJacobian, v = path.velocity }, 
   for (let k = 0; k + 1 < q.length; k++) {
     const [t, dt] = [path.times[k], path.times[k + 1] - path.times[k]];
     const step = subtractEach(q[k + 1], q[k]);
-    const off = (M, time) => offOf(M, step, v(time, dt), dt, rows);
+    const off = (M, time) => computeStepError(M, step, v(time, dt), dt, rows);
     const next = K(...at(k + 1));
     const change = subtractEach(next, here);
     const start = off(here, t);
     const used = near ? off(K(...at(k + 0.5)), t + 0.5 * dt) : start;
     const end = near ? off(next, t + dt) : start;
-    const gone = FINE * norm(step);
+    const roundOff = FINE * norm(step);
     for (let i = 0; i < rows; i++) {
       sum[i] += used[i];
-      may[i] += gone + reach(change, i, units[k]) + Math.abs((start[i] + end[i]) / 2 - used[i]);
-      const ends = (reach(first, i, units[0]) + reach(next, i, units[k + 1])) / 2;
+      may[i] +=
+        roundOff + boundEffect(change, i, units[k]) + Math.abs((start[i] + end[i]) / 2 - used[i]);
+      const ends = (boundEffect(first, i, units[0]) + boundEffect(next, i, units[k + 1])) / 2;
       worst = Math.max(worst, Math.abs(sum[i]) / (may[i] + ends));
     }
     if (!(worst <= 1)) return Infinity;
@@ -223,7 +237,7 @@ function fails({ q, units, path, at }, { K = flatJacobian, v = path.velocity }, 
 }
 
 // Return M step - (v dt, 0 ...), its first rows.
-function offOf(M, step, v, dt, rows) {
+function computeStepError(M, step, v, dt, rows) {
   const off = new Array(rows);
   for (let i = 0, n = 0; i < rows; i++) {
     off[i] = i < 3 ? -v[i] * dt : 0;
@@ -233,5 +247,5 @@ function offOf(M, step, v, dt, rows) {
 }
 
 // Bound the effect of errors in each joint on row i of M.
-const reach = (M, i, errors) =>
+const boundEffect = (M, i, errors) =>
   errors.reduce((sum, e, j) => sum + Math.abs(M[i * errors.length + j]) * e, 0);

@@ -175,7 +175,7 @@ export const wrenchFromFrame = (frame, F) => [
 ];
 
 /** Return J^T F. @param {number[]} J @param {number[]} F */
-export const wrenchTorques = (J, F) =>
+export const multiplyByTranspose = (J, F) =>
   Array.from({ length: J.length / 6 }, (_, k) =>
     F.reduce((sum, f, i) => sum + J[(i * J.length) / 6 + k] * f, 0),
   );

@@ -145,11 +145,11 @@ function placeBody([mass, ...com], { x, y, z, o }, row) {
 }
 
 /**
- * Return J^T F, what a wrench on the tool by the world asks of each joint.
+ * Return J^T F, the joint torques of a wrench that the world exerts on the tool.
  * @param {number[][]} columns of the Jacobian
  * @param {number[]} wrench (Fx, Fy, Fz, Mx, My, Mz) in the base frame
  */
-export const wrenchTorque = (columns, wrench) =>
+export const computeWrenchTorques = (columns, wrench) =>
   columns.map((column) => column.reduce((sum, entry, i) => sum + entry * wrench[i], 0));
 
 /**

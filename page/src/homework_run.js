@@ -12,7 +12,7 @@ import {
   minus,
   norm,
 } from "../../judge/geometry/kinematics.js";
-import { computeHoldingTorques, wrenchTorque } from "../../judge/geometry/kinematics.js";
+import { computeHoldingTorques, computeWrenchTorques } from "../../judge/geometry/kinematics.js";
 import { decomposeSingular } from "../../judge/geometry/linear.js";
 import { dotProduct, getCirclePoint, getPoseError, solvePoseFromSingular } from "./motion.js";
 import { pick, taskRows } from "../../judge/geometry/task_rows.js";
@@ -212,7 +212,7 @@ export function traceCircle(arm, start, circle = {}) {
 export const computeTorquesAlong = (arm, path, wrench) =>
   path.map((q) => {
     const frames = linkFrames(arm, q);
-    const push = wrenchTorque(jacobianColumns(arm, frames), wrench);
+    const push = computeWrenchTorques(jacobianColumns(arm, frames), wrench);
     return computeHoldingTorques(arm, frames).map((g, i) => g - push[i]);
   });
 

@@ -17,7 +17,7 @@ import {
   linkFrames,
   minus,
   norm,
-  wrenchTorque,
+  computeWrenchTorques,
 } from "../../judge/geometry/kinematics.js";
 import { determinant, simplifyBasis, decomposeSingular } from "../../judge/geometry/linear.js";
 import { pick, taskRows } from "../../judge/geometry/task_rows.js";
@@ -331,7 +331,7 @@ class Derived {
     return potentialEnergy(this.arm, this.frames);
   }
   get push() {
-    return this.#once("push", () => wrenchTorque(this.columns, this.wrench));
+    return this.#once("push", () => computeWrenchTorques(this.columns, this.wrench));
   }
   get torque() {
     return this.gravity.map((g, i) => g - this.push[i]);
