@@ -29,10 +29,10 @@ const BLANKS = /[\u00a0\u2002\u2003\u2007\u2009\u200a\u202f\u3000]/g;
  */
 export const foldBlanks = (text) => text.replace(BLANKS, " ");
 /**
- * Write each dash as a minus and each degree sign as °.
+ * Write each dash as a minus.
  * @param {import("./spans.js").SpannedText} text
  */
-export const foldSigns = (text) => text.replace(DASHES, "-").replace(/[º˚]/g, "°");
+export const foldDashes = (text) => text.replace(DASHES, "-");
 export const foldCharacter = (one) => SAME.get(one);
 // LaTeX's, which only set a formula out; a ~ before a number may be a minus.
 export const SPACING =
@@ -48,7 +48,9 @@ const ENTITIES = {
   ...{ minus: "-", nbsp: " ", times: "*", plusmn: "±" },
 };
 
-const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
+const MATRIX =
+  String.raw`\\(begin|end)\{(?:\w*matrix\*?|array|tabular\*?)\}` +
+  String.raw`(?:\[[^\]\n]{0,9}\])?(?:\{[lcr|\s]{0,60}\})?`;
 const NOUNS = "wrist|joint|step|column|link|angle|torque|axis|branch|sol(?:ution)?|lösung";
 // A noun and its number in one word.
 const joinedNoun = (noun) => `${noun.trim()}_`;
@@ -59,25 +61,16 @@ export const MATRIX_CHARACTERS = [
   [/\+?[⎛-⎭─-╬]+\+?/g, " "],
   [/\b(?:Sin|Cos|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
   [new RegExp(String.raw`\b(?:${NOUNS})[ \t]+(?=\d)`, "gi"), joinedNoun],
-  [/(?<![\p{L}\p{N}])(τ|θ|tau|theta|q)[ \t]+(?=\d[ \t]*(?:=|:|->))/giu, "$1_"],
   [/(?<=[A-Za-z]\w*\[\d{1,2})\]\[(?=\d{1,2}\])/g, ","], // J[0][1]
   [/(?<=[\p{L}\p{N}_})\]][ \t]+)(?:is|equals)(?=[ \t]+[-+≈~]?[ ]?[.\d])/gu, "="],
-  [/\\pm\b/g, "±"],
   [/\.\.\.[ \t]*\n/g, CONTINUED],
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
-  [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns
-  [
-    new RegExp(String.raw`\\begin\{${MATRIX}\}(?:\[[^\]\n]{0,9}\])?(?:\{[lcr|\s]{0,60}\})?`, "g"),
-    "[",
-  ],
-  [new RegExp(String.raw`\\end\{${MATRIX}\}`, "g"), "]"],
-  [/\\(?:begin|end)\{[a-z]{1,20}\*?\}/g, ROW_END],
+  [new RegExp(MATRIX, "g"), (_, end) => (end === "begin" ? "[" : "]")],
   [/\\(?:hline|(?:top|mid|bottom)rule|c(?:line|midrule)\{[^{}\n]{0,20}\})/g, " "],
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
-  [/<\/t[dh]>\s*<t[dh][^<>\n]{0,60}>/gi, " | "], // a page's table
   [/&(pi|theta|alpha|tau|deg|minus|nbsp|times|plusmn|omega);/g, (_, name) => ENTITIES[name]],
-  [/<\/?(?:table|tr|t[dh])\b[^<>\n]{0,60}>/gi, " "],
+  [/<\/?(?:table|tr|(t[dh]))\b[^<>\n]{0,60}>/gi, (_, cell) => (cell ? " | " : " ")], // of a page
   [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
   [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
   [/(?<=\d)\{,\}(?=\d)/g, ","],

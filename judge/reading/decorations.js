@@ -15,7 +15,12 @@ const UNIT =
   String.raw`°|mm?|cm|m\/s|rad\/s`;
 const SIUNITX = { newton: "N", metre: "m", meter: "m", radian: "rad", degree: "deg", milli: "m" };
 const SUPERSCRIPTS = "⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹";
-const TIMES_TEN = String.raw`(?<=\d)[ \t]*(?:\\times|\\cdot|[×·⋅∙*x])[ \t]*10[ \t]*`;
+const TIMES_POWER =
+  String.raw`(?<=\d)[ \t]*(?:\\times|\\cdot|[×·⋅∙*x])[ \t]*10[ \t]*` +
+  String.raw`(?:\^\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?![\d.])|([${SUPERSCRIPTS}]{1,3}))`;
+
+const lowerDigits = (raised) =>
+  [...raised].map((digit) => "-+0123456789"[SUPERSCRIPTS.indexOf(digit)]).join("");
 
 function shortUnit(unit) {
   const letters = unit.replace(/\\([a-z]+)/g, (all, word) => SIUNITX[word] ?? all);
@@ -32,7 +37,7 @@ function withoutUncertainty(all, x, unit = "", uncertainty) {
 
 const SMALL = 0.001; // rad or N m: no two solutions lie as near
 
-const FACES = "math(?:bf|it|rm)|boldsymbol|text(?:bf|it)|boxed|underline|num";
+const FACES = "math(?:bf|it|rm)|boldsymbol|text(?:bf|it)?|boxed|underline|num";
 
 // Text in braces, which may hold braces.
 const BRACED = String.raw`\{((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
@@ -61,31 +66,22 @@ const DECORATIONS = [
   [/<sup>\s*[\w*†‡]\s*<\/sup>/gi, ""],
   [/<\/?(?:b|i|u|em|strong|code|span|mark|sub|p|div|pre|br)\b[^<>\n]{0,80}>/gi, ""],
   [/\\(?:phantom|cancel)\{[^{}\n]*\}/g, " "],
-  [new RegExp(String.raw`\\textcolor\{\w+\}${BRACED}`, "g"), "$1"],
   [new RegExp(String.raw`\{\\color\{\w+\}\s*${INNER}\}`, "g"), "$1"],
-  [/(?:\\[,;:! ])?\s*\\checkmark(?![a-z])/g, ""],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, (_, x, unit) => `${x} ${shortUnit(unit)}`],
-  [/\\,\s*\\mathrm\{([^{}\n]*)\}/g, (_, unit) => ` ${shortUnit(unit)}`],
-  [new RegExp(String.raw`\\(?:${FACES})${BRACED}`, "g"), "$1"],
-  [new RegExp(String.raw`\\text\{\s*(${UNIT})\s*\}`, "g"), " $1"],
-  [
-    new RegExp(String.raw`${TIMES_TEN}\^\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?![\d.])`, "g"),
-    "e$1",
-  ],
-  [
-    new RegExp(`${TIMES_TEN}([${SUPERSCRIPTS}]{1,3})`, "g"),
-    (_, power) => `e${[...power].map((one) => "-+0123456789"[SUPERSCRIPTS.indexOf(one)]).join("")}`,
-  ],
+  [new RegExp(String.raw`\\(?:${FACES}|textcolor\{\w+\})${BRACED}`, "g"), "$1"],
+  [new RegExp(TIMES_POWER, "g"), (_, power, raised) => `e${power ?? lowerDigits(raised)}`],
   [/(?:≈|≅|\\approx(?![a-z]))\s*(?=[-+]?[\p{L}\d.\\])/gu, " "],
-  [/(?<=\d\.\d{1,18})\(\d{1,2}\)(?!\s*[*/^])/g, ""], // 0.3768(12)
   [new RegExp(UNCERTAIN, "g"), withoutUncertainty],
-  [/(?<=[\w°π)}*])(?:[ ]*[✓✔✅☑†‡§](?!\w)|\[\^\w{1,3}\]|\^\{\*\})/g, ""],
-  [new RegExp(String.raw`(?<=\d[ ]?(?:${UNIT}))\(\d\)`, "g"), ""], // a footnote's number
+  [
+    /(?<=[\w°π)}*])(?:(?:\\[,;:! ])?[ ]*(?:[✓✔✅☑†‡§]|\\checkmark)(?!\w)|\[\^\w{1,3}\]|\^\{\*\})/g,
+    "",
+  ],
+  // The uncertainty of 0.3768(12), or the number of a footnote.
+  [new RegExp(String.raw`(?<=\d\.\d{1,18}|\d[ ]?(?:${UNIT}))\(\d{1,2}\)(?!\s*[*/^])`, "g"), ""],
   [/(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})/g, ""],
   [/(?<=[\d)][ \t]+)-(?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "gm"), "$2"],
   [/(?<=[|&][ \t]*)(\*{1,3}|_)([^*|&\n]{1,40})\1(?=[ \t]*[|&])/g, "$2"], // an emphasised cell
-  [/(?<=[\p{L}\d°)}])[ ]*\((?:approx\.?|ok)\)/gu, ""],
   [new RegExp(MARK_BEHIND, "gm"), ""],
   [new RegExp(String.raw`(?<=(?:\d|°)(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
   // a corrected value
@@ -96,7 +92,6 @@ const DECORATIONS = [
     new RegExp(String.raw`(?<=[\p{L}\p{N})\]}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
     (_, unit) => `_(${unit.replace(/[-\s·*.⋅]/g, "")})`,
   ],
-  [/=[ \t]*\d{1,2}[×x]\d{1,2}(?:[ \t]+\w+)?[ \t]*$/gm, "="], // MATLAB's size
 ];
 
 /**
@@ -106,15 +101,7 @@ const DECORATIONS = [
 export function withoutDecorations(text) {
   const once = (decorated) =>
     DECORATIONS.reduce((rest, [pattern, instead]) => rest.replace(pattern, instead), decorated);
-  return once(once(withoutTildes(withoutSameUncertainty(text)))); // twice: one within another
-}
-
-const UNCERTAINTY = /\s*(?:±|\\pm(?![a-z])|\+\/-)\s*(\d*\.\d+)/g;
-
-// Three numbers or more with the same uncertainty, x ± 0.001.
-function withoutSameUncertainty(text) {
-  const all = [...text.text.matchAll(UNCERTAINTY)].map(([, size]) => size);
-  return all.length > 2 && new Set(all).size === 1 ? text.replace(UNCERTAINTY, "") : text;
+  return once(once(withoutTildes(text))); // twice: one within another
 }
 
 const NEGATIVE = /(?:^|[\s|&,;:=[({~])-\s?[\d.]/m;
