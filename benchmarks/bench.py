@@ -1,4 +1,4 @@
-"""Time the helpers against other programs and write the book's appendix: `make bench`.
+"""Time the helpers against peer programs and write the book's appendix by `make bench`.
 
 `bench.py inverse` prints one topic only. All topics take about three minutes on a quiet machine.
 Each program does the same work in the fastest way that it offers. The programs take turns, so that
@@ -31,12 +31,12 @@ APPENDIX = Path(__file__).parents[1] / "book/benchmarks.md"
 
 @dataclass(frozen=True)
 class Case:
-    """One task that the helpers and other programs do.
+    """A task that the helpers and peer programs do.
 
     Attributes:
         name: Name of the task in the table.
         ours: Function of the helpers.
-        peers: Functions of the other programs by their label in the table.
+        peers: Functions of the peer programs by their label in the table.
         tolerance: Largest allowed difference between results.
         rounds: Number of rounds; in each, every program runs once.
         calls: Number of calls that a round times.
@@ -61,7 +61,10 @@ def time_call(work: Callable[[], object], calls: int) -> float:
 
 
 def measure_case(case: Case) -> Iterator[str]:
-    """Yield the table's lines of a task; fail if a result differs from the helpers'."""
+    """Yield the table's lines of a task.
+
+    Raises AssertionError if a result differs from the helpers'.
+    """
     expected = case.comparable(case.ours())
     differences = {
         name: float(np.abs(case.comparable(work()) - expected).max())
@@ -91,19 +94,19 @@ def format_time(milliseconds: float) -> str:
     return f"{milliseconds:.0f}" if milliseconds >= 100 else f"{milliseconds:.3g}"
 
 
-def table_lines(topics: list[ModuleType]) -> Iterator[str]:
+def measure_topics(topics: list[ModuleType]) -> Iterator[str]:
     """Yield the table's lines as soon as each is measured."""
     yield "| work | who, and called how | ms | helpers / peer | largest difference |"
     yield "|:--|:--|--:|--:|--:|"
     for topic in topics:
-        for case in topic.cases(Case):
+        for case in topic.list_cases(Case):
             yield from measure_case(case)
 
 
-def appendix_text(lines: list[str]) -> str:
+def format_appendix(lines: list[str]) -> str:
     """Return the text of the book's appendix."""
     versions = (f"{name} {version(name)}" for name in PEERS)
-    machine = f"{processor_name()}, {os.cpu_count()} cores, {platform.system()}"
+    machine = f"{read_processor_name()}, {os.cpu_count()} cores, {platform.system()}"
     return PAGE.format(
         machine=machine,
         load=os.getloadavg()[0],
@@ -114,7 +117,7 @@ def appendix_text(lines: list[str]) -> str:
     )
 
 
-def processor_name() -> str:
+def read_processor_name() -> str:
     """Return the processor's name on Linux."""
     cpu_info = Path("/proc/cpuinfo")
     names = (
@@ -174,9 +177,9 @@ if __name__ == "__main__":
     start = time.perf_counter()
     names = sys.argv[1:] or [topic.__name__ for topic in TOPICS]
     lines = []
-    for line in table_lines([topic for topic in TOPICS if topic.__name__ in names]):
+    for line in measure_topics([topic for topic in TOPICS if topic.__name__ in names]):
         print(line, flush=True)
         lines.append(line)
     if not sys.argv[1:]:
-        APPENDIX.write_text(appendix_text(lines), encoding="utf-8")
+        APPENDIX.write_text(format_appendix(lines), encoding="utf-8")
     print(f"measured in {(time.perf_counter() - start) / 60:.1f} minutes")

@@ -46,7 +46,7 @@ CLOCK = """(() => {
     };
 })()"""
 
-# Drags the tip around a circle, one step a frame.
+# Drags the tip around a circle by a step for each frame.
 DRAG = """(frames) => new Promise((done) => {
     const grip = document.querySelector(".arm-explorer").shadowRoot.querySelector(".grip");
     const { x, y, width, height } = grip.getBoundingClientRect();
@@ -71,7 +71,7 @@ DRAG = """(frames) => new Promise((done) => {
 
 
 def measure_drag(browser: Browser) -> list[float]:
-    """Return milliseconds of script per frame of a drag, after one warm-up drag."""
+    """Return milliseconds of script per frame of a drag, after a warm-up drag."""
     page = browser.new_page(viewport={"width": 1280, "height": 720})
     page.add_init_script(CLOCK)
     page.goto((ROOT / "book/_build/html/explorer.html").as_uri() + "#arm=Panda&view=pose")

@@ -1,11 +1,13 @@
-"""Time inverse kinematics: all branches of the UR10e and of random arms of each structure that EAIK
-solves, one numeric solution of the Panda.
+"""Time inverse kinematics in closed form and by iteration.
+
+The closed forms give all branches of the UR10e and of random arms of each structure that EAIK
+solves. The iteration gives a solution of the Panda.
 """
 
 import eaik.IK_DH
 import numpy as np
 import ur_analytic_ik
-from kinematics import BARE, ets
+from kinematics import BARE, make_toolbox_chain
 
 from helpers.arm import Arm, revolute
 from helpers.inverse import solutions, solve, ur
@@ -30,7 +32,7 @@ STRUCTURES = {
 }
 
 
-def branch_signature(branches) -> np.ndarray:
+def sum_branches(branches) -> np.ndarray:
     """Return numbers that do not depend on the order of each pose's branches, shape (n, 13).
 
     They are the count of branches, and the sums of each angle's cosines and sines.
@@ -39,18 +41,16 @@ def branch_signature(branches) -> np.ndarray:
     return np.column_stack([[len(q) for q in branches], np.real(sums), np.imag(sums)])
 
 
-def helpers_signature(solutions) -> np.ndarray:
-    return branch_signature(
-        [q[valid] for q, valid in zip(solutions.q, solutions.valid, strict=True)]
-    )
+def sum_helpers_branches(solutions) -> np.ndarray:
+    return sum_branches([q[valid] for q, valid in zip(solutions.q, solutions.valid, strict=True)])
 
 
-def eaik_signature(solutions) -> np.ndarray:
+def sum_eaik_branches(solutions) -> np.ndarray:
     """Return the signature of EAIK's exact solutions, without its least-squares approximations."""
-    return branch_signature([pose.Q[~np.array(pose.is_LS)] for pose in solutions])
+    return sum_branches([pose.Q[~np.array(pose.is_LS)] for pose in solutions])
 
 
-def closed_forms(Case):
+def make_closed_form_case(Case):
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSES, 6))
     T = forward_kinematics(UR, q)
     alpha, a, d = (
@@ -69,16 +69,16 @@ def closed_forms(Case):
         },
         tolerance=1e-4,
         comparable=lambda solutions: (
-            helpers_signature(solutions)
+            sum_helpers_branches(solutions)
             if hasattr(solutions, "valid")
-            else eaik_signature(solutions)
+            else sum_eaik_branches(solutions)
             if hasattr(solutions[0], "is_LS")
-            else branch_signature(solutions)
+            else sum_branches(solutions)
         ),
     )
 
 
-def random_table(rng, parallel, meeting, wrist) -> np.ndarray:
+def draw_table(rng, parallel, meeting, wrist) -> np.ndarray:
     """Return random rows (a, alpha, d, theta) of an arm with a structure, shape (6, 4)."""
     rows = rng.uniform((0.1, 0.4, -0.5, 0), (0.6, 2.7, 0.5, 0), (6, 4))
     rows[list(parallel), 1] = 0
@@ -88,10 +88,13 @@ def random_table(rng, parallel, meeting, wrist) -> np.ndarray:
     return rows
 
 
-def structure_case(Case, name, structure):
-    """Return the case of a random arm; EAIK's solutions count where they reach the pose."""
+def make_structure_case(Case, name, structure):
+    """Return the case of a random arm.
+
+    EAIK's solutions count if they reach the pose.
+    """
     rng = np.random.default_rng(0)
-    table = random_table(rng, *structure)
+    table = draw_table(rng, *structure)
     arm = Arm(name, [revolute(*map(float, row)) for row in table])
     T = forward_kinematics(arm, rng.uniform(-np.pi, np.pi, (POSES, 6)))
     robot = eaik.IK_DH.DhRobot(table[:, 1], table[:, 0], table[:, 2])
@@ -101,9 +104,9 @@ def structure_case(Case, name, structure):
 
     def comparable(answer):
         if hasattr(answer, "valid"):
-            return helpers_signature(answer)
+            return sum_helpers_branches(answer)
         pairs = zip(T, answer, strict=True)
-        return branch_signature([reaching(pose, one.Q.reshape(-1, 6)) for pose, one in pairs])
+        return sum_branches([reaching(pose, one.Q.reshape(-1, 6)) for pose, one in pairs])
 
     return Case(
         f"{name}: all branches of {POSES} poses",
@@ -114,17 +117,17 @@ def structure_case(Case, name, structure):
     )
 
 
-def numeric(Case):
+def make_numeric_case(Case):
     rng = np.random.default_rng(0)
     q = rng.uniform(*PANDA.limits, (POSES, 7))
     T, start = (
         forward_kinematics(BARE, q),
         np.clip(q + rng.uniform(-0.2, 0.2, q.shape), *PANDA.limits),
     )
-    chain = ets()
+    chain = make_toolbox_chain()
 
     def roboticstoolbox():
-        """Solve with the fastest settings; retry failures with the default 100 random starts.
+        """Solve with the fastest settings, and failures with the default 100 random starts.
 
         The tolerance bounds half the squared error: 5e-21 stands for 1e-10.
         """
@@ -144,7 +147,7 @@ def numeric(Case):
     )
 
 
-def cases(Case):
-    yield closed_forms(Case)
-    yield from (structure_case(Case, *item) for item in STRUCTURES.items())
-    yield numeric(Case)
+def list_cases(Case):
+    yield make_closed_form_case(Case)
+    yield from (make_structure_case(Case, *item) for item in STRUCTURES.items())
+    yield make_numeric_case(Case)

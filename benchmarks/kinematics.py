@@ -24,7 +24,7 @@ BASE_AXES = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
 BARE = PANDA.with_values(l_pen=0)  # the peers' tip is the flange
 
 
-def ets() -> rtb.ETS:
+def make_toolbox_chain() -> rtb.ETS:
     """Return the table as roboticstoolbox's elementary transforms."""
     chain = rtb.ETS()
     for row in BARE.rows:
@@ -33,7 +33,7 @@ def ets() -> rtb.ETS:
     return chain
 
 
-def link(row: NumericRow, c, s) -> list[list]:
+def make_link_matrix(row: NumericRow, c, s) -> list[list]:
     """Return a row's transform for the cosine and sine of its joint angle."""
     ca, sa = row.cos_alpha, row.sin_alpha
     return [
@@ -44,13 +44,16 @@ def link(row: NumericRow, c, s) -> list[list]:
     ]
 
 
-def casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
+def build_casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
     """Build q, the pose and the Jacobian, with columns z x (o_n - o) over z, in CasADi."""
     q, T, frames = casadi.SX.sym("q", 7), casadi.SX.eye(4), []
     for k, row in enumerate(BARE.numeric):
         frames.append(T)
         T = T @ casadi.vertcat(
-            *(casadi.horzcat(*line) for line in link(row, casadi.cos(q[k]), casadi.sin(q[k])))
+            *(
+                casadi.horzcat(*line)
+                for line in make_link_matrix(row, casadi.cos(q[k]), casadi.sin(q[k]))
+            )
         )
     columns = [
         casadi.vertcat(casadi.cross(F[:3, 2], T[:3, 3] - F[:3, 3]), F[:3, 2]) for F in frames
@@ -58,17 +61,19 @@ def casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
     return q, T, casadi.horzcat(*columns)
 
 
-def casadi_calls(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
+def list_casadi_calls(
+    q: casadi.SX, result: casadi.SX
+) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
     """Return functions that evaluate a CasADi expression for a batch, as users do and faster.
 
-    The faster ones share equal steps (cse), fill in zeros, and work on the batch's own memory.
+    The faster functions share equal steps (cse), fill in zeros, and work on the batch's own memory.
     CasADi stores matrices by column and NumPy by row, so the expression is transposed.
     """
     plain = casadi.Function("plain", [q], [result])
     dense = [casadi.cse(casadi.densify(result.T))]
     calls = {
-        "CasADi, called with arrays, mapped": _with_arrays(plain.map(BLOCK), result.shape),
-        "CasADi, shared steps, mapped, through buffers": _through_buffers(
+        "CasADi, called with arrays, mapped": _call_with_arrays(plain.map(BLOCK), result.shape),
+        "CasADi, shared steps, mapped, through buffers": _call_through_buffers(
             casadi.Function("dense", [q], dense), result.shape
         ),
     }
@@ -78,13 +83,13 @@ def casadi_calls(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndar
             "compiler": "shell",
             "jit_options": {"flags": ["-O3", "-march=native"]},
         }
-        calls["CasADi, the same compiled by gcc"] = _through_buffers(
+        calls["CasADi, the same compiled by gcc"] = _call_through_buffers(
             casadi.Function("compiled", [q], dense, flags), result.shape
         )
     return calls
 
 
-def _with_arrays(over: casadi.Function, shape: tuple[int, int]):
+def _call_with_arrays(over: casadi.Function, shape: tuple[int, int]):
     rows, columns = shape
 
     def work(q):
@@ -97,8 +102,8 @@ def _with_arrays(over: casadi.Function, shape: tuple[int, int]):
     return work
 
 
-def _through_buffers(function: casadi.Function, shape: tuple[int, int]):
-    """Evaluate in blocks, which is faster than one map over a large batch."""
+def _call_through_buffers(function: casadi.Function, shape: tuple[int, int]):
+    """Evaluate in blocks, which is faster than mapping a whole large batch."""
     over = function.map(BLOCK)
     buffer, run = over.buffer()
 
@@ -113,19 +118,19 @@ def _through_buffers(function: casadi.Function, shape: tuple[int, int]):
     return work
 
 
-def product(left, right) -> list[list]:
+def multiply_matrices(left, right) -> list[list]:
     """Multiply two matrices as lists of rows, with numbers or batches as entries."""
     columns = list(zip(*right, strict=True))
     return [[sum(x * y for x, y in zip(line, c, strict=True)) for c in columns] for line in left]
 
 
-def jax_of_matrices() -> tuple[Callable, Callable]:
-    """Compute pose and Jacobian of one configuration from 4 x 4 matrices."""
+def make_matrix_functions() -> tuple[Callable, Callable]:
+    """Return functions that compute pose and Jacobian of a configuration from matrices."""
 
     def matrices(q):
         T = [jnp.eye(4)]
         for row, angle in zip(BARE.numeric, q, strict=True):
-            A = link(row, jnp.cos(angle), jnp.sin(angle))
+            A = make_link_matrix(row, jnp.cos(angle), jnp.sin(angle))
             T.append(T[-1] @ jnp.array(A))
         return T
 
@@ -141,13 +146,15 @@ def jax_of_matrices() -> tuple[Callable, Callable]:
     return pose, jac
 
 
-def jax_of_entries() -> tuple[Callable, Callable]:
-    """Compute poses and Jacobians of a batch entry by entry."""
+def make_entry_functions() -> tuple[Callable, Callable]:
+    """Return functions that compute poses and Jacobians of a batch entry by entry."""
 
     def entries(q):
         T = [np.eye(4).tolist()]
         for row, angle in zip(BARE.numeric, q, strict=True):
-            T.append(product(T[-1], link(row, jnp.cos(angle), jnp.sin(angle))))
+            T.append(
+                multiply_matrices(T[-1], make_link_matrix(row, jnp.cos(angle), jnp.sin(angle)))
+            )
         return T
 
     def stacked(lines, q):
@@ -168,7 +175,7 @@ def jax_of_entries() -> tuple[Callable, Callable]:
     return pose_entries, jac_entries
 
 
-def jax_calls() -> list[dict]:
+def list_jax_calls() -> list[dict]:
     """Compute poses and Jacobians in JAX by 4 x 4 matrices and entry by entry."""
     jax.config.update("jax_enable_x64", True)
 
@@ -186,12 +193,14 @@ def jax_calls() -> list[dict]:
             "JAX, jit of vmap over 4 × 4 matrices": plain(slow),
             "JAX, jit, entry by entry over the batch": best(fast, shape),
         }
-        for slow, fast, shape in zip(jax_of_matrices(), jax_of_entries(), shapes, strict=True)
+        for slow, fast, shape in zip(
+            make_matrix_functions(), make_entry_functions(), shapes, strict=True
+        )
     ]
 
 
 class Pinocchio:
-    """Call Pinocchio's own Panda once per configuration."""
+    """Call Pinocchio's Panda once per configuration."""
 
     def __init__(self) -> None:
         site = Path(sysconfig.get_paths()["purelib"])
@@ -203,41 +212,41 @@ class Pinocchio:
         self.model = pinocchio.buildReducedModel(model, fingers, pinocchio.neutral(model))
         self.data, self.frame = self.model.createData(), self.model.getFrameId("panda_link8")
 
-    def pose(self, maker: np.ndarray) -> np.ndarray:
+    def compute_pose(self, maker: np.ndarray) -> np.ndarray:
         pinocchio.forwardKinematics(self.model, self.data, maker)
         return pinocchio.updateFramePlacement(self.model, self.data, self.frame).homogeneous
 
-    def jacobian(self, maker: np.ndarray) -> np.ndarray:
+    def compute_jacobian(self, maker: np.ndarray) -> np.ndarray:
         return pinocchio.computeFrameJacobian(self.model, self.data, maker, self.frame, BASE_AXES)
 
-    def poses(self, q: np.ndarray) -> np.ndarray:
+    def compute_poses(self, q: np.ndarray) -> np.ndarray:
         results = np.empty((len(q), 4, 4))
         for k, maker in enumerate(q * SIGNS):
-            results[k] = self.pose(maker)
+            results[k] = self.compute_pose(maker)
         return results @ HALF_TURN
 
-    def jacobians(self, q: np.ndarray) -> np.ndarray:
+    def compute_jacobians(self, q: np.ndarray) -> np.ndarray:
         results = np.empty((len(q), 6, 7))
         for k, maker in enumerate(q * SIGNS):
-            results[k] = self.jacobian(maker)
+            results[k] = self.compute_jacobian(maker)
         return results * SIGNS
 
 
-def batches(Case):
-    pin, chain = Pinocchio(), ets()
-    q, T, J = casadi_expressions()
-    in_jax = jax_calls()
+def list_batch_cases(Case):
+    pin, chain = Pinocchio(), make_toolbox_chain()
+    q, T, J = build_casadi_expressions()
+    in_jax = list_jax_calls()
     poses = {
-        **casadi_calls(q, T),
+        **list_casadi_calls(q, T),
         **in_jax[0],
-        "Pinocchio, in a loop": pin.poses,
+        "Pinocchio, in a loop": pin.compute_poses,
         "roboticstoolbox ETS.eval, batched": chain.eval,
         "roboticstoolbox ETS.fkine, in a loop": lambda q: np.array([chain.fkine(x).A for x in q]),
     }
     jacobians = {
-        **casadi_calls(q, J),
+        **list_casadi_calls(q, J),
         **in_jax[1],
-        "Pinocchio, in a loop": pin.jacobians,
+        "Pinocchio, in a loop": pin.compute_jacobians,
         "roboticstoolbox ETS.jacob0, in a loop": lambda q: np.array([chain.jacob0(x) for x in q]),
     }
     for size, rounds in ((1000, 31), (100_000, 3)):
@@ -251,21 +260,21 @@ def batches(Case):
             yield Case(f"{name}, {count} poses", partial(ours, BARE, batch), works, 1e-12, rounds)
 
 
-def one_pose(Case):
+def list_single_pose_cases(Case):
     """Return calls that take a single joint vector as an array."""
-    pin, chain = Pinocchio(), ets()
-    q, T, J = casadi_expressions()
+    pin, chain = Pinocchio(), make_toolbox_chain()
+    q, T, J = build_casadi_expressions()
     pose, jac = (casadi.Function("f", [q], [x]) for x in (T, J))
     x, maker = np.array(PANDA.home), SIGNS * PANDA.home
     poses = {
         "CasADi Function": lambda: pose(x).full(),
-        "Pinocchio": lambda: pin.pose(maker) @ HALF_TURN,
+        "Pinocchio": lambda: pin.compute_pose(maker) @ HALF_TURN,
         "roboticstoolbox ETS.eval": lambda: chain.eval(x),
         "roboticstoolbox ETS.fkine": lambda: chain.fkine(x).A,
     }
     jacobians = {
         "CasADi Function": lambda: jac(x).full(),
-        "Pinocchio": lambda: pin.jacobian(maker) * SIGNS,
+        "Pinocchio": lambda: pin.compute_jacobian(maker) * SIGNS,
         "roboticstoolbox ETS.jacob0": lambda: chain.jacob0(x),
     }
     for name, ours, peers in (
@@ -275,6 +284,6 @@ def one_pose(Case):
         yield Case(f"{name}, one pose", partial(ours, BARE, x), peers, 1e-12, 31, calls=100)
 
 
-def cases(Case):
-    yield from one_pose(Case)
-    yield from batches(Case)
+def list_cases(Case):
+    yield from list_single_pose_cases(Case)
+    yield from list_batch_cases(Case)

@@ -9,7 +9,7 @@ import jax.numpy as jnp
 import mujoco
 import numpy as np
 import pinocchio
-from kinematics import SIGNS, Pinocchio, casadi_calls, link, product
+from kinematics import SIGNS, Pinocchio, list_casadi_calls, make_link_matrix, multiply_matrices
 
 from helpers.kinematics import link_frames
 from helpers.robots import PANDA
@@ -19,22 +19,25 @@ MASSES = [PANDA.number(body.mass) for body in PANDA.bodies]
 CENTRES = np.array([[PANDA.number(c) for c in body.com] for body in PANDA.bodies])
 
 
-def casadi_gravity() -> tuple[casadi.SX, casadi.SX]:
+def build_casadi_gravity() -> tuple[casadi.SX, casadi.SX]:
     """Build q and dP/dq by CasADi's automatic differentiation of the potential energy."""
     q, T, energy = casadi.SX.sym("q", 7), casadi.SX.eye(4), 0
     for k, (row, mass, centre) in enumerate(zip(PANDA.numeric, MASSES, CENTRES, strict=True)):
         T = T @ casadi.vertcat(
-            *(casadi.horzcat(*line) for line in link(row, casadi.cos(q[k]), casadi.sin(q[k])))
+            *(
+                casadi.horzcat(*line)
+                for line in make_link_matrix(row, casadi.cos(q[k]), casadi.sin(q[k]))
+            )
         )
         energy += 9.81 * mass * (T @ casadi.DM([*centre, 1]))[2]
     return q, casadi.gradient(energy, q)
 
 
-def pinocchio_panda() -> pinocchio.Model:
+def make_pinocchio_panda() -> pinocchio.Model:
     """Build Pinocchio's Panda with the same masses."""
     pin = Pinocchio()
     home = np.array(PANDA.home)
-    frames = np.array([pin_frame.homogeneous for pin_frame in _placements(pin, home)])
+    frames = np.array([pin_frame.homogeneous for pin_frame in _compute_placements(pin, home)])
     for joint, (mass, centre) in enumerate(
         zip(MASSES, centres_in(frames, link_frames(PANDA, home)[1:], CENTRES), strict=True), 1
     ):
@@ -42,9 +45,9 @@ def pinocchio_panda() -> pinocchio.Model:
     return pin.model
 
 
-def pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
-    """Call Pinocchio once per configuration."""
-    model = pinocchio_panda()
+def make_pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
+    """Return a function that calls Pinocchio once per configuration."""
+    model = make_pinocchio_panda()
     data = model.createData()
 
     def work():
@@ -56,9 +59,9 @@ def pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
     return work
 
 
-def pinocchio_at_rest(q: np.ndarray, threads: int) -> Callable[[], np.ndarray]:
-    """Run Newton-Euler at rest for all configurations in one call."""
-    pool = pinocchio.ModelPool(pinocchio_panda(), threads)
+def make_newton_euler_at_rest(q: np.ndarray, threads: int) -> Callable[[], np.ndarray]:
+    """Return a function that runs Newton-Euler at rest for all configurations at once."""
+    pool = pinocchio.ModelPool(make_pinocchio_panda(), threads)
     at_rest, torques = np.zeros(q.T.shape, order="F"), np.empty(q.T.shape, order="F")
 
     def work():
@@ -68,14 +71,14 @@ def pinocchio_at_rest(q: np.ndarray, threads: int) -> Callable[[], np.ndarray]:
     return work
 
 
-def _placements(pin: Pinocchio, q: np.ndarray):
+def _compute_placements(pin: Pinocchio, q: np.ndarray):
     pinocchio.forwardKinematics(pin.model, pin.data, SIGNS * q)
     return list(pin.data.oMi)[1:]
 
 
-def mujoco_gravity(q: np.ndarray) -> np.ndarray:
-    """Call MuJoCo's Newton-Euler recursion at rest once per configuration."""
-    model = mujoco.MjModel.from_xml_string(mujoco_panda())
+def make_mujoco_gravity(q: np.ndarray) -> np.ndarray:
+    """Return a function that runs MuJoCo's Newton-Euler at rest for each configuration."""
+    model = mujoco.MjModel.from_xml_string(write_mujoco_panda())
     data = mujoco.MjData(model)
 
     def work():
@@ -90,7 +93,7 @@ def mujoco_gravity(q: np.ndarray) -> np.ndarray:
     return work
 
 
-def mujoco_panda() -> str:
+def write_mujoco_panda() -> str:
     """Write the table as nested MuJoCo bodies, each turning about its own z axis."""
     bodies = ""
     for row, mass, (x, y, z) in reversed(list(zip(PANDA.numeric, MASSES, CENTRES, strict=True))):
@@ -107,21 +110,21 @@ def mujoco_panda() -> str:
     return f"<mujoco><worldbody><body>{bodies}</body></worldbody></mujoco>"
 
 
-def jax_calls(q: np.ndarray) -> dict[str, Callable[[], np.ndarray]]:
+def list_jax_calls(q: np.ndarray) -> dict[str, Callable[[], np.ndarray]]:
     """Compute dP/dq in JAX by 4 x 4 matrices and entry by entry over the batch."""
     jax.config.update("jax_enable_x64", True)
 
     def of_matrices(q):
         T, total = jnp.eye(4), 0.0
         for joint, row, mass, centre in zip(q, PANDA.numeric, MASSES, CENTRES, strict=True):
-            T = T @ jnp.array(link(row, jnp.cos(joint), jnp.sin(joint)))
+            T = T @ jnp.array(make_link_matrix(row, jnp.cos(joint), jnp.sin(joint)))
             total += 9.81 * mass * (T @ jnp.array([*centre, 1.0]))[2]
         return total
 
     def of_entries(q):
         T, total = np.eye(4).tolist(), 0.0
         for joint, row, mass, centre in zip(q, PANDA.numeric, MASSES, CENTRES, strict=True):
-            T = product(T, link(row, jnp.cos(joint), jnp.sin(joint)))
+            T = multiply_matrices(T, make_link_matrix(row, jnp.cos(joint), jnp.sin(joint)))
             total += 9.81 * mass * sum(x * y for x, y in zip(T[2], [*centre, 1.0], strict=True))
         return total.sum()
 
@@ -132,22 +135,25 @@ def jax_calls(q: np.ndarray) -> dict[str, Callable[[], np.ndarray]]:
     }
 
 
-def cases(Case):
+def list_cases(Case):
     q = np.random.default_rng(0).uniform(*PANDA.limits, size=(1000, 7))
     of_casadi = {
         label: (lambda work=work: work(q)[..., 0])
-        for label, work in casadi_calls(*casadi_gravity()).items()
+        for label, work in list_casadi_calls(*build_casadi_gravity()).items()
     }
     peers = {
         **of_casadi,
-        **jax_calls(q),
-        "Pinocchio, in a loop": pinocchio_gravity(q),
-        "Pinocchio, rneaInParallel at rest, 1 thread": pinocchio_at_rest(q, 1),
-        "Pinocchio, rneaInParallel at rest, 2 threads": pinocchio_at_rest(q, 2),
-        "MuJoCo, in a loop": mujoco_gravity(q),
+        **list_jax_calls(q),
+        "Pinocchio, in a loop": make_pinocchio_gravity(q),
+        "Pinocchio, rneaInParallel at rest, 1 thread": make_newton_euler_at_rest(q, 1),
+        "Pinocchio, rneaInParallel at rest, 2 threads": make_newton_euler_at_rest(q, 2),
+        "MuJoCo, in a loop": make_mujoco_gravity(q),
     }
     yield Case("gravity torque, 1 000 poses", partial(gravity_torque, PANDA, q), peers, 1e-9, 31)
-    one = q[:1]
-    peers = {"Pinocchio": pinocchio_gravity(one), "MuJoCo": mujoco_gravity(one)}
-    ours = partial(gravity_torque, PANDA, one)
+    single_pose = q[:1]
+    peers = {
+        "Pinocchio": make_pinocchio_gravity(single_pose),
+        "MuJoCo": make_mujoco_gravity(single_pose),
+    }
+    ours = partial(gravity_torque, PANDA, single_pose)
     yield Case("gravity torque, one pose", ours, peers, 1e-9, 31, calls=100)

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 import pinocchio
-from kinematics import BARE, BASE_AXES, SIGNS, Pinocchio, ets
+from kinematics import BARE, BASE_AXES, SIGNS, Pinocchio, make_toolbox_chain
 
 from helpers.motion import circle, trace
 from helpers.robots import PANDA
@@ -21,11 +21,11 @@ class UserLoop:
     def __init__(self, jacobian_of) -> None:
         self.jacobian_of = jacobian_of
 
-    def rates(self, q: np.ndarray, t: float) -> np.ndarray:
+    def compute_rates(self, q: np.ndarray, t: float) -> np.ndarray:
         twist = np.concatenate([PATH.velocity(t), np.zeros(3)])
         return np.linalg.solve(self.jacobian_of(np.insert(q, 2, 0.0))[:, FREE], twist)
 
-    def euler(self) -> np.ndarray:
+    def trace_by_euler(self) -> np.ndarray:
         """Trace by q_{k+1} = q_k + dt J^-1 xi, with tabulated velocities padded at each step."""
         q, trajectory = np.array(PANDA.home), np.empty((len(PATH.times), 7))
         trajectory[0] = q
@@ -35,7 +35,7 @@ class UserLoop:
             trajectory[k + 1] = q
         return np.delete(trajectory, 2, axis=1)
 
-    def euler_padded(self) -> np.ndarray:
+    def trace_by_padded_euler(self) -> np.ndarray:
         """Trace in the same way with twists padded beforehand."""
         q, trajectory = np.array(PANDA.home), np.empty((len(PATH.times), 7))
         trajectory[0] = q
@@ -45,20 +45,20 @@ class UserLoop:
             trajectory[k + 1] = q
         return np.delete(trajectory, 2, axis=1)
 
-    def rk4(self) -> np.ndarray:
+    def trace_by_rk4(self) -> np.ndarray:
         q, trajectory = np.array(ARM.home), np.empty((len(PATH.times), 6))
         trajectory[0] = q
         for k, t in enumerate(PATH.times[:-1]):
-            k_1 = self.rates(q, t)
-            k_2 = self.rates(q + STEP / 2 * k_1, t + STEP / 2)
-            k_3 = self.rates(q + STEP / 2 * k_2, t + STEP / 2)
-            k_4 = self.rates(q + STEP * k_3, t + STEP)
+            k_1 = self.compute_rates(q, t)
+            k_2 = self.compute_rates(q + STEP / 2 * k_1, t + STEP / 2)
+            k_3 = self.compute_rates(q + STEP / 2 * k_2, t + STEP / 2)
+            k_4 = self.compute_rates(q + STEP * k_3, t + STEP)
             q = q + STEP / 6 * (k_1 + 2 * k_2 + 2 * k_3 + k_4)
             trajectory[k + 1] = q
         return trajectory
 
 
-class Locked:
+class LockedPinocchio:
     """Trace with Pinocchio's fastest calls, joint 3 locked in its model."""
 
     def __init__(self, pin: Pinocchio) -> None:
@@ -66,25 +66,25 @@ class Locked:
         self.model = pinocchio.buildReducedModel(pin.model, [3], SIGNS * PANDA.home)
         self.data, self.frame = self.model.createData(), self.model.getFrameId("panda_link8")
 
-    def jacobian(self, x: np.ndarray) -> np.ndarray:
+    def compute_jacobian(self, x: np.ndarray) -> np.ndarray:
         return pinocchio.computeFrameJacobian(self.model, self.data, x, self.frame, BASE_AXES)
 
-    def euler(self) -> np.ndarray:
+    def trace_by_euler(self) -> np.ndarray:
         x, trajectory = self.signs * ARM.home, np.empty((len(PATH.times), 6))
         trajectory[0] = x
         moves = STEP * np.hstack([PATH.velocities, np.zeros_like(PATH.velocities)])
-        jacobian, solve = self.jacobian, np.linalg.solve
+        jacobian, solve = self.compute_jacobian, np.linalg.solve
         for k, move in enumerate(moves[:-1]):
             x = x + solve(jacobian(x), move)
             trajectory[k + 1] = x
         return trajectory * self.signs
 
-    def rk4(self) -> np.ndarray:
+    def trace_by_rk4(self) -> np.ndarray:
         x, trajectory = self.signs * ARM.home, np.empty((len(PATH.times), 6))
         trajectory[0] = x
         moves = [PATH.velocity(PATH.times[:-1] + share * STEP) for share in (0.0, 0.5, 1.0)]
         moves = [STEP * np.hstack([v, np.zeros_like(v)]) for v in moves]
-        jacobian, solve = self.jacobian, np.linalg.solve
+        jacobian, solve = self.compute_jacobian, np.linalg.solve
         for k, (begin, middle, end) in enumerate(zip(*moves, strict=True)):
             d_1 = solve(jacobian(x), begin)
             d_2 = solve(jacobian(x + 0.5 * d_1), middle)
@@ -94,7 +94,7 @@ class Locked:
             trajectory[k + 1] = x
         return trajectory * self.signs
 
-    def exact(self, ahead: bool) -> np.ndarray:
+    def trace_by_newton(self, ahead: bool) -> np.ndarray:
         """Trace by Newton's method at each step to 1e-13.
 
         Args:
@@ -102,12 +102,12 @@ class Locked:
         """
         x, trajectory = self.signs * ARM.home, np.empty((len(PATH.times), 6))
         trajectory[0] = x
-        start_rotation = self.jacobian_and_pose(x)[1].rotation
+        start_rotation = self.compute_jacobian_and_pose(x)[1].rotation
         for k, position in enumerate(PATH.positions[1:], 1):
             if ahead and k > 2:
                 x = 3 * (trajectory[k - 1] - trajectory[k - 2]) + trajectory[k - 3]
             for _ in range(30):
-                J, pose = self.jacobian_and_pose(x)
+                J, pose = self.compute_jacobian_and_pose(x)
                 error = np.empty(6)
                 error[:3] = position - pose.translation
                 turn = start_rotation @ pose.rotation.T
@@ -120,8 +120,8 @@ class Locked:
             trajectory[k] = x
         return trajectory * self.signs
 
-    def jacobian_and_pose(self, x: np.ndarray) -> tuple[np.ndarray, pinocchio.SE3]:
-        J = self.jacobian(x)  # also updates the joint placements
+    def compute_jacobian_and_pose(self, x: np.ndarray) -> tuple[np.ndarray, pinocchio.SE3]:
+        J = self.compute_jacobian(x)  # also updates the joint placements
         return J, pinocchio.updateFramePlacement(self.model, self.data, self.frame)
 
 
@@ -129,23 +129,27 @@ def trace_with_helpers(method: str) -> np.ndarray:
     return trace(ARM, ARM.home, PATH, method=method).q
 
 
-def cases(Case):
+def list_cases(Case):
     pin = Pinocchio()
-    of_pinocchio = UserLoop(lambda q: pin.jacobian(SIGNS * q) * SIGNS)
-    of_toolbox, locked = UserLoop(ets().jacob0), Locked(pin)
+    of_pinocchio = UserLoop(lambda q: pin.compute_jacobian(SIGNS * q) * SIGNS)
+    of_toolbox, locked = UserLoop(make_toolbox_chain().jacob0), LockedPinocchio(pin)
     euler = {
-        "the loop with Pinocchio, as users write it": of_pinocchio.euler,
-        "the same, twists padded beforehand": of_pinocchio.euler_padded,
-        "the same, joint 3 locked in the model, nothing else left in the loop": locked.euler,
-        "the loop with roboticstoolbox, as users write it": of_toolbox.euler,
+        "the loop with Pinocchio, as users write it": of_pinocchio.trace_by_euler,
+        "the same, twists padded beforehand": of_pinocchio.trace_by_padded_euler,
+        "the same, joint 3 locked in the model, nothing else left in the loop": (
+            locked.trace_by_euler
+        ),
+        "the loop with roboticstoolbox, as users write it": of_toolbox.trace_by_euler,
     }
     rk4 = {
-        "the loop with Pinocchio, as users write it": of_pinocchio.rk4,
-        "the same at its best": locked.rk4,
+        "the loop with Pinocchio, as users write it": of_pinocchio.trace_by_rk4,
+        "the same at its best": locked.trace_by_rk4,
     }
     exact = {
-        "Newton's method with Pinocchio, in one pass over the links": partial(locked.exact, False),
-        "the same, begun where the last three steps lead": partial(locked.exact, True),
+        "Newton's method with Pinocchio, in one pass over the links": partial(
+            locked.trace_by_newton, False
+        ),
+        "the same, begun where the last three steps lead": partial(locked.trace_by_newton, True),
     }
     for name, peers in (("euler", euler), ("rk4", rk4), ("exact", exact)):
         yield Case(f"{name} trace, 1 000 steps", partial(trace_with_helpers, name), peers, 1e-9, 9)
