@@ -32,8 +32,8 @@ const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exac
 /**
  * Return the unit of each number's last typed place.
  *
- * A formula has twice its slack. A bare 0 or 1 has the finest unit of the answer. All units are 0
- * if some number shows all digits of a program.
+ * A formula has twice its slack. A bare 0 has the finest unit of the answer. All units are 0 if
+ * some number shows all digits of a program.
  * @param {string[]} texts @param {number[]} [slacks] of the formulas among them
  */
 export function units(texts, slacks = []) {
@@ -45,14 +45,21 @@ export function units(texts, slacks = []) {
   });
   const whole = found.every((one) => one?.bare) && found.some((one) => one.size);
   const finest = placed.length || whole ? Math.min(1, ...placed) : 0;
-  const finestOfLarge = Math.min(1, ...found.flatMap((one) => (isLarge(one) ? [one.unit] : [])));
-  const bareUnit = ({ size }) => (size && placed.length ? Math.max(finest, finestOfLarge) : finest);
+  const unitOfOne = Math.max(finest, findUnitOfOne(found.filter((one) => one && !one.bare)));
+  const bareUnit = ({ size }) => (size && placed.length ? unitOfOne : finest);
   const unit = (one, i) => (one ? (one.bare ? bareUnit(one) : one.unit) : 2 * (slacks[i] ?? 0));
   return found.map(unit);
 }
 
-// Return whether a number has about the size of a bare 1 and a unit of its own.
-const isLarge = (one) => one && !one.bare && one.size >= 0.1;
+// Return the unit of a bare 1 beside other numbers: the finest of numbers of about its size, but
+// not finer than the digits of the longest, since "%.4g" writes 1.0003 as 1.
+function findUnitOfOne(numbers) {
+  if (!numbers.length) return 0;
+  const large = numbers.filter(({ size }) => size >= 0.1);
+  const finest = large.length ? Math.min(1, ...large.map(({ unit }) => unit)) : 0;
+  const digits = Math.max(...numbers.map((number) => number.digits));
+  return Math.max(10 ** (1 - digits), finest);
+}
 
 /**
  * Return the units that a program's numbers have if it trims zeros: those of the column's finest
