@@ -1,8 +1,12 @@
 """The generator of clothed answers draws by seed and keeps the numbers readable."""
 
-import numpy as np
+from dataclasses import replace
 
-from tests.clothed.draws import draw_answer, draw_twin
+import numpy as np
+import pytest
+
+from tests.clothed.draws import draw_answer, draw_twin, shows_mistake
+from tests.clothed.numbers import NumberFormat, write_number
 
 DRAWS = range(60)
 
@@ -24,3 +28,24 @@ def test_twin_differs_from_its_right_answer():
         assert right.text != twin.text, i
         assert right.features == twin.features, i
         assert np.array_equal(right.question.right, twin.question.right), i
+
+
+def test_mistake_within_typed_digits_does_not_count():
+    draw = replace(draw_answer(331127, 493), units=np.full((6, 3), 0.1))
+    right = draw.question.right
+    assert not shows_mistake(draw, right + 0.05)  # 0.15 may be typed as 0.2
+    assert shows_mistake(draw, right + 0.2)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind", "text", "unit"),
+    [
+        (0.2003, "general", "0.2", 0.1),
+        (0.2, "trimmed", "0.2", 0.1),
+        (0.0001, "trimmed", "0", 0.001),
+        (1234.5, "fixed", "1234.500", 0.001),
+    ],
+)
+def test_number_has_unit_of_last_typed_digit(value, kind, text, unit):
+    typed = write_number(value, NumberFormat(kind, 3), "text")
+    assert typed == (text, pytest.approx(unit))

@@ -37,6 +37,8 @@ class Draw:
         typed: number texts that stand in it, undecorated.
         angles: the setting beside the field.
         features: name and value of each feature.
+        units: unit of each number's last typed digit, None for tables and prints of tools.
+        factors: typed unit of each column per SI unit.
         mistake: name of the mistake of a twin, or "".
     """
 
@@ -45,6 +47,8 @@ class Draw:
     typed: tuple[str, ...]
     angles: str
     features: dict[str, str]
+    units: np.ndarray | None = None
+    factors: np.ndarray | None = None
     mistake: str = ""
 
 
@@ -57,9 +61,20 @@ def draw_answer(seed: int, index: int) -> Draw:
 def draw_twin(seed: int, index: int) -> Draw:
     """Draw the same answer in the same clothes with one mistake in it."""
     question = _question_of(seed, index)
-    name, mistaken = draw_mistake(question, Random(f"mistake {seed} {index}"))
-    dressed = _dress(question, mistaken, Random(f"clothes {seed} {index}"))
-    return replace(dressed, mistake=name)
+    rng = Random(f"mistake {seed} {index}")
+    while True:
+        name, mistaken = draw_mistake(question, rng)
+        dressed = _dress(question, mistaken, Random(f"clothes {seed} {index}"))
+        if shows_mistake(dressed, mistaken.right):
+            return replace(dressed, mistake=name)
+
+
+def shows_mistake(twin: Draw, mistaken: np.ndarray) -> bool:
+    """Check that a number moved by more than its own typed digits: 0.15 typed as 0.2 did not."""
+    if twin.units is None:
+        return True
+    moved = abs(mistaken - twin.question.right) * twin.factors
+    return bool((moved > twin.units).any())
 
 
 def _question_of(seed: int, index: int) -> Question:
@@ -71,15 +86,15 @@ def _dress(question: Question, answer: Question, rng: Random) -> Draw:
     """Dress the numbers of an answer (right or mistaken) to a question."""
     if question.topic == "table":
         block, typed, marks = dress_table(answer.arm, rng)
-        values, angles = np.zeros((1, 1)), "rad"
+        values, angles, units, factors = np.zeros((1, 1)), "rad", None, None
     else:
         block, typed, values, marks = _dress_numbers(question, answer.right, rng)
-        angles = marks.pop("setting")
+        angles, units, factors = (marks.pop(name) for name in ("setting", "units", "factors"))
     text = dress_surroundings(block, question, values, rng, marks)
     inner = ("sentence", "footnote", "name")
     features = {"topic": question.topic, "arm": question.arm.name}
     features |= {name: x for name, x in marks.items() if name not in inner}
-    return Draw(question, text, tuple(typed), angles, features)
+    return Draw(question, text, tuple(typed), angles, features, units, factors)
 
 
 def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
@@ -97,13 +112,16 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
     )  # fmt: skip
     if factors.min() < 0.1:
         style = replace(style, digits=style.digits + 3)
-    texts = [[numbers.write_number(x, style, family)[0] for x in row] for row in typed]
+    written = [[numbers.write_number(x, style, family) for x in row] for row in typed]
+    texts = [[text for text, _ in row] for row in written]
+    is_print = layout_name in TOOL_PRINTS
     decoration = cells.draw_decoration(rng, family, typed.shape, layout_name)
     marks = {
         "layout": layout_name, "family": family, "number": style.kind,
         "unit": unit or "none", "unit place": place, "decoration": decoration.pattern,
         "decorated": "no" if decoration.pattern == "{x}" else "one" if decoration.cell else "all",
-        "setting": setting,
+        "setting": setting, "factors": factors,
+        "units": None if is_print else np.array([[unit for _, unit in row] for row in written]),
     }  # fmt: skip
     marks |= _format_features(layout_name, style)
     marks["footnote"] = cells.FOOTNOTES.get(decoration.pattern, "")
@@ -140,7 +158,7 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
         inner = block.split(" = ")[-1]
         block = f"{name} = {rng.choice(('np.radians', 'np.deg2rad'))}({inner})"
         marks["unit place"], marks["setting"], marks["sentence"] = "np.radians", "rad", ""
-    kept = [] if layout_name in TOOL_PRINTS else [text for row in texts for text in row]
+    kept = [] if is_print else [text for row in texts for text in row]
     return block, kept, typed, marks
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from fractions import Fraction
-from math import floor, isclose, log10, pi, sqrt
+from math import isclose, pi, sqrt
 from random import Random
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -129,8 +129,8 @@ def write_number(value: float, style: NumberFormat, family: str) -> tuple[str, f
 def _decimal_text(value: float, style: NumberFormat) -> tuple[str, float]:
     digits, unit = style.digits, 10.0**-style.digits
     if style.kind == "general":
-        size = floor(log10(abs(value))) if value else 0
-        return f"{value:.{digits}g}", 10.0 ** (size - digits + 1)
+        text = f"{value:.{digits}g}"
+        return text, unit_of_last_digit(text)
     if style.kind in ("scientific", "power") and value:
         mantissa, power = f"{value:.{digits}e}".split("e")
         unit *= 10.0 ** int(power)
@@ -147,7 +147,14 @@ def _decimal_text(value: float, style: NumberFormat) -> tuple[str, float]:
     if style.kind == "trimmed":
         text = text.rstrip("0").rstrip(".")
         text = "0" if text in ("-0", "") else text
+        unit = unit if text == "0" else unit_of_last_digit(text.replace(",", ""))
     return text, unit
+
+
+def unit_of_last_digit(text: str) -> float:
+    """Return the unit of the last typed digit, 0.1 for "0.2"."""
+    mantissa, _, power = text.partition("e")
+    return 10.0 ** (int(power or 0) - len(mantissa.partition(".")[2]))
 
 
 def _exact_text(value: float, style: NumberFormat, family: str) -> str:
