@@ -377,7 +377,7 @@ BASE = (
     "Your table has the joint axes of Ref, but the base frame of your table is {} on axis 1 than "
     "the reference's "
 )
-JOINTS = "The reference counts these joints otherwise: {}\n"
+JOINTS = "The reference counts these joints differently: {}\n"
 
 
 @pytest.mark.parametrize(
