@@ -22,7 +22,7 @@ from course.files import HandedFile, read_files
 from course.handed_in import HandIn, compare_sheet_names, read_hand_in
 from course.marking import mark_sheet
 from course.processes import make_pool
-from course.roster import read_table
+from course.roster import read_csv_rows
 from course.sheets import list_part_names
 from course.store import Course
 from helpers.inputs import ArmError, whole_number
@@ -71,12 +71,12 @@ def grade(
         rows.append(_make_row(course, student, marks, late[student], record["note"]))
         text = _write_hints if before_deadline else _write_feedback
         store.write_text(out / student / "feedback.txt", text(course, student, marks, record))
-    store.write_text(out / "grades.csv", format_table(rows))
+    store.write_text(out / "grades.csv", format_csv(rows))
     for platform, table in make_exports(course, rows).items():
-        store.write_text(out / f"grades-{platform}.csv", format_table(table))
+        store.write_text(out / f"grades-{platform}.csv", format_csv(table))
     changes = [c for s in records for c in _list_changes(s, old[s], records[s])]
     if changes:
-        store.write_text(out / "changes.csv", format_table(changes))
+        store.write_text(out / "changes.csv", format_csv(changes))
     return Result(rows, changes)
 
 
@@ -180,7 +180,7 @@ def read_overrides(path: Path, course: Course) -> dict[str, Overrides]:
     if not path.exists():
         return {}
     overrides, problems = dict[str, Overrides](), list[str]()
-    for line, row in read_table(path):
+    for line, row in read_csv_rows(path):
         student, part, credit, why = (row.get(key, "") for key in ("id", "part", "credit", "why"))
         if student not in course.sheets or part not in course.sheet(student).parts:
             problems.append(f"line {line}: no student {student!r} with the part {part!r}")
@@ -213,7 +213,7 @@ def read_late(folder: Path, course: Course) -> dict[str, str]:
     """
     late = {s: "late" if (folder / s / LATE_FILE).exists() else "" for s in course.sheets}
     path = folder / _LATE
-    rows = [*read_table(path)] if path.exists() else []
+    rows = [*read_csv_rows(path)] if path.exists() else []
     unknown = [f"line {n}: no student {r.get('id')!r}" for n, r in rows if r.get("id") not in late]
     if unknown:
         raise ArmError(f"{path} cannot be used; {'; '.join(unknown)}")
@@ -306,7 +306,7 @@ def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[st
     ]  # fmt: skip
 
 
-def format_table(rows: Marks) -> str:
+def format_csv(rows: Marks) -> str:
     """Format rows as CSV by RFC 4180, with no text that a spreadsheet reads as a formula."""
     file = io.StringIO()
     names = list(dict.fromkeys(name for row in rows for name in row))

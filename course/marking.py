@@ -112,12 +112,12 @@ def _fill_blanks(answer: Any) -> Any:
 
 def _mark_numbers(question: Question, part: Part, answer: Any) -> Mark:
     """Mark numbers by their blocks, which are entries, columns or halves of columns."""
-    typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
+    typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
     candidates = _shape_like(typed, part)
     return max((_mark_values(part, one) for one in candidates), key=lambda mark: mark.credit)
 
 
-def _read_numbers(answer: Any, name: str) -> TypedNumbers:
+def _read_answer(answer: Any, name: str) -> TypedNumbers:
     """Read a list, or its entries joined to a text, in which units and decimal commas are read."""
     try:
         return read_numbers(answer, name)
@@ -262,7 +262,7 @@ def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
 
 def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
     """Mark the share of the branches that are among the first rows."""
-    typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
+    typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
     count, dof = part.value.shape
     if typed.values.size % dof:
         raise ArmError(f"{typed.values.size} numbers given, expected rows of {dof}")
@@ -295,7 +295,7 @@ def _match_branches(question: Question, part: Part, rows: Array, tolerance: Any)
 def _mark_pose(question: Question, part: Part, answer: Any) -> Mark:
     """Mark joint values by whether they reach the target."""
     target = topics.make_target_pose(np.array(question.numbers["target"]))
-    typed = _read_numbers(_fill_blanks(answer), f"`{part.name}`")
+    typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
     if typed.values.size != question.arm.dof:
         raise ArmError(f"{typed.values.size} numbers given, expected {question.arm.dof}")
     values = typed.values.ravel()

@@ -40,7 +40,7 @@ def read_roster(path: Path) -> tuple[Student, ...]:
     id of an earlier line (capitals count as small letters, as some disks treat them).
     """
     students, problems = dict[str, Student](), list[str]()
-    for line, row in read_table(path):
+    for line, row in read_csv_rows(path):
         if "Points Possible" in row.values():  # the second line of Canvas
             continue
         student = _read_student(row)
@@ -55,7 +55,7 @@ def read_roster(path: Path) -> tuple[Student, ...]:
     return tuple(students.values())
 
 
-def read_table(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
+def read_csv_rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
     """Read a CSV file row by row, with line numbers and without blanks or empty rows.
 
     Raises ArmError if the file is not in UTF-8 or is no CSV.

@@ -411,7 +411,7 @@ def compare_trace(
         reply = ask_judge("trace", path=samples, **given)
         missing_times = reply.get("wanted", ())
     joints = reply.get("figures", {}).pop("q", None)
-    figures = {} if joints is None else {"run": _report_trace(arm, path, joints)}
+    figures = {} if joints is None else {"run": _report_read_joints(arm, path, joints)}
     return make_verdict(reply, **figures)
 
 
@@ -428,7 +428,7 @@ def _sample_path(path: Path, times: Array) -> list:
     return [list(row) for row in zip(*(c.tolist() for c in columns), strict=True)]
 
 
-def _report_trace(arm: Arm, path: Path, joints: list) -> Any:
+def _report_read_joints(arm: Arm, path: Path, joints: list) -> Any:
     """Return the report of `helpers.motion` on the joints as the judge read them."""
     q = np.array(joints)
     path = replace(path, times=path.times[: len(q)])

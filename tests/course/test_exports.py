@@ -151,10 +151,10 @@ def test_broken_gradescope_export_is_reported():
 
 def test_no_text_in_table_is_a_formula():
     rows = [{"id": "ab", "name": "Ada", "total": 2.0235}, {"id": "cd", "name": "=1", "total": 0}]
-    text = grading.format_table(rows)
+    text = grading.format_csv(rows)
     assert text == "id,name,total\r\nab,Ada,2.0235\r\ncd,'=1,0\r\n"
     for first in "=+-@\t\r\n|%":
-        text = grading.format_table([{"name": f"{first}1"}])
+        text = grading.format_csv([{"name": f"{first}1"}])
         assert list(csv.reader(io.StringIO(text, newline="")))[1] == [f"'{first}1"]
 
 
