@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-MAX_BYTES = 5_000_000  # of one file; a sheet with all its outputs has less than 100 000
+MAX_BYTES = 5_000_000  # A sheet with all its outputs has less than 100 000 bytes.
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from course.handed_in import read_hand_in
 from course.roster import StudentIndex
 from course.store import Course
 
-_SETTINGS = "settings.json"  # in the pack: for how many submissions a student gets hints
+_SETTINGS = "settings.json"  # number of submissions for which a student gets hints
 # Gradescope (docs/specs.md of gradescope/autograder_samples) runs setup.sh and run_autograder from
 # the zip's root; the latter must write /autograder/results/results.json.
 _FILES = {
@@ -43,7 +43,7 @@ exec /autograder/env/bin/python -m course.gradescope /autograder
 
 
 def pack_autograder(course: Course, path: Path) -> None:
-    """Write Gradescope's autograder: the course without its secret, the helpers, the set-up.
+    """Write Gradescope's autograder with the helpers and the course without its secret.
 
     Raises ModuleNotFoundError if the helpers are not installed.
     """

@@ -149,7 +149,7 @@ def draw_entry(course: Course, student: str, issue: int = 0) -> dict[str, Any]:
 
 
 def _draw_proved_section(course: Course, student: str, index: int, issue: int) -> dict[str, Any]:
-    """Draw sections until one's own key gets full marks; return its lengths and numbers.
+    """Draw the lengths and numbers of a section until its key gets full marks.
 
     Raises ArmError after twenty tries.
     """

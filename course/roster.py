@@ -1,4 +1,4 @@
-"""Read who takes a course, and find students by the names that other systems use."""
+"""Read the students of a course, and find them by the names that platforms use."""
 
 import csv
 import io
@@ -81,7 +81,7 @@ def read_csv_rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
 
 
 def _read_student(row: Mapping[str, str]) -> Student:
-    """Return the id and the name in a row; "\\0" for one that is missing."""
+    """Return the student of a row, with "\\0" for a missing id or name."""
     cells = {header.casefold(): cell for header, cell in row.items()}
     student_id = next((cells[key] for key in _ID_HEADERS if key in cells), "\0")
     last = next((cells[key] for key in _LAST_NAMES if key in cells), "")

@@ -24,7 +24,7 @@ from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
 
 TOPICS = tuple(BY_NAME)
-# The pieces that are marked one by one, for the kinds of parts that are no plain numbers.
+# The pieces that are marked separately, for kinds of parts that are no plain numbers.
 _MARKED_PIECES = {
     "rotation": "each column counts",
     "jacobian": "each column counts by halves, linear and angular",

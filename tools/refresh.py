@@ -42,7 +42,7 @@ def draws_only(cell: nbformat.NotebookNode, below: nbformat.NotebookNode) -> boo
 
 
 def write_derived_cells(notebook: nbformat.NotebookNode, page: str) -> None:
-    """Write the parts of a notebook that follow from its cells: note, folds and citations."""
+    """Write the note, folds and citations of a notebook, which follow from its cells."""
     write_setup_note(notebook, page)
     hide_drawing_code(notebook)
     write_citations(notebook)

@@ -1,4 +1,4 @@
-"""Imitate the round-off of another processor: add noise to NumPy's and Python's functions.
+"""Add noise to functions of NumPy and Python, as the round-off of a different processor.
 
 Python runs this file at its start if its folder is on PYTHONPATH. The noise is up to two units in
 the last place. It leaves out the functions that OpenBLAS computes: `OPENBLAS_CORETYPE` changes

@@ -1,4 +1,4 @@
-"""A build backend that builds nothing: it tells whoever has an old Python which one is needed."""
+"""Refuse to build with a Python that is too old."""
 
 import sys
 
