@@ -77,7 +77,13 @@ const DECORATIONS = [
     "",
   ],
   // The uncertainty of 0.3768(12), or the number of a footnote.
-  [new RegExp(String.raw`(?<=\d\.\d{1,18}|\d[ ]?(?:${UNIT}))\(\d{1,2}\)(?!\s*[*/^])`, "g"), ""],
+  [
+    new RegExp(
+      String.raw`(?<=\d\.\d{1,18}|(?<![A-Za-z])\d[ ]?(?:${UNIT}))\(\d{1,2}\)(?!\s*[*/^])`,
+      "g",
+    ),
+    "",
+  ],
   [/(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})/g, ""],
   [/(?<=[\d)][ \t]+)-(?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "gm"), "$2"],

@@ -57,7 +57,6 @@ const LATEX = [
   [/(?<=[\d.)]\s*)deg(?:rees?|s|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
   [/\\(?:cdot|times)(?![A-Za-z])/g, "*"],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
-  [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
 ];
 /** @type {[RegExp, string][]} */
 const INNERMOST = [
@@ -75,13 +74,13 @@ const SHORT = /[acdlsCS]_?(?:\d|\{[\d+-]+\})+/g;
 
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 
-// Return whether a text is one number in plain signs, as nearly every cell of a long paste is.
+// Return whether a text is one number in plain characters, as nearly every cell of a long paste is.
 export const isNumber = (text) => NUMBER.test(text);
 
 // Return whether a number with decimals stands in a text.
 export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 
-// The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
+// Write a text in plain characters: Unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
   if (isNumber(text)) return text;
   text = withoutSpacing(foldCharacters(text));
@@ -97,8 +96,8 @@ export function plain(text) {
     for (const [innermost, opened] of INNERMOST) text = text.replace(innermost, opened);
   }
   text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
-  text = text.replace(/\b(?:np|math|sp|sym)\./g, "");
-  text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's signs for entry by entry
+  text = text.replace(/\b(?:np|math|sp)\./g, "");
+  text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's operators on each entry
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
   text = text.replace(COUNTED, "$1_$2");
   text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");
@@ -113,7 +112,7 @@ export const simple = (name) =>
     .replace(/[_{}'*^\\\s]/g, "")
     .toLowerCase();
 
-// The tree of one formula; an error that quotes it where it is none.
+// Parse one formula as a tree; refuse another text with a message that quotes it.
 export function parse(text, what = "the formula") {
   if (text.length > LONGEST) {
     throw new ArmError(`${what} has ${text.length} characters; expected at most ${LONGEST}`);

@@ -1,5 +1,5 @@
-// Frames that pandas printed in parts, one below the other, because the screen was too narrow: each
-// part but the last has a \ at the end of its column headers. They are put side by side again.
+// Puts frames side by side again that pandas printed in parts, one below the other, because the
+// screen was too narrow. Each part but the last has a \ at the end of its column headers.
 
 import { listLines } from "./spans.js";
 
@@ -14,7 +14,7 @@ export function unwrapFrames(pasted) {
   const lines = listLines(pasted.text);
   const parts = [];
   for (let k = 0; k < lines.length;) {
-    const frame = WRAPPED.test(lines[k].text) ? frameAt(lines, k) : null;
+    const frame = WRAPPED.test(lines[k].text) ? findFrame(lines, k) : null;
     const rows = frame ? frame.rows : [[lines[k]]];
     for (const row of rows) parts.push(...row.flatMap((piece) => [piece, " "]).slice(0, -1), "\n");
     k = frame ? frame.next : k + 1;
@@ -29,25 +29,25 @@ const LEAST_GAP = 2; // blanks between two columns
 
 /**
  * Return the rows of the frame whose first part begins at a line, each as its pieces, and the
- * first line behind it; nothing if the parts do not belong together.
+ * first line behind it; nothing if the parts do not haveSameRows together.
  * @param {Line[]} lines @param {number} start
  */
-function frameAt(lines, start) {
-  const { parts, end } = partsFrom(lines, start);
+function findFrame(lines, start) {
+  const { parts, end } = listParts(lines, start);
   const [first, ...others] = parts;
-  const belong = first.length > 1 && others.every((part) => part.length >= first.length);
-  const width = others.length && belong ? indexWidth(parts) : null;
+  const haveSameRows = first.length > 1 && others.every((part) => part.length >= first.length);
+  const width = others.length && haveSameRows ? findIndexWidth(parts) : null;
   if (width === null) return null;
   const rows = first.map((line, row) => [
-    withoutBackslash(line),
-    ...others.map((part) => behindIndex(withoutBackslash(part[row]), width)),
+    cutBackslash(line),
+    ...others.map((part) => cutIndex(cutBackslash(part[row]), width)),
   ]);
   // Other text may follow the last part without a blank line between them.
   return { rows, next: end - (others.at(-1).length - first.length) };
 }
 
-// The parts from a line on, each up to a blank line, until one has no \ behind its headers.
-function partsFrom(lines, start) {
+// List the parts from a line on, each up to a blank line, until one has no \ behind its headers.
+function listParts(lines, start) {
   const isBlank = (k) => lines[k] !== undefined && !lines[k].text.trim();
   const parts = [];
   let end = start;
@@ -61,8 +61,8 @@ function partsFrom(lines, start) {
   return { parts: parts.filter(({ length }) => length), end };
 }
 
-// The width of the index: the same words in all parts, with a gap behind them; or null.
-function indexWidth(parts) {
+// Find the width of the index, which is the same in all parts with a gap behind it; null if none.
+function findIndexWidth(parts) {
   const [first, ...others] = parts;
   const body = first.slice(1).map(({ text }) => text);
   const longest = Math.min(...body.map((text) => text.length));
@@ -78,9 +78,9 @@ function indexWidth(parts) {
 }
 
 /** @param {Line} line @returns {Span} */
-function withoutBackslash({ from, text }) {
+function cutBackslash({ from, text }) {
   return { from, to: from + text.replace(/[ \t]*\\[ \t]*$/, "").length };
 }
 
 /** @param {Span} line @param {number} width @returns {Span} */
-const behindIndex = ({ from, to }, width) => ({ from: Math.min(from + width, to), to });
+const cutIndex = ({ from, to }, width) => ({ from: Math.min(from + width, to), to });
