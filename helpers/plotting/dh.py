@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, revolute
 from helpers.kinematics import link_frames
-from helpers.plotting.drawing import bare, eye_of, joint_shape, named_arrow, seen
+from helpers.plotting.drawing import draw_joint, draw_named_arrow, get_view_axes, hide_axes, seen
 from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED
 
 _COLOURS = {"theta": ORANGE, "d": BLUE, "a": RED, "alpha": PURPLE}
@@ -24,7 +24,7 @@ def dh_numbers(ax: Axes) -> None:
     for frame, low, high in ((first, -0.3, _D + 1.0), (second, -0.7, 1.0)):
         axis_ends = [frame[:3, 3] + h * frame[:3, 2] for h in (low, high)]
         _draw_line(ax, axis_ends, color=GREY, lw=1.2, ls=(0, (8, 3, 2, 3)))
-        joint_shape(ax, frame, eye_of(_VIEW), 0.13, True)
+        draw_joint(ax, frame, get_view_axes(_VIEW), 0.13, True)
     _draw_length(ax, first[:3, 3], foot[:3, 3], "d", (0, 0.1, 0.1))
     _draw_length(ax, foot[:3, 3], second[:3, 3], "a", (0, 0, 0.12))
     _draw_angle(ax, foot, 0.55, _THETA, "theta")
@@ -35,8 +35,8 @@ def dh_numbers(ax: Axes) -> None:
         for name, axis in (("x", frame[:3, 0]), ("z", frame[:3, 2])):
             ends = seen([frame[:3, 3], frame[:3, 3] + length * axis], _VIEW)[:, :2]
             side = 14 if name == "z" else 0
-            named_arrow(ax, (ends[0], ends[1]), "black", f"${name}_{{{index}}}$", side)
-    bare(ax)
+            draw_named_arrow(ax, (ends[0], ends[1]), "black", f"${name}_{{{index}}}$", side)
+    hide_axes(ax)
 
 
 def _draw_line(ax: Axes, points: ArrayLike, **look: Any) -> None:

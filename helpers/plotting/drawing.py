@@ -28,7 +28,7 @@ from helpers.inputs import (
     whole_number,
 )
 from helpers.kinematics import skeleton
-from helpers.plotting.plane import pose_frames
+from helpers.plotting.plane import compute_pose_frames
 from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 
 Array = NDArray[np.float64]
@@ -40,10 +40,10 @@ _PALE = "#C9CDD3"
 def seen(points: ArrayLike, view: View) -> Array:
     """Project points, shape (..., 3), to right, up and towards the viewer."""
     points = finite_array(points, "points", "points (..., 3), finite, in m", (3,), many=True)
-    return np.asarray(points @ eye_of(view).T)
+    return np.asarray(points @ get_view_axes(view).T)
 
 
-def eye_of(view: View) -> Array:
+def get_view_axes(view: View) -> Array:
     """Return the unit vectors to the right, up and towards the viewer as rows, shape (3, 3)."""
     if isinstance(view, str):
         right, up = np.eye(3)[list(parse_plane(view, "view"))]
@@ -66,7 +66,7 @@ def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1
         view: A plane, or azimuth and elevation in degrees.
         size: Factor on the size of the joints.
     """
-    T, eye = pose_frames(arm, q), eye_of(view)
+    T, eye = compute_pose_frames(arm, q), get_view_axes(view)
     points = skeleton(arm, T)
     radius = (
         0.028
@@ -75,14 +75,14 @@ def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1
     )
     ax.plot(*seen(points, view).T[:2], color=GREY, lw=4, solid_joinstyle="round", zorder=2)
     for i in arm.joints:
-        joint_shape(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
+        draw_joint(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
     ax.plot(*seen(points[-1], view)[:2], "o", color="black", ms=4, zorder=5)
     _draw_ground(ax, seen(T[0, :3, 3], view), 3 * radius)
-    bare(ax)
+    hide_axes(ax)
 
 
-def bare(ax: Axes) -> None:
-    """Set up axes without ticks, at equal scale."""
+def hide_axes(ax: Axes) -> None:
+    """Hide the axes and draw at equal scale."""
     ax.set_aspect("equal")
     ax.set_axis_off()
 
@@ -97,13 +97,13 @@ def _draw_ground(ax: Axes, centre: Array, half_width: float) -> None:
     ax.plot([x - half_width, x + half_width], [y, y], color=SLATE, lw=1.6, zorder=1)
 
 
-def joint_shape(ax: Axes, frame: Array, eye: Array, radius: float, is_revolute: bool) -> None:
+def draw_joint(ax: Axes, frame: Array, eye: Array, radius: float, is_revolute: bool) -> None:
     """Draw a barrel about z, or a box along it for a prismatic joint.
 
     Args:
         ax: Axes to draw on.
         frame: Frame whose z axis is the joint axis, shape (4, 4).
-        eye: Unit vectors of the view as rows, of `eye_of`.
+        eye: Unit vectors of the view as rows, of `get_view_axes`.
         radius: Radius of the barrel or half diagonal of the box, m.
         is_revolute: Whether the joint turns.
     """
@@ -141,7 +141,7 @@ def lengths(
             step "d_4" is along z_3, "a_4" along x_4.
     """
     require_type(aside, dict, "aside")
-    points = skeleton(arm, pose_frames(arm, q))
+    points = skeleton(arm, compute_pose_frames(arm, q))
     steps = {f"{kind}_{i}": (i, kind) for i in range(1, len(arm.rows) + 1) for kind in "da"}
     for name, shift in aside.items():
         if name not in steps:
@@ -242,11 +242,11 @@ def axis_lines(ax: Axes, derivation: Derivation, view: View, length: float) -> N
         name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
         outwards = 16 if end[0] < middle else -16
         side = outwards if len(group) > 1 else 0  # a long name goes beside its arrow
-        named_arrow(ax, (end - 0.01 * (end - start), end), BLUE, name, side)
-    bare(ax)
+        draw_named_arrow(ax, (end - 0.01 * (end - start), end), BLUE, name, side)
+    hide_axes(ax)
 
 
-def named_arrow(
+def draw_named_arrow(
     ax: Axes, ends: tuple[Array, Array], colour: str, text: str, side: float = 0
 ) -> None:
     """Draw an arrow with its name beyond its tip, or `side` points (pt) to the left if not 0."""
@@ -289,7 +289,7 @@ def frames(
         which: Numbers of the frames to draw, from 0; all if None.
         names: The axes to draw: "xz", "x" or "z".
     """
-    T = pose_frames(arm, q)
+    T = compute_pose_frames(arm, q)
     finite_number(length, "length", "a finite length > 0 in m", above=0)
     require_choice(names, "names", ("xz", "x", "z"))
     shared = defaultdict(list)
@@ -305,7 +305,7 @@ def frames(
         text = f"${name}_{{{','.join(map(str, indices))}}}$"
         partner = T[indices[0], :3, 2 if name == "x" else 0]
         side = _choose_label_side(axis, partner, view, 10)
-        named_arrow(ax, (ends[0], ends[1]), AXIS_COLOURS[name], text, side)
+        draw_named_arrow(ax, (ends[0], ends[1]), AXIS_COLOURS[name], text, side)
 
 
 _INDICES = "numbers of frames"
@@ -337,13 +337,13 @@ def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
         frame = step.frame if row in indices else step.before
         side = _choose_label_side(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
-        named_arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
+        draw_named_arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
     for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
         ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
     ax.plot(*seen(origin, view)[:2], "o", color="black", ms=4, zorder=7)
     ax.set(xlim=middle[0] + half * _SPAN, ylim=middle[1] + half * _SPAN)
     ax.set_title(f"row {row}", fontsize=10)
-    bare(ax)
+    hide_axes(ax)
 
 
 def _choose_label_side(axis: Array, other_axis: Array, view: View, side: float) -> float:
@@ -410,7 +410,7 @@ def postures(
     """
     require_type(arm, Arm, "arm")
     poses = finite_array(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
-    T = [pose_frames(arm, q) for q in poses]
+    T = [compute_pose_frames(arm, q) for q in poses]
     lines = [seen(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
     low, high = np.vstack(lines).min(axis=0), np.vstack(lines).max(axis=0)
     finite_number(tool, "tool", "a finite length of 0 or more in m", least=0)
@@ -428,4 +428,4 @@ def postures(
         else:
             ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)
         ax.set_title(title, fontsize=9)
-        bare(ax)
+        hide_axes(ax)

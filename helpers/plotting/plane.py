@@ -10,7 +10,7 @@ from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.style import GREY, SLATE
 
 
-def pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
+def compute_pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
     """Return the link frames to draw at a pose, q of shape (dof,)."""
     require_type(arm, Arm, "arm")
     return link_frames(arm, arm.joint_vector(q, many=False))
@@ -21,7 +21,7 @@ def arm_2d(
 ) -> None:
     """Draw an arm at q, shape (dof,), in a plane such as "xz", with lengths in m."""
     i, j = parse_plane(plane)
-    T = pose_frames(arm, q)
+    T = compute_pose_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]
     origins = T[[k - 1 for k in arm.joints], :3, 3][:, [i, j]]
     ax.plot(

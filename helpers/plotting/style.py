@@ -70,7 +70,7 @@ def use_book_style() -> None:
         np.set_printoptions(precision=4, suppress=True)
 
 
-def time_axis(ax: Axes) -> None:
+def label_time_axis(ax: Axes) -> None:
     """Label the time axis of a panel, which a phone shows without its neighbours."""
     ax.set_xlabel("$t$ (s)")
     ax.xaxis.set_major_locator(MaxNLocator(2, steps=[1, 2, 2.5, 5, 10]))

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import finite_array, require_type
-from helpers.plotting.style import BLUE, GREEN, ORANGE, PURPLE, RED, time_axis
+from helpers.plotting.style import BLUE, GREEN, ORANGE, PURPLE, RED, label_time_axis
 
 
 def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object) -> None:
@@ -31,7 +31,7 @@ def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: 
         low, high = ax.get_ylim()
         if np.isfinite(limit) and high - low < 1e-3 * limit:
             ax.set_ylim((low + high - 1e-3 * limit) / 2, (low + high + 1e-3 * limit) / 2)
-    time_axis(axes.flat[-1])
+    label_time_axis(axes.flat[-1])
 
 
 def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from helpers.inputs import parse_plane, require_type, tuple_of_items, whole_number
 from helpers.kinematics import link_frames, skeleton
 from helpers.motion import Trace
-from helpers.plotting.style import BLUE, GREEN, GREY, RED, time_axis
+from helpers.plotting.style import BLUE, GREEN, GREY, RED, label_time_axis
 
 Array = NDArray[np.floating]
 
@@ -46,7 +46,7 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
         ax.plot(t, np.where((angle < low) | (angle > high), angle, np.nan), color=RED, lw=3)
         ax.set(title=f"joint {i} (°)")
         ax.yaxis.set_major_locator(MaxNLocator(3))
-        time_axis(ax)
+        label_time_axis(ax)
 
 
 def _choose_plotted_steps(run: Trace) -> NDArray[np.intp]:
