@@ -106,7 +106,7 @@ class CircleSimulation {
   }
 
   // Return the joint rates at a share of the circle.
-  rates(share, q) {
+  computeRates(share, q) {
     const { arm, run, first, worst } = this;
     const frames = linkFrames(arm, q);
     const { o, v } = getCirclePoint(first.o, run, share);
@@ -123,9 +123,9 @@ class CircleSimulation {
 
   // Return the joint values after the next step. Throws SingularError if the Jacobian has no
   // inverse.
-  stepped(share, next) {
+  computeNextJoints(share, next) {
     const { arm, run, first, q, worst } = this;
-    const k1 = this.rates(run.mistake === "next" ? next : share, q);
+    const k1 = this.computeRates(run.mistake === "next" ? next : share, q);
     worst.fastestRate = Math.max(worst.fastestRate, ...k1.map(Math.abs));
     if (run.method === "exact") {
       const wanted = { ...first, o: getCirclePoint(first.o, run, next).o };
@@ -135,18 +135,18 @@ class CircleSimulation {
     const moved = (k, by) => q.map((x, i) => x + by * k[i]);
     if (run.method === "euler") return moved(k1, h);
     const middle = share + 0.5 / run.steps;
-    const k2 = this.rates(middle, moved(k1, h / 2));
-    const k3 = this.rates(middle, moved(k2, h / 2));
-    const k4 = this.rates(next, moved(k3, h));
+    const k2 = this.computeRates(middle, moved(k1, h / 2));
+    const k3 = this.computeRates(middle, moved(k2, h / 2));
+    const k4 = this.computeRates(next, moved(k3, h));
     return q.map((x, i) => x + (h / 6) * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]));
   }
 
   // Make step n. Returns false if the run ends there.
-  go(n) {
+  makeStep(n) {
     const { arm, run, first, worst, kept } = this;
     const next = (n + 1) / run.steps;
     try {
-      this.q = this.stepped(n / run.steps, next);
+      this.q = this.computeNextJoints(n / run.steps, next);
     } catch (error) {
       if (error instanceof SingularError) return false;
       throw error;
@@ -184,7 +184,7 @@ export function simulateCircle(arm, start, options = {}) {
   if (run.method === "exact") run.rates = "pseudo";
   const simulation = new CircleSimulation(arm, start, run);
   let n = 0;
-  while (n < run.steps && simulation.go(n)) n++;
+  while (n < run.steps && simulation.makeStep(n)) n++;
   const turns = movingRows(arm).map((row) => (arm.rows[row].kind === "revolute" ? 2 * Math.PI : 0));
   const windings = simulation.q.map((x, i) => (turns[i] ? (x - start[i]) / turns[i] : 0));
   const failedStep = n < run.steps ? n : null;

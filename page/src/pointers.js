@@ -34,178 +34,213 @@ let dragCount = 0;
  * @param {{ grip: HTMLElement, goTo: (q: number[]) => void }} tools
  */
 export function enableGrabbing(picture, store, { grip, goTo }) {
-  const hand = new Grabber(picture, store, goTo);
+  const grabber = new Grabber(picture, store, goTo);
   const { figure } = picture;
   const { canvas } = figure;
-  const begins = (event) => hand.takes(event);
-  figure.listen(canvas, "pointerdown", begins, { capture: true });
+  const handleDown = (event) => grabber.handlePointerDown(event);
+  figure.listen(canvas, "pointerdown", handleDown, { capture: true });
   figure.listen(grip, "pointerdown", (event) => {
-    if (!event.button) hand.begin(event, { kind: "tip" });
+    if (!event.button) grabber.startDrag(event, { kind: "tip" });
   });
   for (const target of [canvas, grip]) {
-    figure.listen(target, "pointermove", (event) => hand.move(event));
-    figure.listen(target, "pointerup", (event) => hand.release(event));
-    figure.listen(target, "pointercancel", (event) => hand.release(event));
+    figure.listen(target, "pointermove", (event) => grabber.handlePointerMove(event));
+    figure.listen(target, "pointerup", (event) => grabber.handlePointerUp(event));
+    figure.listen(target, "pointercancel", (event) => grabber.handlePointerUp(event));
   }
-  figure.listen(canvas, "pointerleave", () => hand.drag || hand.hover(null));
-  // A touch on something that can be grabbed drags it in every direction; any other touch may
-  // scroll the page.
-  const touched = (event) => {
+  figure.listen(canvas, "pointerleave", () => grabber.drag || grabber.highlight(null));
+  // A touch on a part that can be grabbed drags it in every direction; elsewhere a touch may scroll
+  // the page.
+  const handleTouch = (event) => {
     const [{ clientX, clientY }] = event.touches;
-    if (event.touches.length === 1 && hand.under({ clientX, clientY, pointerType: "touch" }))
+    const isSingle = event.touches.length === 1;
+    if (isSingle && grabber.findPartUnder({ clientX, clientY, pointerType: "touch" }))
       event.preventDefault();
   };
-  figure.listen(canvas, "touchstart", touched, { passive: false });
-  figure.signal.addEventListener("abort", () => cancelStep(hand.step));
+  figure.listen(canvas, "touchstart", handleTouch, { passive: false });
+  figure.signal.addEventListener("abort", () => cancelStep(grabber.step));
 }
 
-/** The object that the pointer has grabbed, and the work of one frame of the drag. */
+/**
+ * A part of the picture under the pointer. A branch can be clicked, the others can be dragged.
+ * @typedef {object} Part
+ * @property {"force" | "branch" | "link" | "elbow" | "tip"} kind
+ * @property {number} [branch] index of a branch
+ * @property {number} [row] of a grabbed link or elbow
+ * @property {number[]} [local] grabbed point, in the frame of its row
+ * @property {number} [highlightedRow] row of the joint that a grabbed link turns
+ */
+/**
+ * @typedef {object} DragState
+ * @property {number} id of the pointer
+ * @property {PointerEvent} event the latest one
+ * @property {[number, number]} [pixel] position of the pointer in the picture
+ * @property {string} gesture name of the undo step
+ * @property {number[]} rest joint values when the drag began
+ * @property {import("./state.js").Frame} tip pose of the tip when the drag began
+ * @property {number[]} [from] point at the tip's depth where the drag of the tip began
+ */
+
+/** The part that the pointer has grabbed, and the work of one frame of the drag. */
 class Grabber {
+  /**
+   * @param {import("./scene.js").ArmPicture} picture
+   * @param {import("./state.js").Store} store
+   * @param {(q: number[]) => void} goTo
+   */
   constructor(picture, store, goTo) {
     this.picture = picture;
     this.figure = picture.figure;
     this.store = store;
     this.goTo = goTo;
-    /** @type {any} */
+    /** @type {(Part & DragState) | null} */
     this.drag = null;
-    this.down = null; // where the pointer went down, and on what
+    /** @type {{ x: number, y: number, part: Part | null } | null} position and part of a press */
+    this.press = null;
     this.step = () => {
-      if (this.drag && !this.follow()) beforeDrawing(this.step);
+      if (this.drag && !this.dragOneFrame()) beforeDrawing(this.step);
     };
   }
 
-  ballAt(pixel) {
+  isOnForceBall(pixel) {
     const { handle } = this.picture;
     if (!handle?.visible) return false;
     const [x, y] = this.figure.pixel(handle.position.toArray());
     return Math.hypot(x - pixel[0], y - pixel[1]) < FORCE_BALL_RADIUS;
   }
 
-  // Return what the pointer would grab, or null.
-  under(event) {
+  /**
+   * Return the part that the pointer would grab or click, or null.
+   * @param {Pick<PointerEvent, "clientX" | "clientY" | "pointerType">} event
+   * @returns {Part | null}
+   */
+  findPartUnder(event) {
     const { picture, store } = this;
     const pixel = this.figure.place(event);
     const { state, derived } = store;
-    if (this.ballAt(pixel)) return { kind: "force" };
+    if (this.isOnForceBall(pixel)) return { kind: "force" };
     const branch = state.view === "branches" ? picture.findBranchAt(pixel) : null;
     if (branch !== null) return { kind: "branch", branch };
-    const hit = picture.findLinkAt(
-      pixel,
-      GRAB_RADIUS[event.pointerType] ?? GRAB_RADIUS.touch,
-      picture.grips(),
-    );
+    const radius = GRAB_RADIUS[event.pointerType] ?? GRAB_RADIUS.touch;
+    const hit = picture.findLinkAt(pixel, radius, picture.grips());
     if (!hit) return null;
     const { frames } = derived;
-    const held = { row: hit.row, local: toFrame(frames[hit.row + 1], hit.point) };
-    if (state.hold?.pinned) return { kind: "elbow", ...held };
+    const grabbed = { row: hit.row, local: toFrame(frames[hit.row + 1], hit.point) };
+    if (state.hold?.pinned) return { kind: "elbow", ...grabbed };
     const row = findTurningRow(state.arm, frames, hit, 0.02 * picture.size);
-    return row === null ? null : { kind: "link", highlightedRow: row, ...held };
+    return row === null ? null : { kind: "link", highlightedRow: row, ...grabbed };
   }
 
-  takes(event) {
+  handlePointerDown(event) {
     if (event.button) return;
-    const what = this.under(event);
-    this.down = [event.clientX, event.clientY, what];
-    if (!what || what.kind === "branch") return;
+    const part = this.findPartUnder(event);
+    this.press = { x: event.clientX, y: event.clientY, part };
+    if (!part || part.kind === "branch") return;
     event.stopImmediatePropagation(); // keeps the view from turning
-    this.begin(event, what);
+    this.startDrag(event, part);
   }
 
-  begin(event, what) {
+  /**
+   * @param {PointerEvent & { target: HTMLElement }} event
+   * @param {Part} part
+   */
+  startDrag(event, part) {
     const { figure, store } = this;
-    const pixel = figure.place(event);
     const tip = store.derived.frames.at(-1);
     this.drag = {
-      ...what,
+      ...part,
       id: event.pointerId,
-      at: event, // the latest pointer event
+      event,
       gesture: `drag ${++dragCount}`,
       rest: store.state.q,
       tip,
-      point: tip.o,
     };
-    if (what.kind === "tip") this.drag.from = figure.onFacingPlane(pixel, tip.o);
+    if (part.kind === "tip") this.drag.from = figure.onFacingPlane(figure.place(event), tip.o);
     event.target.setPointerCapture(event.pointerId);
-    const highlightedRow =
-      what.highlightedRow === undefined ? {} : { highlightedRow: what.highlightedRow };
-    store.dispatch({ type: "setFields", dragging: true, ...highlightedRow });
+    const { highlightedRow } = part;
+    const highlight = highlightedRow === undefined ? {} : { highlightedRow };
+    store.dispatch({ type: "setFields", dragging: true, ...highlight });
     figure.canvas.classList.add("held");
   }
 
   // Make one frame of the drag. Returns false if another frame is needed although the pointer
   // rests.
-  follow() {
+  dragOneFrame() {
     const { drag, store } = this;
-    drag.to = this.figure.place(drag.at);
-    return this[drag.kind](store.state);
+    drag.pixel = this.figure.place(drag.event);
+    if (drag.kind === "tip") return this.dragTip(store.state);
+    if (drag.kind === "force") this.dragForce();
+    if (drag.kind === "link") this.dragLink(store.state);
+    if (drag.kind === "elbow") this.dragElbow(store.state);
+    return true;
   }
 
-  force() {
+  dragForce() {
     const { picture, figure, store, drag } = this;
-    const point = figure.onFacingPlane(drag.to, picture.handle.position.toArray());
+    const point = figure.onFacingPlane(drag.pixel, picture.handle.position.toArray());
     const wrench = point && [...picture.forceFrom(point), ...store.state.wrench.slice(3)];
     if (wrench) store.dispatch({ type: "setWrench", wrench, gesture: drag.gesture });
-    return true;
   }
 
-  link({ arm, q }) {
-    const { row, local, to, highlightedRow, gesture } = this.drag;
+  dragLink({ arm, q }) {
+    const { row, local, pixel: to, highlightedRow, gesture } = this.drag;
     const joint = movingRows(arm).indexOf(highlightedRow);
-    const pixel = (p) => this.figure.pixel(p);
+    const pixel = (point) => this.figure.pixel(point);
     const next = dragLink(arm, q, { row, local, to, joint, pixel });
     this.store.dispatch({ type: "moveJoints", q: next, gesture });
-    return true;
   }
 
-  elbow({ arm, q, hold }) {
-    const { row, local, to, gesture } = this.drag;
-    const grab = { row, local, to, pixel: (p) => this.figure.pixel(p) };
+  dragElbow({ arm, q, hold }) {
+    const { row, local, pixel: to, gesture } = this.drag;
+    const grab = { row, local, to, pixel: (point) => this.figure.pixel(point) };
     const { q: next, free } = swingElbow(arm, q, grab, hold.pinned, { turns: hold.turns });
     this.store.dispatch({ type: "moveJoints", q: next, hold: { ...hold, free }, gesture });
-    return true;
   }
 
-  tip(state) {
-    const { to, from, point: start, tip, rest, gesture } = this.drag;
-    const point = this.figure.onFacingPlane(to, start);
+  // Move the tip towards the pointer. Returns false while it is on its way.
+  dragTip(state) {
+    const { pixel, from, tip, rest, gesture } = this.drag;
+    const point = this.figure.onFacingPlane(pixel, tip.o);
     if (!point) return true;
     const o = tip.o.map((v, i) => v + point[i] - from[i]);
     return followTip(this.store, state, { ...tip, o }, { rest, gesture });
   }
 
-  move(event) {
+  handlePointerMove(event) {
     const { drag, figure } = this;
     if (drag && event.pointerId === drag.id) {
-      drag.at = event;
+      drag.event = event;
       beforeDrawing(this.step);
     } else if (!drag && event.buttons === 0 && event.target === figure.canvas) {
-      this.hover(this.under(event));
+      this.highlight(this.findPartUnder(event));
     }
   }
 
-  hover(what) {
+  /** @param {Part | null} part */
+  highlight(part) {
     const { store } = this;
-    this.figure.canvas.style.cursor = what ? "pointer" : "grab";
-    const highlightedRow = what?.kind === "link" ? what.highlightedRow : null;
+    this.figure.canvas.style.cursor = part ? "pointer" : "grab";
+    const highlightedRow = part?.kind === "link" ? part.highlightedRow : null;
     if (store.state.highlightedRow !== highlightedRow)
       store.dispatch({ type: "setFields", highlightedRow });
-    const highlightedBranch = what?.kind === "branch" ? what.branch : null;
+    const highlightedBranch = part?.kind === "branch" ? part.branch : null;
     if (store.state.highlightedBranch !== highlightedBranch)
       store.dispatch({ type: "setFields", highlightedBranch });
   }
 
-  release(event) {
-    const { drag, down, store } = this;
+  // End a drag, or show the branch that was clicked.
+  handlePointerUp(event) {
+    const { drag, press, store } = this;
     if (drag && event.pointerId !== drag.id) return;
-    const still =
-      down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < CLICK_TOLERANCE;
-    if (still && down[2]?.kind === "branch") this.goTo(store.state.branches.list[down[2].branch].q);
+    const isClick =
+      press && Math.hypot(event.clientX - press.x, event.clientY - press.y) < CLICK_TOLERANCE;
+    if (isClick && press.part?.kind === "branch")
+      this.goTo(store.state.branches.list[press.part.branch].q);
     if (drag) {
-      if (cancelStep(this.step)) this.follow(); // include the pointer's last motion
+      if (cancelStep(this.step)) this.dragOneFrame(); // include the pointer's last motion
       const hold = store.state.hold?.pinned ? store.state.hold : null;
       store.dispatch({ type: "setFields", dragging: false, highlightedRow: null, hold });
     }
-    [this.drag, this.down] = [null, null];
+    [this.drag, this.press] = [null, null];
     this.figure.canvas.classList.remove("held");
   }
 }

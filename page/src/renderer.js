@@ -309,7 +309,10 @@ export class Figure {
     return (length * this.height) / (2 * half);
   }
 
-  // Return the position of a pointer in the same pixels.
+  /**
+   * Return the position of a pointer in the same pixels.
+   * @returns {[number, number]}
+   */
   place({ clientX, clientY }) {
     const box = this.canvas.getBoundingClientRect();
     return [clientX - box.left, clientY - box.top];
