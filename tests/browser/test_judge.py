@@ -76,8 +76,8 @@ def enter(page, fragment=""):
 def reload_with_storage(page, load):
     """Load a page until it sees the answers that the browser keeps.
 
-    On a busy machine one such load in twenty (14 of 282) sees an empty storage from its first script to its last,
-    though other tabs and the next load see all of it.
+    On a busy machine one load in twenty (14 of 282) sees an empty storage from its first script to
+    its last, though other tabs and the next load see all of it.
     """
     for _ in range(5):
         load()
