@@ -29,10 +29,10 @@ const BLANKS = /[\u00a0\u2002\u2003\u2007\u2009\u200a\u202f\u3000]/g;
  */
 export const foldBlanks = (text) => text.replace(BLANKS, " ");
 /**
- * Write each dash as a minus.
+ * Write each dash as a minus and each degree sign as °.
  * @param {import("./spans.js").SpannedText} text
  */
-export const foldDashes = (text) => text.replace(DASHES, "-");
+export const foldSymbols = (text) => text.replace(DASHES, "-").replace(/[º˚]/g, "°");
 export const foldCharacter = (one) => SAME.get(one);
 // LaTeX's, which only set a formula out; a ~ before a number may be a minus.
 export const SPACING =
@@ -63,6 +63,7 @@ export const MATRIX_CHARACTERS = [
   [new RegExp(String.raw`\b(?:${NOUNS})[ \t]+(?=\d)`, "gi"), joinedNoun],
   [/(?<=[A-Za-z]\w*\[\d{1,2})\]\[(?=\d{1,2}\])/g, ","], // J[0][1]
   [/(?<=[\p{L}\p{N}_})\]][ \t]+)(?:is|equals)(?=[ \t]+[-+≈~]?[ ]?[.\d])/gu, "="],
+  [/\\pm\b/g, "±"],
   [/\.\.\.[ \t]*\n/g, CONTINUED],
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
   [new RegExp(MATRIX, "g"), (_, end) => (end === "begin" ? "[" : "]")],
