@@ -4,12 +4,19 @@
 import { blocksIn, isCalledOld, namesOtherQuantity, plainText } from "./blocks.js";
 import { foldBlanks, linesOf } from "./characters.js";
 import {
+  countsJoints,
+  isSeries,
+  withoutCountedCells,
+  withoutCountedHeader,
+  withoutLabels,
+} from "./counts.js";
+import {
   labelNumberedLines,
   withoutComments,
   withoutMargins,
   withoutStruckText,
 } from "./decorations.js";
-import { hasDecimals, number } from "./formula.js";
+import { hasDecimals } from "./formula.js";
 import { unwrapFrames } from "./frames.js";
 import { labelIn } from "./labels.js";
 import { headerLabels, inListedOrder, labelsOf, liesBy, ordered, transposed } from "./ordering.js";
@@ -180,12 +187,6 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
   if (rivals.length) throw askWhich([block, ...rivals]);
 }
 
-// Return whether a row only numbers the joints, as in "for joints 1, 2, 4, 5, 6 and 7".
-const countsJoints = (cells) => {
-  const texts = textsOf(cells).map((text) => text.replace(/[():.]/g, ""));
-  return texts.every((text, k) => /^\d$/.test(text) && (!k || text > texts[k - 1]));
-};
-
 // The block as it is wanted, or nothing. Of a row that is wanted as it stands no number counts it.
 function fitted(block, want, wants, names) {
   const whole =
@@ -194,6 +195,7 @@ function fitted(block, want, wants, names) {
   const upright = [
     ...counted,
     ...(counted.length ? [] : [block]),
+    ...withoutCountedCells(block),
     ...columnOf(block, names),
     ...jointColumns(block, want),
     ...(whole ? [] : withoutLabels(block)),
@@ -209,23 +211,14 @@ function fitted(block, want, wants, names) {
   return [want.turned ? { ...one, rows: [one.rows.flat()] } : one];
 }
 
-// A block of decimals below a row 1 2 3, without that row.
-const withoutCountedHeader = (block) =>
-  (isCount(textsOf(block.rows[0])) || countsJoints(block.rows[0])) &&
-  block.rows
-    .slice(1)
-    .flat()
-    .some(({ text }) => hasDecimals(text))
-    ? withoutRow(block)
-    : [];
-
 // Make a block of each row alone, for questions that want one row.
 function rowsAlone(block) {
   if (block.rows.length < 2) return [block];
   const isOwn = block.sources.length === block.rows.length;
   const alone = (row, i) => {
     const source = block.sources[i];
-    const place = isOwn ? { sources: [source], from: source.line, to: source.last } : {};
+    const name = block.labels[i].at(-1)?.text ?? block.name;
+    const place = isOwn ? { sources: [source], from: source.line, to: source.last } : { name };
     return { ...block, rows: [row], labels: [block.labels[i]], ...place };
   };
   return [block, ...block.rows.map(alone)];
@@ -274,52 +267,6 @@ function namesColumns(headers, width) {
 }
 
 const isJointHeader = (header) => labelsOf([[header]])?.kind === "joint";
-
-// The block without a first column that counts its rows or tells the time, or names them, and
-// without a first row that counts or names its columns.
-function withoutLabels(block) {
-  const below = withoutRow(block);
-  const once = [block, ...below].flatMap(withoutColumn);
-  return [...once, ...below, ...once.flatMap(withoutColumn)];
-}
-
-function withoutColumn(block) {
-  const { rows, labels } = block;
-  const down = rows.map(([cell]) => cell);
-  if (rows[0].length < 2 || !(isSeries(textsOf(down)) || areNames(down))) return [];
-  const words = labels.map((own, i) => [...own, rows[i][0]]);
-  return [{ ...block, rows: rows.map((row) => row.slice(1)), labels: words }];
-}
-
-function withoutRow(block) {
-  const { rows, labels } = block;
-  const [first, ...rest] = rows;
-  const isHeader =
-    first.length > 1 && (isCount(textsOf(first)) || countsJoints(first) || areNames(first));
-  if (!rest.length || !isHeader) return [];
-  return [{ ...block, rows: rest, labels: labels.slice(1), headers: first }];
-}
-
-const areNames = (cells) => {
-  const found = labelsOf(cells.map((cell) => [cell]));
-  return found !== null && cells.every(({ text }) => number(text) === null);
-};
-
-const isCount = (texts) =>
-  [0, 1].some((from) => texts.every((text, k) => Number(text.replace(/[()]/g, "")) === k + from));
-
-// Return whether cells count, or grow by as much each, as times do.
-function isSeries(texts) {
-  const values = texts.map(Number);
-  if (isCount(texts)) return true;
-  const step = (values.at(-1) - values[0]) / (values.length - 1);
-  const unit = 10 ** -Math.max(...texts.map((text) => text.split(".")[1]?.length ?? 0));
-  return (
-    values.length > 3 &&
-    step > 0 &&
-    values.every((x, k) => Math.abs(x - values[0] - k * step) <= unit * 1.01)
-  );
-}
 
 /**
  * List the lines that say something besides the block; on its own lines, comments and numbers that

@@ -21,7 +21,7 @@ import {
  * @typedef {{ values: number[], units: number[] }} Answer
  */
 
-const NAMES = /^(?:q|th|θ|sol|ans$|s\d*$)/i;
+const NAMES = /^(?:q|th|θ|sol|position|ans$|s\d*$)/i; // position: of ROS
 
 /**
  * Joint vectors with their units, however they were held, and how they were read; a square is read

@@ -30,7 +30,7 @@ import { judgeFirstTorques, judgeFirstTorquesInText, judgeWholeOrPart } from "./
 import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81];
-const NAMES = /^(?:tau|τ|t$|torque|ans$)/i;
+const NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i; // effort: of ROS
 const SAMPLE = 5; // poses of a run, where slips are tried before they are on all of them
 
 /**
