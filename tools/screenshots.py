@@ -28,6 +28,8 @@ def capture_explorer(browser: Browser) -> None:
     """Capture an explorer in chapter 5 that lists all joint vectors of a pose."""
     page = browser.new_page(viewport={"width": 720, "height": 1000}, color_scheme="light")
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
+    # The card is taller than the window: the bar must not lie over it.
+    page.add_style_tag(content=".bar { position: static !important }")
     explorer = page.locator(".cell .arm-explorer:not([data-figure])").first
     explorer.evaluate("(element) => element.scrollIntoView()")
     card = explorer.locator("section.explorer")
