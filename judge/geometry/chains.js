@@ -2,7 +2,6 @@
 // flat list of 6 x dof numbers, row by row, as people write it.
 
 import {
-  cosSin,
   cross,
   dot,
   movingRows,
@@ -14,8 +13,6 @@ import {
 } from "./kinematics.js";
 
 const ZERO = [0, 0, 0];
-
-export { cosSin };
 
 /** @typedef {import("./arm.js").Row} Row */
 /** @typedef {import("./kinematics.js").Frame} Frame */

@@ -3,6 +3,7 @@
 
 import { cross, dot, movingRows, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { DEG } from "./angles.js";
+import { wrapAngle } from "./planar.js";
 import { formatNumber } from "../sentences.js";
 
 const SEEN = 1e-6; // m, or the sine of an angle: less than this fixes no direction
@@ -125,12 +126,10 @@ function confirmed(mine, reference, found, tolerance) {
   return { ...found, base: { ...found.base, o: plus(found.base.o, [0, 0, height]) } };
 }
 
-/** Take whole turns off an angle: -pi < angle <= pi. @param {number} angle rad */
+/** Return the same angle in (-pi, pi]; -pi but for round-off is pi. @param {number} angle rad */
 export function wrap(angle) {
-  const turn = 2 * Math.PI;
-  const rest = angle % turn;
-  const near = Math.abs(rest) > Math.PI ? rest - Math.sign(rest) * turn : rest;
-  return near <= -Math.PI + 1e-9 ? Math.PI : near;
+  const wrapped = wrapAngle(angle);
+  return wrapped <= -Math.PI + 1e-9 ? Math.PI : wrapped;
 }
 
 /**
