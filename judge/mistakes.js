@@ -1,14 +1,14 @@
 // Lists what usual mistakes make of right work, and finds one wrong entry in a DH table in any
 // choice of frames. The course marks by these lists, so that marks and messages agree.
 
-import { poseMistakes, tableMistakes } from "./causes/chain.js";
-import { listJacobianSteps, singleMistakes } from "./causes/jacobian.js";
+import { listPoseMistakes, listTableMistakes } from "./causes/chain.js";
+import { listJacobianSteps, listSingleMistakes } from "./causes/jacobian.js";
 import { causeMessage, causeName, makeCause } from "./causes/ranking.js";
 import {
   listTorqueSteps,
   makeLoad,
-  singleMistakes as torqueMistakes,
-  torqueMaker,
+  listSingleMistakes as listSingleTorqueMistakes,
+  makeTorqueMaker,
 } from "./causes/torques.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR } from "./digits.js";
 import { compareAxes, describeAxes } from "./geometry/axes.js";
@@ -33,11 +33,11 @@ const SAME_ANGLE = 0.02; // rad: a right angle in two decimals
 /** The right answers and the mistakes of each kind of question. */
 const LISTS = {
   tip: ({ arm }) => tipMistakes(arm),
-  jacobian: ({ arm, q }) => singleMistakes(arm, 0, listJacobianSteps(arm, q, 0)),
+  jacobian: ({ arm, q }) => listSingleMistakes(arm, 0, listJacobianSteps(arm, q, 0)),
   torques({ arm, q, wrench }) {
     const load = makeLoad(arm, [wrench], GRAVITY);
-    const maker = torqueMaker(load, movingRows(arm).length, q);
-    return torqueMistakes(listTorqueSteps(arm, load), maker);
+    const maker = makeTorqueMaker(load, movingRows(arm).length, q);
+    return listSingleTorqueMistakes(listTorqueSteps(arm, load), maker);
   },
 };
 
@@ -62,7 +62,7 @@ function* tipMistakes(arm) {
     const { x, y, z, o } = chainFrames(change(makeChain(arm, q))).at(-1);
     return [...o, ...[0, 1, 2].flatMap((i) => [x[i], y[i], z[i]])];
   };
-  for (const [cause, change] of [...poseMistakes("J.degrees", arm), ...tableMistakes(arm)])
+  for (const [cause, change] of [...listPoseMistakes("J.degrees", arm), ...listTableMistakes(arm)])
     yield { cause, make: tipAfter(change) };
   const right = tipAfter((c) => c);
   const inMillimetres = (q) => right(q).map((x, i) => (i < 3 ? 1000 * x : x));

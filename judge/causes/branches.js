@@ -9,9 +9,9 @@ import {
   reachesTarget,
 } from "../matching.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
-import { jointMistakes } from "./joints.js";
+import { listJointMistakes } from "./joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages, causeMessage } from "./ranking.js";
-import { tableMistakes } from "./chain.js";
+import { listTableMistakes } from "./chain.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../verdict.js").Finding} Finding */
@@ -64,7 +64,7 @@ function findBranchCauses(right, answer, tolerance) {
 
 // Add slip 12 to a mix of branches: in a planar arm both give the other elbow's second angle.
 function addElbowFormula(mixed, right, answer, tolerance) {
-  const [elbow] = jointMistakes(right.arm).filter(([{ keys }]) =>
+  const [elbow] = listJointMistakes(right.arm).filter(([{ keys }]) =>
     keys.includes("ik.plus for minus"),
   );
   if (!elbow || findBranch(right, undoMistake(answer, elbow[1]), tolerance) < 0) return mixed;
@@ -77,7 +77,7 @@ function addElbowFormula(mixed, right, answer, tolerance) {
 
 // Return whether an answer fits a branch and, with so few digits, a mistake in that branch as well.
 export const looksLikeMistake = (right, answer) =>
-  jointMistakes(right.arm).some(([, undo]) =>
+  listJointMistakes(right.arm).some(([, undo]) =>
     right.branches.some(({ q, free }) => {
       const mistaken = { values: undo(q), units: answer.units };
       const withMistake = { ...right, branches: [{ q: mistaken.values, free }] };
@@ -90,14 +90,14 @@ export const looksLikeMistake = (right, answer) =>
 // List the mistakes without which an answer would equal a branch or reach the target by another
 // table; if there are none, those without which only the shoulder would differ.
 function listCauses(right, answer, tolerance) {
-  const undone = [...jointMistakes(right.arm), ...listQuarterTurns(right, answer)]
+  const undone = [...listJointMistakes(right.arm), ...listQuarterTurns(right, answer)]
     .map(([cause, undo]) => ({ cause, corrected: undoMistake(answer, undo) }))
     .filter(({ corrected }) => hasFineDigits(corrected) && exceedsDigits(right, answer, corrected));
   const selectCauses = (isRight) =>
     undone.flatMap(({ cause, corrected }) => (isRight(corrected) ? [cause] : []));
   const single = selectCauses((corrected) => findBranch(right, corrected, tolerance) >= 0);
   const reaches = (change) => reachesTarget(right, answer.values, answer.units, change);
-  const tableChanges = reaches() || !hasFineDigits(answer) ? [] : tableMistakes(right.arm);
+  const tableChanges = reaches() || !hasFineDigits(answer) ? [] : listTableMistakes(right.arm);
   const tables = tableChanges.flatMap(([cause, change]) => (reaches(change) ? [cause] : []));
   if (single.length || tables.length) return dropRepeatedCauses([...single, ...tables]);
   const withShoulder = selectCauses((corrected) =>

@@ -5,7 +5,7 @@
 import { DEG, RAD } from "../geometry/angles.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { combinations } from "../geometry/walk.js";
-import { makersCause } from "./joints.js";
+import { makeMakersCause } from "./joints.js";
 import { makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -18,11 +18,11 @@ import { makeCause } from "./ranking.js";
  */
 
 /** List the usual mistakes in a table's numbers. @param {Arm} arm @returns {ChainMistake[]} */
-export const tableMistakes = (arm) => [
-  ...otherLengths(arm),
-  ...exchangedLengths(arm),
-  ...wholeTable(arm),
-  ...arm.rows.flatMap(mistakesInRow),
+export const listTableMistakes = (arm) => [
+  ...listOtherLengths(arm),
+  ...listExchangedLengths(arm),
+  ...listTableWideMistakes(arm),
+  ...arm.rows.flatMap(listRowMistakes),
 ];
 
 const changeRows = (change) => (c) => ({
@@ -31,7 +31,7 @@ const changeRows = (change) => (c) => ({
 });
 
 /** Lengths of another arm or another length. @param {Arm} arm @returns {Generator<ChainMistake>} */
-function* otherLengths({ penless, alike = [], robots = [] }) {
+function* listOtherLengths({ penless, alike = [], robots = [] }) {
   if (penless) {
     // handed in: the pen left out, and the pen taken away
     yield [makeCause("table.pen"), changeRows((_, i) => ({ d: penless.rows[i].d }))];
@@ -51,7 +51,7 @@ function* otherLengths({ penless, alike = [], robots = [] }) {
  * List two lengths of a column exchanged, with each row's sign kept or exchanged. Handed in.
  * @param {Arm} arm @returns {Generator<ChainMistake>}
  */
-function* exchangedLengths({ rows }) {
+function* listExchangedLengths({ rows }) {
   for (const column of ["a", "d"]) {
     const links = rows.flatMap((row, i) => (row[column] ? [i] : []));
     for (const [i, j] of combinations(links, 2)) {
@@ -68,7 +68,7 @@ function* exchangedLengths({ rows }) {
 }
 
 /** Offsets, convention, locked joint. @param {Arm} arm @returns {Generator<ChainMistake>} */
-function* wholeTable({ rows }) {
+function* listTableWideMistakes({ rows }) {
   const hasOffset = (row) => row.kind === "revolute" && row.theta;
   if (rows.filter(hasOffset).length > 1)
     yield [makeCause("table.offsets"), changeRows((row) => (hasOffset(row) ? { theta: 0 } : {}))];
@@ -82,24 +82,24 @@ function* wholeTable({ rows }) {
 }
 
 /** @param {Row} row @param {number} index @returns {ChainMistake[]} */
-function mistakesInRow(row, index) {
+function listRowMistakes(row, index) {
   const place = { row: index + 1 };
-  const put = (key, fields, entries) => [
+  const makeRowMistake = (key, fields, entries) => [
     makeCause(key, fields),
     changeRows((_, i) => (i === index ? entries : {})),
   ];
   const mistakes = [];
   if (Math.abs(Math.sin(row.alpha)) > 1e-9)
-    mistakes.push(put("table.twist", place, { alpha: -row.alpha }));
-  if (row.alpha) mistakes.push(put("table.no twist", place, { alpha: 0 }));
+    mistakes.push(makeRowMistake("table.twist", place, { alpha: -row.alpha }));
+  if (row.alpha) mistakes.push(makeRowMistake("table.no twist", place, { alpha: 0 }));
   for (const column of ["a", "d"]) {
     if (!row[column]) continue;
-    mistakes.push(put("table.sign", { column, ...place }, { [column]: -row[column] }));
-    mistakes.push(put("table.missing", { column, ...place }, { [column]: 0 }));
+    mistakes.push(makeRowMistake("table.sign", { column, ...place }, { [column]: -row[column] }));
+    mistakes.push(makeRowMistake("table.missing", { column, ...place }, { [column]: 0 }));
   }
   if (row.theta && row.kind === "revolute") {
-    mistakes.push(put("table.offset", place, { theta: 0 }));
-    mistakes.push(put("table.offset sign", place, { theta: -row.theta }));
+    mistakes.push(makeRowMistake("table.offset", place, { theta: 0 }));
+    mistakes.push(makeRowMistake("table.offset sign", place, { theta: -row.theta }));
   }
   return mistakes;
 }
@@ -112,7 +112,7 @@ function mistakesInRow(row, index) {
  * @param {Arm} arm
  * @returns {ChainMistake[]}
  */
-export function poseMistakes(degreesKey, arm) {
+export function listPoseMistakes(degreesKey, arm) {
   const turns = revoluteFlags(arm);
   const changeJoints = (change) => (c) => ({ ...c, q: c.q.map(change) });
   /** @type {ChainMistake[]} */
@@ -121,7 +121,7 @@ export function poseMistakes(degreesKey, arm) {
     changeJoints((x, k) => (turns[k] ? x * factor : x)),
   ]);
   const signs = arm.makerSigns;
-  if (signs) mistakes.push([makersCause(arm), changeJoints((x, k) => signs[k] * x)]);
+  if (signs) mistakes.push([makeMakersCause(arm), changeJoints((x, k) => signs[k] * x)]);
   for (const [k, joint] of jointNames(arm).entries()) {
     const change = (factor) => changeJoints((x, i) => (i === k ? factor * x : x));
     mistakes.push([makeCause("ik.sign", { joint }), change(-1)]);

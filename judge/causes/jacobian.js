@@ -5,7 +5,7 @@
 import { jointNumbers } from "../geometry/kinematics.js";
 import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
-import { poseMistakes, tableMistakes } from "./chain.js";
+import { listPoseMistakes, listTableMistakes } from "./chain.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -37,14 +37,17 @@ export const makeJacobian =
 // Build the Jacobian before it is written down. The last one is kept, since many writings are tried
 // on it.
 function buildBy(arm, frame, { change = same, recipe = chains.flatJacobian }) {
-  let [lastQ, last] = [null, null];
+  let [lastQ, lastResult] = [null, null];
   return (q) => {
-    if (q === lastQ) return last;
+    if (q === lastQ) return lastResult;
     const c = change(chains.makeChain(arm, q));
     const T = chains.chainFrames(c);
     const J = recipe(c, T);
-    [lastQ, last] = [q, { J: frame ? chains.rotateIntoFrame(J, T[frame] ?? T.at(-1)) : J, T }];
-    return last;
+    [lastQ, lastResult] = [
+      q,
+      { J: frame ? chains.rotateIntoFrame(J, T[frame] ?? T.at(-1)) : J, T },
+    ];
+    return lastResult;
   };
 }
 
@@ -53,27 +56,27 @@ const same = (x, ..._) => x;
 /** List the mistakes. @param {Arm} arm @param {number[]} q @returns {JacobianStep[]} */
 export function listJacobianSteps(arm, q, frame) {
   const c = chains.makeChain(arm, q);
-  const changes = [...poseMistakes("J.degrees", arm), ...tableMistakes(arm)];
+  const changes = [...listPoseMistakes("J.degrees", arm), ...listTableMistakes(arm)];
   return [
     ...changes.map(([cause, change]) => ({ cause, change })),
-    ...Array.from(jacobianRecipes(c), ([cause, recipe]) => ({ cause, recipe })),
-    ...Array.from(writings(arm, c, frame), ([cause, write]) => ({ cause, write })),
+    ...Array.from(listJacobianRecipes(c), ([cause, recipe]) => ({ cause, recipe })),
+    ...Array.from(listWritingMistakes(arm, c, frame), ([cause, write]) => ({ cause, write })),
   ];
 }
 
 /** List single mistakes. @param {Arm} arm @param {JacobianStep[]} steps @returns {Mistake[]} */
-export const singleMistakes = (arm, frame, steps) =>
+export const listSingleMistakes = (arm, frame, steps) =>
   steps.map((step) => ({ cause: step.cause, make: makeJacobian(arm, frame, step) }));
 
 /**
  * List Jacobians with one column copied from the one beside it.
  * @param {Arm} arm @returns {Generator<Mistake>}
  */
-export function* copiedColumns(arm, frame) {
+export function* listCopiedColumns(arm, frame) {
   const right = makeJacobian(arm, frame);
   const joint = jointNumbers(arm);
   for (const k of joint.keys())
-    for (const n of [k - 1, k + 1].filter((one) => one in joint)) {
+    for (const n of [k - 1, k + 1].filter((index) => index in joint)) {
       const make = (q) => {
         const J = right(q);
         return J.map((x, i) => (i % joint.length === k ? J[i - k + n] : x));
@@ -86,7 +89,7 @@ export function* copiedColumns(arm, frame) {
  * List pairs of mistakes, of which at most one is in the recipe.
  * @param {Arm} arm @param {JacobianStep[]} steps @returns {Generator<Mistake>}
  */
-export function* mistakePairs(arm, frame, steps) {
+export function* listMistakePairs(arm, frame, steps) {
   for (const [n, first] of steps.entries()) {
     const build = buildBy(arm, frame, first);
     for (const second of steps.slice(n + 1)) {
@@ -104,19 +107,20 @@ export function* mistakePairs(arm, frame, steps) {
 }
 
 const joinSteps = (first, second) => ({
-  change: chainFunctions(first.change, second.change),
+  change: composeFunctions(first.change, second.change),
   recipe: first.recipe ?? second.recipe,
-  write: chainFunctions(first.write, second.write),
+  write: composeFunctions(first.write, second.write),
 });
 
-const chainFunctions = (one, two) => (one && two ? (x, T) => two(one(x, T), T) : (one ?? two));
+const composeFunctions = (first, second) =>
+  first && second ? (x, T) => second(first(x, T), T) : (first ?? second);
 
 /**
  * List the recipes with one step done otherwise. Judges of Jacobians, torques and trajectories use
  * this list.
  * @param {Chain} c @returns {Generator<[Cause, Recipe]>}
  */
-export function* jacobianRecipes(c) {
+export function* listJacobianRecipes(c) {
   const by = (options) => (c1, T) => chains.flatJacobian(c1, T, options(c1));
   const angular = (options) => (c1, T) =>
     chains.joinHalves(chains.flatJacobian(c1, T), chains.flatJacobian(c1, T, options(c1)));
@@ -153,7 +157,7 @@ export function* jacobianRecipes(c) {
  * List mistakes in writing down a Jacobian that is in the axes of the declared frame.
  * @param {Arm} arm @returns {Generator<[Cause, Writing]>}
  */
-function* writings(arm, { dof, turns }, frame) {
+function* listWritingMistakes(arm, { dof, turns }, frame) {
   const each = (change) => (J) => J.map((x, i) => change(x, Math.floor(i / dof), i % dof));
   const blocks = (v, w) => each((x, i) => x * (i < 3 ? v : w));
   const order = (from) => (J) => J.map((_, i) => J[i - (i % dof) + from(i % dof)]);
@@ -166,13 +170,13 @@ function* writings(arm, { dof, turns }, frame) {
   yield [makeCause("J.angular sign"), blocks(1, -1)]; // handed in
   yield [makeCause("J.millimetres"), blocks(1000, 1)]; // slip 26: millimetres in a report in metres
   yield [makeCause("J.angular degrees"), blocks(1, DEG)]; // handed in
-  if (!frame) yield* angleRates(dof);
+  if (!frame) yield* listAngleRates(dof);
   yield [makeCause("J.angular zero"), blocks(1, 0)]; // half an answer
   yield [makeCause("J.linear zero"), blocks(0, 1)];
   yield [makeCause("J.per degree"), each((x, _, k) => (turns[k] ? x * RAD : x))]; // handed in
   if (dof === 6) yield [makeCause("J.transposed"), (J) => chains.transpose(J, [6, 6])]; // handed in
   yield [makeCause("J.reversed order"), order((k) => dof - 1 - k)]; // joints named q6 ... q1
-  yield* framesMistaken(arm, frame);
+  yield* listFrameMistakes(arm, frame);
   const joint = jointNumbers(arm); // handed in: two joints exchanged
   for (let i = 0; i < dof; i++) {
     for (let j = i + 1; j < dof; j++) {
@@ -187,7 +191,7 @@ function* writings(arm, { dof, turns }, frame) {
  * angles, and of roll, pitch and yaw in both orders. None if these angles are singular.
  * @param {number} dof @returns {Generator<[Cause, Writing]>}
  */
-function* angleRates(dof) {
+function* listAngleRates(dof) {
   const withRates = (rates) => (J, T) => {
     const made = J.slice();
     for (let k = 0; k < dof; k++) {
@@ -196,15 +200,15 @@ function* angleRates(dof) {
     }
     return made;
   };
-  yield [makeCause("J.zyz rates"), withRates(zyzRates)];
-  yield [makeCause("J.rpy rates"), withRates(rollPitchYawRates)];
-  yield [makeCause("J.rpy rates"), withRates((T, w) => rollPitchYawRates(T, w).reverse())];
+  yield [makeCause("J.zyz rates"), withRates(computeZyzRates)];
+  yield [makeCause("J.rpy rates"), withRates(computeRollPitchYawRates)];
+  yield [makeCause("J.rpy rates"), withRates((T, w) => computeRollPitchYawRates(T, w).reverse())];
 }
 
 const SINGULAR = 1e-6; // sine of the middle angle: below it the rates are not defined
 
 // Return (phi, theta, psi) of Rz(phi) Ry(theta) Rz(psi).
-function zyzRates({ z }, omega) {
+function computeZyzRates({ z }, omega) {
   const sine = Math.hypot(z[0], z[1]);
   if (sine < SINGULAR) return omega;
   const [c, s] = [z[0] / sine, z[1] / sine];
@@ -213,7 +217,7 @@ function zyzRates({ z }, omega) {
 }
 
 // Return (roll, pitch, yaw) of Rz(yaw) Ry(pitch) Rx(roll).
-function rollPitchYawRates({ x }, omega) {
+function computeRollPitchYawRates({ x }, omega) {
   const cosine = Math.hypot(x[0], x[1]);
   if (cosine < SINGULAR) return omega;
   const [c, s] = [x[0] / cosine, x[1] / cosine];
@@ -225,14 +229,14 @@ function rollPitchYawRates({ x }, omega) {
  * List the same Jacobian in the axes of another frame, the tool's or the base's.
  * @param {Arm} arm @returns {Generator<[Cause, Writing]>}
  */
-function* framesMistaken({ rows }, frame) {
+function* listFrameMistakes({ rows }, frame) {
   const last = rows.length;
-  const based = (J, T) => (frame ? chains.rotateFromFrame(J, T[frame]) : J);
-  for (const k of [last, 0].filter((one) => one !== frame)) {
-    const fields = { k, _name: frameName(k), _wanted: frameName(frame) };
-    const seen = (J, T) => chains.rotateIntoFrame(based(J, T), k ? T.at(-1) : T[0]);
-    yield [makeCause("J.frame", fields), seen]; // handed in
+  const toBase = (J, T) => (frame ? chains.rotateFromFrame(J, T[frame]) : J);
+  for (const k of [last, 0].filter((k) => k !== frame)) {
+    const fields = { k, _name: describeFrame(k), _wanted: describeFrame(frame) };
+    const rotated = (J, T) => chains.rotateIntoFrame(toBase(J, T), k ? T.at(-1) : T[0]);
+    yield [makeCause("J.frame", fields), rotated]; // handed in
   }
 }
 
-const frameName = (k) => (k ? `frame ${k}` : "the base");
+const describeFrame = (k) => (k ? `frame ${k}` : "the base");

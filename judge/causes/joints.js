@@ -34,31 +34,34 @@ const SLIDE_MISTAKES = [
  */
 
 /** List usual mistakes in joint values. @param {Arm} arm @returns {JointMistake[]} */
-export const jointMistakes = (arm) => [...mistakesInOneJoint(arm), ...mistakesInAllJoints(arm)];
+export const listJointMistakes = (arm) => [
+  ...listMistakesInOneJoint(arm),
+  ...listMistakesInAllJoints(arm),
+];
 
 const changeJoint = (k, change) => (q) => q.map((x, i) => (i === k ? change(x) : x));
 
 /** @param {Arm} arm @returns {Generator<JointMistake>} */
-function* mistakesInAllJoints(arm) {
+function* listMistakesInAllJoints(arm) {
   const turns = revoluteFlags(arm);
   yield [makeCause("ik.degrees"), (q) => q.map((x, k) => (turns[k] ? x * RAD : x))];
   // handed in: q6 ... q1
   if (turns.length > 1) yield [makeCause("ik.reversed order"), (q) => [...q].reverse()];
   const signs = arm.makerSigns; // handed in
-  if (signs) yield [makersCause(arm), (q) => q.map((x, k) => signs[k] * x)];
+  if (signs) yield [makeMakersCause(arm), (q) => q.map((x, k) => signs[k] * x)];
 }
 
 /** The cause for joints that the maker counts the other way. @param {Arm} arm */
-export function makersCause(arm, key = "ik.makers signs") {
+export function makeMakersCause(arm, key = "ik.makers signs") {
   const turned = jointNames(arm).filter((_, k) => arm.makerSigns[k] < 0);
   return makeCause(key, { _joints: joinList(turned.map((name) => name.slice(2))) });
 }
 
 /** @param {Arm} arm @returns {Generator<JointMistake>} */
-function* mistakesInOneJoint(arm) {
+function* listMistakesInOneJoint(arm) {
   const turns = revoluteFlags(arm);
   const names = jointNames(arm);
-  yield* elbowFormula(arm);
+  yield* listElbowFormulaMistakes(arm);
   // A sign of one joint is commoner than half a turn of another, which may give the same position.
   for (const n of ANGLE_MISTAKES.keys())
     for (const [k, joint] of names.entries()) {
@@ -77,7 +80,7 @@ function* mistakesInOneJoint(arm) {
  * @param {import("../digits.js").Entries} q as typed
  * @returns {JointMistake[]}
  */
-export function exchangedDigits(arm, { values, units }) {
+export function listExchangedDigits(arm, { values, units }) {
   return jointNames(arm).flatMap((joint, k) => {
     if (!units[k]) return [];
     const decimals = Math.max(0, Math.round(-Math.log10(units[k])));
@@ -96,14 +99,17 @@ export function exchangedDigits(arm, { values, units }) {
 
 // theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links: slip 12.
 /** @param {{ rows: Row[] }} arm @returns {Generator<JointMistake>} */
-function* elbowFormula({ rows }) {
+function* listElbowFormulaMistakes({ rows }) {
   if (rows.length < 3) return;
   const [, second, third] = rows;
   const [ca, sa] = cosSin(second.alpha);
   if (Math.abs(sa) > 1e-9 || !second.a || !third.a) return;
-  const lean = (q) => {
+  const elbowAngle = (q) => {
     const bend = ca * (q[2] + third.theta);
     return Math.atan2(third.a * Math.sin(bend), second.a + third.a * Math.cos(bend));
   };
-  yield [makeCause("ik.plus for minus"), (q) => q.map((x, i) => (i === 1 ? x - 2 * lean(q) : x))];
+  yield [
+    makeCause("ik.plus for minus"),
+    (q) => q.map((x, i) => (i === 1 ? x - 2 * elbowAngle(q) : x)),
+  ];
 }

@@ -7,9 +7,9 @@ import { jointNumbers, movingRows, plus, scaled } from "../geometry/kinematics.j
 import { subtractEach } from "../geometry/linear.js";
 import { rowsOf } from "../reading/numbers.js";
 import { formatNumber, joinList } from "../sentences.js";
-import { poseMistakes, tableMistakes } from "./chain.js";
-import { jacobianRecipes } from "./jacobian.js";
-import { makersCause } from "./joints.js";
+import { listPoseMistakes, listTableMistakes } from "./chain.js";
+import { listJacobianRecipes } from "./jacobian.js";
+import { makeMakersCause } from "./joints.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -43,13 +43,13 @@ const same = (x) => x;
 const multiply = (factor, list) => list.map((x) => factor * x);
 
 /** @param {LoadAtPose} at */
-const weightOf = ({ c, T, masses, centres, gravity }) =>
+const computeWeight = ({ c, T, masses, centres, gravity }) =>
   chains.computeTorquesOfMasses(c, T, masses, centres, gravity);
 /** @param {LoadAtPose} at */
-const jacobianOf = ({ c, T }) => chains.flatJacobian(c, T);
+const computeJacobian = ({ c, T }) => chains.flatJacobian(c, T);
 /** @param {LoadAtPose} at */
-const forceOf = (at) =>
-  at.F.some(Boolean) ? chains.multiplyByTranspose(jacobianOf(at), at.F) : at.c.at.map(() => 0);
+const computeForce = (at) =>
+  at.F.some(Boolean) ? chains.multiplyByTranspose(computeJacobian(at), at.F) : at.c.at.map(() => 0);
 
 /** @param {Arm} arm @param {number[][]} wrenches @param {number[]} gravity @returns {Load} */
 export function makeLoad(arm, wrenches, gravity) {
@@ -88,7 +88,13 @@ class TorquesAtPoses {
   }
 
   /** @param {Partial<TorqueStep>} steps those that are done wrong @returns {number[]} */
-  make({ change = same, secondChange, weight = weightOf, force = forceOf, write = same }) {
+  make({
+    change = same,
+    secondChange,
+    weight = computeWeight,
+    force = computeForce,
+    write = same,
+  }) {
     const loads =
       secondChange && this.loadsOf(change).map((load, i) => this.atPose(secondChange(load), i));
     const weights = loads ? loads.map(weight) : this.weightsOf(change)(weight);
@@ -105,7 +111,7 @@ class TorquesAtPoses {
  * @param {number[]} q
  * @returns {(steps?: Partial<TorqueStep>) => (values: number[]) => number[]}
  */
-export function torqueMaker(load, dof, q) {
+export function makeTorqueMaker(load, dof, q) {
   const kept = new TorquesAtPoses(load, dof, q);
   return (steps = {}) =>
     (values) =>
@@ -123,15 +129,15 @@ export const listTorqueSteps = (arm, load) => [
   ...listForceMistakes(load),
   ...listWritingMistakes(arm),
   ...listBodyMistakes(arm, load),
-  ...chainMistakes(arm),
+  ...listChainMistakes(arm),
 ];
 
 /** Mistakes in the table or q. @param {Arm} arm @returns {TorqueStep[]} */
-function chainMistakes(arm) {
-  const tables = tableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
+function listChainMistakes(arm) {
+  const tables = listTableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
-  return [...poseMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
+  return [...listPoseMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
     const changed = keepResults(change, new WeakMap());
     const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
     return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };
@@ -141,19 +147,19 @@ function chainMistakes(arm) {
 /**
  * List single mistakes.
  * @param {TorqueStep[]} steps
- * @param {ReturnType<typeof torqueMaker>} maker
+ * @param {ReturnType<typeof makeTorqueMaker>} maker
  * @returns {(Mistake & { steps: TorqueStep })[]}
  */
-export const singleMistakes = (steps, maker) =>
+export const listSingleMistakes = (steps, maker) =>
   steps.map((step) => ({ cause: step.cause, steps: step, make: maker(step) }));
 
 /**
  * List pairs of mistakes in different steps, or of two changes.
  * @param {TorqueStep[]} steps
- * @param {ReturnType<typeof torqueMaker>} maker
+ * @param {ReturnType<typeof makeTorqueMaker>} maker
  * @returns {Generator<Mistake & { steps: TorqueStep }>}
  */
-export function* mistakePairs(steps, maker) {
+export function* listMistakePairs(steps, maker) {
   for (const [n, first] of steps.entries()) {
     for (const second of steps.slice(n + 1)) {
       if (["weight", "force", "write"].some((step) => first[step] && second[step])) continue;
@@ -180,7 +186,7 @@ function* listWritingMistakes(arm) {
   const signs = arm.makerSigns; // as Pinocchio's model has them
   if (signs)
     yield {
-      cause: makersCause(arm, "tau.makers signs"),
+      cause: makeMakersCause(arm, "tau.makers signs"),
       write: (tau) => tau.map((x, k) => signs[k] * x),
     };
   const joints = jointNumbers(arm);
@@ -204,17 +210,17 @@ const moveCentres =
     });
 
 // Compute the torque of each joint's own link, without those behind it.
-function sumOwnLinks(at) {
+function computeOwnLinkTorques(at) {
   const alone = at.masses.map((_, i) => at.masses.map((mass, k) => (k === i ? mass : 0)));
-  return at.c.at.map((row, k) => weightOf({ ...at, masses: alone[row] })[k]);
+  return at.c.at.map((row, k) => computeWeight({ ...at, masses: alone[row] })[k]);
 }
 
 /** @param {Load} load @returns {Generator<TorqueStep>} */
 function* listWeightMistakes({ c, gravity }) {
   // slip 24
-  yield { cause: makeCause("tau.weight sign"), weight: (at) => multiply(-1, weightOf(at)) };
+  yield { cause: makeCause("tau.weight sign"), weight: (at) => multiply(-1, computeWeight(at)) };
   yield { cause: makeCause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
-  yield { cause: makeCause("tau.own link"), weight: sumOwnLinks }; // handed in
+  yield { cause: makeCause("tau.own link"), weight: computeOwnLinkTorques }; // handed in
   // handed in: the drawing has y upwards
   const g = Math.hypot(...gravity);
   /** @type {[string, number[]][]} */
@@ -225,7 +231,7 @@ function* listWeightMistakes({ c, gravity }) {
   for (const [axis, vector] of level)
     yield {
       cause: makeCause("tau.gravity axis", { axis }),
-      weight: (at) => weightOf({ ...at, gravity: vector }),
+      weight: (at) => computeWeight({ ...at, gravity: vector }),
     };
 }
 
@@ -233,7 +239,7 @@ function* listWeightMistakes({ c, gravity }) {
 function* listForceMistakes({ wrenches, c }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
   const withWrench = (change) => (at) =>
-    chains.multiplyByTranspose(jacobianOf(at), change(at.F, at.T.at(-1)));
+    chains.multiplyByTranspose(computeJacobian(at), change(at.F, at.T.at(-1)));
   const makeForceMistake = (key, change, fields) => ({
     cause: makeCause(key, fields),
     force: withWrench(change),
@@ -248,9 +254,9 @@ function* listForceMistakes({ wrenches, c }) {
         component,
       });
   const untransposed = (at) =>
-    chains.multiplyByTranspose(chains.transpose(jacobianOf(at), [c.dof, 6]), at.F);
+    chains.multiplyByTranspose(chains.transpose(computeJacobian(at), [c.dof, 6]), at.F);
   if (c.dof === 6) yield { cause: makeCause("tau.J for J^T"), force: untransposed }; // handed in
-  for (const [cause, recipe] of jacobianRecipes(c)) {
+  for (const [cause, recipe] of listJacobianRecipes(c)) {
     // Its linear rows are all 0: for a pure force it is as if the force were missing.
     if (cause.keys[0] === "J.rows of T") continue;
     yield { cause, force: ({ c: chain, T, F }) => chains.multiplyByTranspose(recipe(chain, T), F) };
@@ -361,7 +367,7 @@ function* listFrameMistakes({ centres, masses }, makeBodyMistake) {
     ["tau.centres one frame late", 1],
   ])) {
     const moved = moveCentres(shift);
-    yield { cause: makeCause(key), weight: (at) => weightOf({ ...at, centres: moved(at) }) };
+    yield { cause: makeCause(key), weight: (at) => computeWeight({ ...at, centres: moved(at) }) };
     const bodies = moveBodies(masses, centres, shift);
     yield makeBodyMistake(key, (at) => ({ ...at, ...bodies }));
   }

@@ -4,9 +4,9 @@ import { DEG } from "../geometry/angles.js";
 import { linkFrames, minus, norm, rotationBetween, scaled } from "../geometry/kinematics.js";
 import { subtractEach, nullSpace } from "../geometry/linear.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
-import { jacobianRecipes } from "./jacobian.js";
-import { jointMistakes } from "./joints.js";
-import { tableMistakes } from "./chain.js";
+import { listJacobianRecipes } from "./jacobian.js";
+import { listJointMistakes } from "./joints.js";
+import { listTableMistakes } from "./chain.js";
 import { makeCause } from "./ranking.js";
 import {
   listDisplacedPaths,
@@ -112,7 +112,7 @@ function findJointCause({ typedRows, arm, path }, allowed) {
       return isNear && (!isHeld || rotationBetween(first, tool) <= METHOD_TILT);
     });
   };
-  return jointMistakes(arm).find(([, undo]) => isRight(undo))?.[0] ?? null;
+  return listJointMistakes(arm).find(([, undo]) => isRight(undo))?.[0] ?? null;
 }
 
 // Find a table mistake, as a forgotten pen, with which the tip would follow the path.
@@ -121,7 +121,7 @@ function findTableCause({ q, arm, path }, allowed) {
     const tip = chainFrames(change(makeChain(arm, row))).at(-1).o;
     return norm(minus(tip, path.position(path.times[k]))) <= allowed[k];
   };
-  return tableMistakes(arm).find(([, change]) => q.every(isNear(change)))?.[0] ?? null;
+  return listTableMistakes(arm).find(([, change]) => q.every(isNear(change)))?.[0] ?? null;
 }
 
 // Return the first of other paths that the tip follows as closely as allowed.
@@ -172,8 +172,8 @@ function* listMatrixRules({ q, arm, at }) {
   yield { cause: makeCause("J.millimetres"), K: millimetres }; // slip 26
   const first = flatJacobian(here, T);
   yield { cause: makeCause("trace.jacobian held"), K: () => first }; // handed in
-  for (const [cause, K] of jacobianRecipes(here)) yield { cause, K };
-  for (const [cause, change] of tableMistakes(arm))
+  for (const [cause, K] of listJacobianRecipes(here)) yield { cause, K };
+  for (const [cause, change] of listTableMistakes(arm))
     yield { cause, K: (c) => flatJacobian(change(c), chainFrames(change(c))) };
   // handed in
   if (q[0].length >= 6) yield { cause: makeCause("trace.position only"), K: keepPositionOnly };

@@ -1,7 +1,7 @@
 // Verdicts on torques and joint angles of the first joints only; those of the other joints are
 // missing.
 
-import { torqueMaker } from "../causes/torques.js";
+import { makeTorqueMaker } from "../causes/torques.js";
 import { SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { jointNames, jointNumbers, movingRows } from "../geometry/kinematics.js";
@@ -67,7 +67,7 @@ export function judgeFirstTorques(typed, { arm, q, load, tolerance, taken }) {
   const count = values.length;
   const isList = shape.filter((n) => n !== 1).length === 1;
   if (!isList || count >= dof) return null;
-  const makeTorques = torqueMaker(load, dof, q.values)();
+  const makeTorques = makeTorqueMaker(load, dof, q.values)();
   const right = (angles) => makeTorques(angles).slice(0, count);
   const { grade, wrong } = judgeEntries({ mine: typed, q, dof, right, slips: [], tolerance });
   if (grade === WRONG) return null;

@@ -1,10 +1,10 @@
 // Is a Jacobian wrong, and how?
 
 import {
-  copiedColumns,
+  listCopiedColumns,
   makeJacobian,
-  mistakePairs,
-  singleMistakes,
+  listMistakePairs,
+  listSingleMistakes,
   listJacobianSteps,
 } from "../causes/jacobian.js";
 import { causeName, joinCauseMessages } from "../causes/ranking.js";
@@ -163,10 +163,11 @@ function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
       ? mistake
       : { ...mistake, make: (q) => rowsOf(mistake.make(q), selection) };
   const right = (q) => rowsOf(whole(q), selection);
-  const singles = singleMistakes(arm, frame, slips).map(part);
+  const singles = listSingleMistakes(arm, frame, slips).map(part);
   const of = (make) => () => Array.from(make(arm, frame, slips), part);
   const asked = { mine: typed, q: at, dof: at.values.length, right, slips: singles, tolerance };
-  const verdict = judgeEntries({ ...asked, further: [of(copiedColumns), of(mistakePairs)] });
+  const further = [of(listCopiedColumns), of(listMistakePairs)];
+  const verdict = judgeEntries({ ...asked, further });
   const taken = [...said, ...describeSelection(selection, arm)];
   const rowNames = nameRows(selection);
   const truth = right(at.values);
@@ -182,16 +183,8 @@ function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, said) {
     rowsOf(J, selection),
   ]);
   const where = () => places(typed, columns, verdict.wrong, arm, rowNames);
-  return {
-    ...reportWrong(
-      verdict.slips.map((slip) => slip.cause),
-      where,
-      arm,
-    ),
-    taken,
-    wrong: verdict.wrong,
-    rowNames,
-  };
+  const causes = verdict.slips.map(({ cause }) => cause);
+  return { ...reportWrong(causes, where, arm), taken, wrong: verdict.wrong, rowNames };
 }
 
 /**

@@ -1,8 +1,8 @@
 // Judges whether joint values reach a target: the target's entries are compared with the tip's.
 
-import { exchangedDigits, jointMistakes } from "../causes/joints.js";
+import { listExchangedDigits, listJointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
-import { tableMistakes } from "../causes/chain.js";
+import { listTableMistakes } from "../causes/chain.js";
 import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
@@ -121,7 +121,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
   const right = tipOf(arm, T);
   const slips = [...known(arm, T)];
   const digits = () =>
-    exchangedDigits(arm, q).map(([cause, undo]) => ({ cause, make: (x) => right(undo(x)) }));
+    listExchangedDigits(arm, q).map(([cause, undo]) => ({ cause, make: (x) => right(undo(x)) }));
   const further = [digits, () => listMistakePairs(arm, T)];
   const asked = { mine, q, dof: q.values.length, right, slips, tolerance, further };
   const verdict = judgeEntries(asked);
@@ -176,9 +176,10 @@ const tipOf =
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* known(arm, T) {
   const right = tipOf(arm, T);
-  for (const [one, mended] of jointMistakes(arm))
+  for (const [one, mended] of listJointMistakes(arm))
     yield { cause: one, make: (q) => right(mended(q)) };
-  for (const [one, change] of tableMistakes(arm)) yield { cause: one, make: tipOf(arm, T, change) };
+  for (const [one, change] of listTableMistakes(arm))
+    yield { cause: one, make: tipOf(arm, T, change) };
   const place = (i) => !T.pose || i % 4 === 3;
   const long = (q) => right(q).map((x, i) => (place(i) ? 1000 * x : x));
   yield { cause: makeCause("pose.millimetres"), make: long }; // slip 26
@@ -196,9 +197,9 @@ function* known(arm, T) {
 // Combine a mistake in the joint values with one in the table.
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* listMistakePairs(arm, T) {
-  for (const [table, change] of tableMistakes(arm)) {
+  for (const [table, change] of listTableMistakes(arm)) {
     const tip = tipOf(arm, T, change);
-    for (const [joints, mended] of jointMistakes(arm))
+    for (const [joints, mended] of listJointMistakes(arm))
       yield { cause: combineCauses(table, joints), make: (q) => tip(mended(q)) };
   }
 }

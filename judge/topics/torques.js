@@ -2,10 +2,10 @@
 
 import {
   makeLoad,
-  mistakePairs,
-  singleMistakes,
+  listMistakePairs,
+  listSingleMistakes,
   listTorqueSteps,
-  torqueMaker,
+  makeTorqueMaker,
 } from "../causes/torques.js";
 import { causeName, joinCauseMessages } from "../causes/ranking.js";
 import { RIGHT, SO_FAR, WRONG } from "../digits.js";
@@ -196,7 +196,7 @@ function reportWrongShape({ shape, values }, count, arm) {
 function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
   const verdict = findExplanation(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);
-  const truth = torqueMaker(load, load.c.dof, at.values)()(at.values);
+  const truth = makeTorqueMaker(load, load.c.dof, at.values)()(at.values);
   const figures = measureErrors(typed.values, truth, verdict, load.c.dof);
   const rest = { taken: typed.said, figures, wrong: verdict.wrong };
   if (verdict.grade === WRONG) {
@@ -227,9 +227,9 @@ function findExplanation(typed, at, load, { arm, tolerance }) {
   const judge = (mine, q, maker, mistakes, further) =>
     judgeEntries({ mine, q, dof, right: maker(), slips: mistakes, tolerance, further });
   const judgeAll = (mine, q, poses) => {
-    const maker = torqueMaker(poses, dof, q.values);
-    const pairs = isEmpty ? [] : [() => mistakePairs(steps, maker)];
-    return judge(mine, q, maker, singleMistakes(steps, maker), pairs);
+    const maker = makeTorqueMaker(poses, dof, q.values);
+    const pairs = isEmpty ? [] : [() => listMistakePairs(steps, maker)];
+    return judge(mine, q, maker, listSingleMistakes(steps, maker), pairs);
   };
   if (count <= SAMPLE) return judgeAll(typed, at, load);
   const indices = Array.from({ length: SAMPLE }, (_, i) =>
@@ -239,7 +239,7 @@ function findExplanation(typed, at, load, { arm, tolerance }) {
   const sample = ({ values, units }) => ({ values: select(values), units: select(units) });
   const wrenches = indices.map((i) => load.wrenches[i]);
   const first = judgeAll(sample(typed), sample(at), { ...load, wrenches });
-  const maker = torqueMaker(load, dof, at.values);
+  const maker = makeTorqueMaker(load, dof, at.values);
   const mistakes = first.slips.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
   return judge(typed, at, maker, mistakes, []);
 }
