@@ -18,7 +18,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.base_and_tool import split_pose
-from helpers.expressions import Entry, check_entry, entry_latex, evaluate, symbol_names
+from helpers.expressions import Entry, check_entry, entry_latex, evaluate_entry, symbol_names
 from helpers.inputs import (
     LARGEST,
     ArmError,
@@ -433,7 +433,7 @@ class Arm:
         """
         row = self._row(joint, self.joints, "joint {} cannot be locked; its free joints are")
         at = check_entry(at, "at")
-        evaluate(at, self.values)  # raises ArmError for a symbol without a value
+        evaluate_entry(at, self.values)  # raises ArmError for a symbol without a value
         column = "theta" if row.joint.kind == "revolute" else "d"
         entries = {**_entries_by_name(row), column: _add_entries(getattr(row, column), at)}
         locked = Row(**entries, joint=Joint("fixed", at=at))
@@ -540,7 +540,7 @@ class Arm:
 
     def number(self, value: Entry) -> float:
         """Compute the number that an entry of this arm's rows or bodies stands for."""
-        return evaluate(value, self.values)
+        return evaluate_entry(value, self.values)
 
     # Text
 

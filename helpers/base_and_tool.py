@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.expressions import Entry, check_entry, evaluate
+from helpers.expressions import Entry, check_entry, evaluate_entry
 from helpers.inputs import ArmError, finite_array, shorten
 from helpers.poses import rigid_poses
 from helpers.rows import cos_sin, quarter_turns
@@ -80,7 +80,7 @@ def _read_pose(pose: ArrayLike, name: str) -> Array:
     except ValueError:
         raise ArmError(f"{name} is {shorten(pose)}; expected {_EXPECTED}") from None
     if entries.shape == (6,):
-        numbers = [evaluate(check_entry(entry, name), {}) for entry in entries]
+        numbers = [evaluate_entry(check_entry(entry, name), {}) for entry in entries]
         return _transform(finite_array(numbers, name, _EXPECTED, (6,)))
     return rigid_poses(pose, name, _EXPECTED)
 

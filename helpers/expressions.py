@@ -107,7 +107,7 @@ def _find_formula_names(text: str, name: str) -> frozenset[str]:
     return frozenset(node.id for node in nodes if isinstance(node, ast.Name)) - {"pi"}
 
 
-def evaluate(text: Entry, values: Mapping[str, float]) -> float:
+def evaluate_entry(text: Entry, values: Mapping[str, float]) -> float:
     """Compute the number that an entry stands for.
 
     Args:

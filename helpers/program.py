@@ -1,10 +1,10 @@
 """Record a recursion over an arm's links and run it on poses.
 
-A recursion is written for one pose, on components. `record` runs it on `Term`s, which write each
-operation on a tape: factors 0 and 1 are dropped, signs move outwards, equal steps are merged, and
-steps that no result needs are left out. The program that remains is a list of sums, differences and
-products. A single pose runs through it in floats; a batch runs in contiguous rows, one NumPy call
-for each step.
+A recursion is written for one pose, on components. `record_program` runs it on `Term`s, which write
+each operation on a tape. Factors 0 and 1 are dropped, signs move outwards, equal steps are merged,
+and steps that no result needs are left out. The program is a list of sums, differences and
+products. A single pose runs through it in floats. A batch runs in contiguous rows, with one NumPy
+call for each step.
 """
 
 import math
@@ -142,7 +142,7 @@ class Program(NamedTuple):
         return rows[: len(self.result_positions)]
 
 
-def record(compute: Callable[..., Sequence[Value]], inputs: int) -> Program:
+def record_program(compute: Callable[..., Sequence[Value]], inputs: int) -> Program:
     """Record a computation as a program.
 
     Args:
@@ -237,7 +237,7 @@ class _Workspace(threading.local):
 _workspace = _Workspace()
 
 
-def workspace(rows: int, columns: int) -> Array:
+def get_workspace(rows: int, columns: int) -> Array:
     """Return an uninitialised array (rows, columns), valid until the thread's next call."""
     size = rows * columns
     if _workspace.flat.size < size:
@@ -294,7 +294,7 @@ def get_program(arm: Arm, recursion: Recursion, constants: Sequence[float] = ())
             inputs = zip(terms[3 * n :], nonzero, strict=True)
             return recursion(arm, motions, *(x if is_nonzero else 0.0 for x, is_nonzero in inputs))
 
-        arm.programs[recursion, nonzero] = record(compute, 3 * n + len(constants))
+        arm.programs[recursion, nonzero] = record_program(compute, 3 * n + len(constants))
     return arm.programs[recursion, nonzero]
 
 
@@ -312,7 +312,7 @@ def run_batch(program: Program, q: Array, constants: Sequence[float] = ()) -> Ar
     n, batch = q.shape
     if batch == 1:
         return np.array(_run_pose(program, q[:, 0], constants))[:, None]
-    space = workspace(3 * n + program.rows, batch)
+    space = get_workspace(3 * n + program.rows, batch)
     cosines, sines, values = space[: 3 * n].reshape(3, n, batch)
     values[...] = q
     cosines_and_sines(values, cosines, sines)

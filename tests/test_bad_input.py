@@ -108,7 +108,7 @@ RIGHT = {
     "arm.Body": dict(mass=1, com=(0, 0, 0)),
     "expressions.check_entry": dict(value=1, name="value"),
     "expressions.symbol_names": dict(text="a + b", name="text"),
-    "expressions.evaluate": dict(text="a", values={"a": 1.0}),
+    "expressions.evaluate_entry": dict(text="a", values={"a": 1.0}),
     "expressions.plain_formula": dict(name="alpha"),
     "expressions.entry_latex": dict(text="a"),
     "robots.find_arm": dict(name="panda"),
@@ -208,7 +208,7 @@ CALLED = {
     "arm.Arm.joint_vector q": "anything",
     "arm.Body com": "centre of mass",
     **dict.fromkeys(("arm.Arm.number value", "expressions.entry_latex text"), "the entry"),
-    "expressions.evaluate text": "the entry",
+    "expressions.evaluate_entry text": "the entry",
     **{
         f"inverse.{name} targets": "a target"
         for name in ("elbow", "rod", "solutions", "solve", "spherical_wrist", "stanford", "ur")

@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helpers.expressions import ArmError, check_entry, entry_latex, evaluate, symbol_names
+from helpers.expressions import ArmError, check_entry, entry_latex, evaluate_entry, symbol_names
 from tests import reading
 from tests.cases import ENTRIES
 from tests.node import needs_node
@@ -49,7 +49,9 @@ formulas = st.recursive(
 @given(formulas)
 def test_formula_evaluates_to_its_value(formula):
     text, value = formula
-    assert evaluate(check_entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
+    assert evaluate_entry(check_entry(text, "a"), VALUES) == pytest.approx(
+        value, rel=1e-12, abs=1e-12
+    )
 
 
 # helpers/expressions.py reads plain formulas itself; the page reads all of them by
@@ -86,18 +88,18 @@ def _evaluate_or_none(evaluate_text, text):
 @needs_node
 @given(st.lists(_PARTS, min_size=1, max_size=5).map(_join_parts))
 def test_python_and_page_read_formulas_alike(text):
-    here = _evaluate_or_none(lambda x: evaluate(check_entry(x, "the entry"), VALUES), text)
+    here = _evaluate_or_none(lambda x: evaluate_entry(check_entry(x, "the entry"), VALUES), text)
     page = _evaluate_or_none(lambda x: reading.read_formula(x, **VALUES)["value"], text)
     if here is not None or not _ONLY_ON_PAGE.search(text):
         assert here == (None if page is None else pytest.approx(page, rel=1e-12, abs=1e-12)), text
 
 
 def test_operators_follow_arithmetic_precedence():
-    assert evaluate("2 - 3 - 4", {}) == -5
-    assert evaluate("12 / 3 / 2", {}) == 2
-    assert evaluate("1 + 2 * 3", {}) == 7
-    assert evaluate("-(d_7 + l_pen) / 2", {"d_7": 0.1, "l_pen": 0.3}) == pytest.approx(-0.2)
-    assert evaluate("2*pi - +1", {}) == pytest.approx(2 * np.pi - 1)
+    assert evaluate_entry("2 - 3 - 4", {}) == -5
+    assert evaluate_entry("12 / 3 / 2", {}) == 2
+    assert evaluate_entry("1 + 2 * 3", {}) == 7
+    assert evaluate_entry("-(d_7 + l_pen) / 2", {"d_7": 0.1, "l_pen": 0.3}) == pytest.approx(-0.2)
+    assert evaluate_entry("2*pi - +1", {}) == pytest.approx(2 * np.pi - 1)
 
 
 def test_names_returns_symbols_but_not_pi():
@@ -109,8 +111,8 @@ def test_entry_accepts_numbers_of_other_packages():
     assert check_entry(-sp.pi / 2, "alpha") == "-pi/2"
     assert check_entry(np.float64(0.25), "a") == 0.25
     assert type(check_entry(np.float64(0.25), "a")) is float
-    assert evaluate(check_entry(np.float32(0.5), "a"), {}) == 0.5
-    assert evaluate(check_entry(Fraction(1, 4), "a"), {}) == 0.25
+    assert evaluate_entry(check_entry(np.float32(0.5), "a"), {}) == 0.5
+    assert evaluate_entry(check_entry(Fraction(1, 4), "a"), {}) == 0.25
     assert check_entry(2, "a") == 2
     assert type(check_entry(2, "a")) is int
 
@@ -146,7 +148,7 @@ def test_invalid_formula_is_rejected(text):
 
 
 def test_overlong_formula_is_rejected():
-    assert evaluate("-" * 198 + "1", {}) == 1
+    assert evaluate_entry("-" * 198 + "1", {}) == 1
     with pytest.raises(ArmError, match="a has 100001 characters; expected at most 200"):
         check_entry("-" * 100_000 + "1", "a")
 
@@ -157,12 +159,12 @@ def test_non_finite_number_is_rejected(value):
         with pytest.raises(ArmError, match=r"expected a (finite )?number or a formula"):
             ask()
     with pytest.raises(ArmError, match="1/0 divides by zero or is too large; expected a finite"):
-        evaluate("1/0", {})
+        evaluate_entry("1/0", {})
 
 
 def test_missing_value_is_named():
     with pytest.raises(ArmError, match="no value for b; there are a_3, pi"):
-        evaluate("a_3 + b", {"a_3": 1})
+        evaluate_entry("a_3 + b", {"a_3": 1})
 
 
 IN_SI = [case for case in ENTRIES if case["unit"] in ("rad", "m")]
@@ -174,9 +176,9 @@ def test_entry_reads_same_texts_as_explorer(case):
     what = "alpha" if case["quantity"] == "angle" else "a"
     if case["value"] is None:
         with pytest.raises(ArmError):
-            evaluate(check_entry(case["text"], what), {})
+            evaluate_entry(check_entry(case["text"], what), {})
     else:
-        found = evaluate(check_entry(case["text"], what), {})
+        found = evaluate_entry(check_entry(case["text"], what), {})
         assert found == pytest.approx(case["value"], rel=1e-14)
 
 

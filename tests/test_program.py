@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.kinematics import jacobian
-from helpers.program import record
+from helpers.program import record_program
 from tests.laws import ALL_ARMS, arm_id, joint_vectors
 
 OPERATIONS = (operator.add, operator.sub, operator.mul, lambda x, y: -x)
@@ -40,7 +40,7 @@ def rows_of(program, inputs):
 @given(lines=lines, seed=st.integers(0, 99))
 def test_recorded_program_matches_formula(lines, seed):
     inputs = np.random.default_rng(seed).uniform(-1, 1, (3, 5))
-    program = record(partial(straight, lines), 3)
+    program = record_program(partial(straight, lines), 3)
     wanted = np.array([straight(lines, *column) for column in inputs.T]).T
     np.testing.assert_allclose(rows_of(program, inputs), wanted, rtol=1e-12, atol=1e-12)
     one = program.run_on_floats(inputs[:, 0].tolist())
@@ -60,14 +60,14 @@ def test_recorded_program_matches_formula(lines, seed):
     ],
 )
 def test_program_has_no_redundant_steps(compute, steps):
-    assert len(record(compute, 2).row_steps) <= steps
+    assert len(record_program(compute, 2).row_steps) <= steps
     inputs = np.array([[0.3, -0.7], [2.0, 5.0]])
     wanted = [np.broadcast_to(value, 2) for value in compute(*inputs)]
-    np.testing.assert_allclose(rows_of(record(compute, 2), inputs), wanted, rtol=1e-15)
+    np.testing.assert_allclose(rows_of(record_program(compute, 2), inputs), wanted, rtol=1e-15)
 
 
 def test_negated_zero_prints_without_sign():
-    program = record(lambda x: [-x], 1)
+    program = record_program(lambda x: [-x], 1)
     assert str(program.run_on_floats([0.0])[0]) == "0.0"
     assert str(rows_of(program, [[0.0]])[0, 0]) == "0.0"
 
