@@ -345,6 +345,23 @@ def test_typing_goes_on_when_the_script_arrives(chapter):
     assert answer.input_value() == "1 2 3"
 
 
+def test_number_fields_wait_for_the_script(chapter):
+    """The script would not see what is typed into them before it is there."""
+    page, hidden = chapter("glossary"), []
+    place = page.locator(".arm-judge").first
+    torque = place.get_by_label("τ 1", exact=True)
+
+    def late(route):
+        hidden.append(torque.is_hidden())
+        route.continue_()
+
+    page.route("**/judge.js", late)
+    chapter("04_static_torque")
+    place.evaluate(THERE)
+    torque.wait_for()
+    assert hidden == [True]
+
+
 def test_chapter_form_hides_given_fields(chapter):
     page = chapter("02_jacobian")
     for name in ("judge", "explorer"):  # far away
