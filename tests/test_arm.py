@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from helpers.arm import Arm, ArmError, Joint, fixed, prismatic, revolute
-from helpers.expressions import evaluate
+from helpers.expressions import evaluate_entry
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.laws import ALL_ARMS, arm_id, joint_vectors
@@ -83,7 +83,7 @@ def test_with_row_rejects_invalid_limits_and_missing_mass():
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 @pytest.mark.parametrize("at", [0.0, 0.2, "pi/8"])
 def test_locked_joint_keeps_its_value(arm, at):
-    value = evaluate(at, {})
+    value = evaluate_entry(at, {})
     for position, joint in enumerate(arm.joints):
         lower, upper = (limit[position] for limit in arm.limits)
         if not lower <= value <= upper:
