@@ -3,6 +3,7 @@
 
 import { cross, dot, movingRows, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { DEG } from "./angles.js";
+import { partAcross } from "./joint_equations.js";
 import { wrapAngle } from "./planar.js";
 import { formatNumber } from "../sentences.js";
 
@@ -20,21 +21,21 @@ const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times th
 // Return the joint map between two tables that agree; null if the tips of some poses disagree.
 /** @param {AxisWalk} mine @param {AxisWalk} reference @returns {JointMap | null} */
 export function findJointMap(mine, reference, found, tolerance = 1e-6) {
-  const base = baseOf(mine, reference, found);
+  const base = placeBase(mine, reference, found);
   const still = mine.joints.map(() => 0);
   const plain = mine.joints.map(() => 1);
-  const ours = features(mine.rows, still, base, found.signs);
-  const own = linkFrames(mine, still).map((F) => placed(base, F).o);
+  const ours = listFeatures(mine.rows, still, base, found.signs);
+  const own = linkFrames(mine, still).map((F) => placeFrame(base, F).o);
   const offsets = [...still];
   const toCarry = [...reference.joints.entries()];
   // If the next axis does not fix the map, one farther out does, once the zeros between are known.
   for (const [k, i] of [...toCarry, ...toCarry]) {
     const { z, o } = linkFrames(reference, offsets)[i - 1];
-    const theirs = features(reference.rows, offsets, BASE, plain);
+    const theirs = listFeatures(reference.rows, offsets, BASE, plain);
     const turns = reference.rows[i - 1].kind === "revolute";
     for (let n = k + 1; n < ours.length; n++) {
       const [m, r] = [ours[n], theirs[n]];
-      const moved = turns ? turn(z, own[mine.joints[k] - 1], m, o, r) : slide(z, m, r);
+      const moved = turns ? findTurn(z, own[mine.joints[k] - 1], m, o, r) : findSlide(z, m, r);
       if (moved === null) continue;
       offsets[k] += moved;
       break;
@@ -43,7 +44,7 @@ export function findJointMap(mine, reference, found, tolerance = 1e-6) {
   const wrapped = offsets.map((c, k) =>
     reference.rows[reference.joints[k] - 1].kind === "revolute" ? wrap(c) : c,
   );
-  return confirmed(mine, reference, { signs: found.signs, offsets: wrapped, base }, tolerance);
+  return confirmMap(mine, reference, { signs: found.signs, offsets: wrapped, base }, tolerance);
 }
 
 const BASE = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], o: [0, 0, 0] };
@@ -51,7 +52,7 @@ const BASE = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], o: [0, 0, 0] };
 const UPSIDE_DOWN = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, -1], o: [0, 0, 0] };
 
 // Return the student's base frame in the reference's base, as far as axis 1 fixes it.
-function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
+function placeBase(mine, reference, { upsideDown, baseHigher, signs }) {
   const axis = linkFrames({ rows: reference.rows.slice(0, reference.joints[0] - 1) }, []).at(-1).z;
   const up = mine.up * signs[0];
   return { ...(upsideDown ? UPSIDE_DOWN : BASE), o: scaled(up * baseHigher, axis) };
@@ -59,8 +60,8 @@ function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
 
 // List the features that joints carry, in the reference's base: each joint axis as a point and a
 // direction (a slide has no point), the tip, and the tool's z and x axes.
-function features(rows, q, base, signs) {
-  const T = linkFrames({ rows }, q).map((F) => placed(base, F));
+function listFeatures(rows, q, base, signs) {
+  const T = linkFrames({ rows }, q).map((F) => placeFrame(base, F));
   const axes = movingRows({ rows }).map((i, k) => ({
     point: rows[i].kind === "revolute" ? T[i].o : null,
     direction: scaled(signs[k], T[i].z),
@@ -74,48 +75,45 @@ function features(rows, q, base, signs) {
   ];
 }
 
-const turnedBy = (base, v) =>
+const rotateVector = (base, v) =>
   plus(plus(scaled(v[0], base.x), scaled(v[1], base.y)), scaled(v[2], base.z));
 
-const placed = (base, { x, y, z, o }) => ({
-  x: turnedBy(base, x),
-  y: turnedBy(base, y),
-  z: turnedBy(base, z),
-  o: plus(base.o, turnedBy(base, o)),
+const placeFrame = (base, { x, y, z, o }) => ({
+  x: rotateVector(base, x),
+  y: rotateVector(base, y),
+  z: rotateVector(base, z),
+  o: plus(base.o, rotateVector(base, o)),
 });
 
 // Return the angle about z that carries the reference's feature r to the student's m; null if both
 // are on the axis. The axis passes through p in the student's arm and through o in the reference.
-function turn(z, p, m, o, r) {
+function findTurn(z, p, m, o, r) {
   const pairs = [];
   if (m.direction) pairs.push([m.direction, r.direction]);
   if (m.point) pairs.push([minus(m.point, p), minus(r.point, o)]);
   for (const pair of pairs) {
-    const [u, v] = pair.map((w) => across(w, z));
+    const [u, v] = pair.map((w) => partAcross(z, w));
     if (dot(u, u) > SEEN ** 2 && dot(v, v) > SEEN ** 2)
       return Math.atan2(dot(z, cross(v, u)), dot(u, v));
   }
   return null;
 }
 
-// Return the part of w that is perpendicular to the unit vector d.
-const across = (w, d) => minus(w, scaled(dot(w, d), d));
-
 // Return the distance along z that carries feature r to m; null if r does not change along z.
-function slide(z, m, r) {
+function findSlide(z, m, r) {
   if (!m.point) return null;
   const w = minus(m.point, r.point);
   if (!m.direction) return dot(w, z);
-  const along = across(z, r.direction);
+  const along = partAcross(r.direction, z);
   return dot(along, along) > SEEN ** 2 ? dot(w, along) / dot(along, along) : null;
 }
 
 // Return the map if it makes the tips of some poses agree, except for the base's height; else null.
-function confirmed(mine, reference, found, tolerance) {
+function confirmMap(mine, reference, found, tolerance) {
   const off = POSES.map((step) => {
     const q = mine.joints.map((_, k) => Math.sin(step * (k + 1)));
     const other = q.map((x, k) => found.signs[k] * x + found.offsets[k]);
-    const here = placed(found.base, linkFrames(mine, q).at(-1)).o;
+    const here = placeFrame(found.base, linkFrames(mine, q).at(-1)).o;
     return minus(linkFrames(reference, other).at(-1).o, here);
   });
   const allowed = 10 * Math.max(tolerance, 1e-6);
