@@ -234,7 +234,8 @@ const UNITS = new Map(
   }),
 );
 const unitOf = (word) => UNITS.get(word.replace(/[-·*⋅. ]/g, ""));
-const MEASURED = /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?)\s*([A-Za-z°][-A-Za-z°·*⋅. ]{0,9})$/;
+const MEASURED =
+  /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?(?: ?(?:π|pi\b))?)\s*([A-Za-z°][-A-Za-z°·*⋅. ]{0,9})$/;
 
 // A text without what is written around it, its unit as a factor.
 function cleaned(text, { decimal }) {

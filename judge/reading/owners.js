@@ -212,7 +212,7 @@ function lastByLine(sources, order) {
 // one of its rows.
 function findBrokenRows({ rows, sources, lines }, others, tokens) {
   const width = rows[0].length;
-  if (rows.length < 2 || width < LEAST_ROW) return () => false;
+  if (width < LEAST_ROW) return () => false;
   const counts = new Map();
   const add = (line, count) => counts.set(line, (counts.get(line) ?? 0) + count);
   for (const row of others)
