@@ -234,6 +234,8 @@ const UNITS = new Map(
   }),
 );
 const unitOf = (word) => UNITS.get(word.replace(/[-·*⋅. ]/g, ""));
+// Return whether a word is a unit of a length, an angle, a force or a moment.
+export const isUnit = (word) => unitOf(word) !== undefined;
 const MEASURED =
   /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?(?: ?(?:π|pi\b))?)\s*([A-Za-z°][-A-Za-z°·*⋅. ]{0,9})$/;
 
@@ -322,7 +324,6 @@ function joinedPieces(pieces, text) {
 
 const OPERATED = /[*/^]$|(?:^|\s)[-+±~≈]$|\\(?:times|cdot)$/; // something must follow
 const OPERATES = /^[*/^]|^[-+±]$|^\\(?:times|cdot)$/; // something must stand before
-
 const FACTOR_END = /^ *(?:rad|[\t\n|&;,]|$)/; // behind a factor π, which no entry follows
 
 function belongs(last, piece, text) {
@@ -332,7 +333,7 @@ function belongs(last, piece, text) {
   if (isFunction(before.replace(/^[-+]+/, ""))) return true;
   if (/^(?:π|pi)$/.test(word) && piece.from === last.to + 1)
     return /\d[.,]\d+$/.test(before) && FACTOR_END.test(text.slice(piece.to));
-  return unitOf(word) !== undefined && /(?:[\d.)](?: [kmM]?N)?|[\d ](?:π|pi))$/.test(before);
+  return isUnit(word) && /(?:[\d.)](?: [kmM]?N)?|[\d ](?:π|pi))$/.test(before);
 }
 
 // A text before a mark of naming is a name, though it may look like an entry.

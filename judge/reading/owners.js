@@ -4,6 +4,7 @@
 import { isCalledOld, namesOtherQuantity } from "./blocks.js";
 import { hasDecimals } from "./formula.js";
 import { labelIn } from "./labels.js";
+import { isUnit } from "./lines.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /**
@@ -158,11 +159,10 @@ const isParted = (line) => (line.match(/[&|\t;]/g) ?? []).length > 2 && /\d/.tes
 function mayBeRow(line) {
   if (isParted(line)) return true;
   if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
-  const words = line.replace(UNITS, " ").match(/\p{L}{3,}/gu) ?? [];
+  const words = (line.match(/\p{L}[\p{L}-]{2,}/gu) ?? []).filter((word) => !isUnit(word));
   return words.length < 2 && (hasDecimals(line) || TWO_NUMBERS.test(line));
 }
 
-const UNITS = /\b(?:rad(?:ians?)?|deg(?:rees?)?|pi|Newton-met(?:er|re)s?)\b/g;
 const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+\S?(?:\s|$)/;
 
 // The words and rows that are no part of the block.
