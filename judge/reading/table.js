@@ -65,7 +65,8 @@ const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 
  */
 export function readTables(typedText, options = {}, values = []) {
   refuseSize(typedText);
-  const lengths = listDefinedLengths(withoutStruckText(new SpannedText(typedText)).text);
+  const unstruck = withoutStruckText(new SpannedText(typedText)).text;
+  const lengths = listDefinedLengths(unstruck, new Set(values.map(([name]) => simple(name))));
   const known = new Map([...values, ...lengths].map(([name, x]) => [simple(name), x]));
   const request = { options, known };
   const text = joinCellLines(typedText, makeEntryTest(known));
@@ -89,14 +90,18 @@ function refuseSize(text) {
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
 }
 
-// List the lengths that a text defines, such as l_1 = 0.5 m. A name of a column or of a joint's
-// variable is no length.
-function listDefinedLengths(text) {
+// List the lengths that a text defines, such as l_1 = 0.5 m. A joint's variable is no length. A
+// column's name is one if it is a symbol of the arm and the text defines it once.
+/** @param {string} text @param {Set<string>} symbols of the asked arm */
+function listDefinedLengths(text, symbols) {
   const lengths = [...text.matchAll(DEFINITION)].map(([, name, x, unit]) => [
     plain(name),
     toMetres(number(x), UNITS[unit ?? "m"]),
   ]);
-  return lengths.filter(([name, x]) => Number.isFinite(x) && !findEntry(name) && !isVariable(name));
+  const isOnce = (name) => lengths.filter(([other]) => other === name).length === 1;
+  const isLength = (name) =>
+    findEntry(name) ? symbols.has(simple(name)) && isOnce(name) : !isVariable(name);
+  return lengths.filter(([name, x]) => Number.isFinite(x) && isLength(name));
 }
 
 const PRODUCT = String.raw`-?\d+(?:\.\d+)?(?:[ ]?[*/][ ]?\d+(?:\.\d+)?)*`; // L1 = 2 * 0.15

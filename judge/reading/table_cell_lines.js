@@ -49,7 +49,7 @@ function countHeaderLines(lines) {
     const name = findEntry(header);
     const isOffset = name === "d" && /offset/i.test(header);
     if (!UNIT.test(header) && !OTHER_HEADER.test(header)) {
-      if (name === undefined || /[|&\t;]/.test(header)) break;
+      if (name === undefined || /[|&\t;=]/.test(header)) break;
       if (names.has(name) && !isOffset) break;
       names.add(name);
     }
@@ -64,7 +64,7 @@ function takeCells(lines, isEntry) {
   const isCell = ({ text }) => {
     const cell = text.trim();
     const words = cell.replace(/ ?[-+*/] ?/g, "+").split(/\s+/);
-    return words.length <= 2 && (isEntry(cell) || ROW_NAME.test(cell));
+    return (words.length <= 2 && isEntry(cell)) || ROW_NAME.test(cell);
   };
   const end = lines.findIndex((line) => !isCell(line));
   return end < 0 ? lines : lines.slice(0, end);
