@@ -116,7 +116,8 @@ export function buildForm(id, arms, given) {
   );
   boxes.table.append(h("p.about.reading", { role: "status" }));
   const grids = addGrids(boxes);
-  for (const key of given ? listGivenFields(given, arms) : []) boxes[key]?.classList.add("given");
+  for (const key of given ? listGivenFields(given, arms) : [])
+    boxes[key]?.classList.add("fixed-field");
   const asked = given ? describeQuestion(given, arms) : "";
   const told = h("summary");
   const folded = h(

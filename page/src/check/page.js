@@ -227,7 +227,7 @@ export class AnswerCheck {
 
   announceVerdict() {
     const advice = this.outcome.advice ?? [];
-    const isFixed = (key) => this.form.boxes[key].classList.contains("given");
+    const isFixed = (key) => this.form.boxes[key].classList.contains("fixed-field");
     const buttons = advice
       .map((item) => makeOffer(item, this.question, this.arms))
       .filter((offer) => offer && !isFixed(offer.key))
