@@ -237,7 +237,7 @@ const unitOf = (word) => UNITS.get(word.replace(/[-·*⋅. ]/g, ""));
 // Return whether a word is a unit of a length, an angle, a force or a moment.
 export const isUnit = (word) => unitOf(word) !== undefined;
 const MEASURED =
-  /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?(?: ?(?:π|pi\b))?)\s*([A-Za-z°][-A-Za-z°·*⋅. ]{0,9})$/;
+  /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?(?: ?(?:π|pi\b))?)\s*([A-Za-z°][-A-Za-z°·*⋅. ]{0,12})$/;
 
 // A text without what is written around it, its unit as a factor.
 function cleaned(text, { decimal }) {

@@ -86,7 +86,29 @@ export function tokensOf(text, block) {
           ? { owner: "label" }
           : { owner: "context", reason: "markup or comment" },
       );
+  for (const halves of listCommaNumbers(text, tokens.list)) {
+    const entries = halves.filter(({ owner }) => owner === "entry");
+    if (entries.length === 1) for (const half of halves) half.owner = "unread";
+  }
   return tokens.list;
+}
+
+// List the numbers that a comma may hold together, 115,2111 or 24,246.81, as their two halves. At a
+// line's start the first half may be the row's index.
+/** @param {string} text @param {Token[]} tokens */
+function listCommaNumbers(text, tokens) {
+  const isJoined = (one, other) => text[one.to] === "," && other?.from === one.to + 1;
+  return tokens.flatMap((half, k) => {
+    const [before, rest] = [tokens[k - 1], tokens[k + 1]];
+    if (!isJoined(half, rest) || isJoined(rest, tokens[k + 2] ?? rest)) return [];
+    if (
+      (before && isJoined(before, half)) ||
+      /(?:^|\n)[ \t]*$/.test(text.slice(0, half.from).slice(-20))
+    )
+      return [];
+    const isDecimal = /^\d+$/.test(rest.text) || /^\d{3}\./.test(rest.text);
+    return /^\d+$/.test(half.text) && isDecimal ? [[half, rest]] : [];
+  });
 }
 
 // Return whether a number leads its line and is set off, as in "2: 0.5" or "2 | 0.5".
@@ -121,8 +143,8 @@ const claimWord = (tokens, cell, owner) => {
 };
 
 const DATES = [
-  /\d{4}-\d\d-\d\d|\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d/,
-  /\d+\.\d+\.\d+|^v\d/i, // a version
+  /\d{4}-\d\d-\d\d|(?<![\d.])\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d/,
+  /^[^,]*\d+\.\d+\.\d+[^,]*$|^v\d/i, // a version
   /^(?:\d+m)?[\d.]+ ?m?s$/, // how long a program took
   /\d\.{2,3}[-+−]?[\d.]/, // a range, -2.9..2.9
 ];
