@@ -64,7 +64,7 @@ test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built b
 
 # Only the tests of the built book are left out. QuickJS judges here, and Node.js in `make test`.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	JUDGE=quickjs $(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py,$(wildcard tests/test_*.py))
+	JUDGE=quickjs $(BIN)/python -m pytest -n 2 --dist loadfile --cov -q $(filter-out %_book.py,$(wildcard tests/test_*.py))
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(NBVAL) $(NOTEBOOKS)
