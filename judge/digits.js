@@ -32,8 +32,8 @@ const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exac
 /**
  * Return the unit of each number's last typed place.
  *
- * A formula has twice its slack. A bare 0 has the finest unit of the answer. All units are 0 if
- * some number shows all digits of a program.
+ * A formula has twice its slack. A bare 0 has the finest unit of the answer, a bare 1 that of
+ * findUnitOfOne. All units are 0 if some number shows all digits of a program.
  * @param {string[]} texts @param {number[]} [slacks] of the formulas among them
  */
 export function units(texts, slacks = []) {

@@ -93,6 +93,11 @@ export function tokensOf(text, block) {
   return tokens.list;
 }
 
+// Return whether only blanks stand before a number on its line.
+/** @param {string} text @param {Token} token */
+const leadsLine = (text, { from }) =>
+  /(?:^|\n)[ \t]*$/.test(text.slice(Math.max(0, from - 20), from));
+
 // List the numbers that a comma may hold together, 115,2111 or 24,246.81, as their two halves. At a
 // line's start the first half may be the row's index.
 /** @param {string} text @param {Token[]} tokens */
@@ -101,11 +106,7 @@ function listCommaNumbers(text, tokens) {
   return tokens.flatMap((half, k) => {
     const [before, rest] = [tokens[k - 1], tokens[k + 1]];
     if (!isJoined(half, rest) || isJoined(rest, tokens[k + 2] ?? rest)) return [];
-    if (
-      (before && isJoined(before, half)) ||
-      /(?:^|\n)[ \t]*$/.test(text.slice(0, half.from).slice(-20))
-    )
-      return [];
+    if ((before && isJoined(before, half)) || leadsLine(text, half)) return [];
     const isDecimal = /^\d+$/.test(rest.text) || /^\d{3}\./.test(rest.text);
     return /^\d+$/.test(half.text) && isDecimal ? [[half, rest]] : [];
   });
@@ -113,10 +114,10 @@ function listCommaNumbers(text, tokens) {
 
 // Return whether a number leads its line and is set off, as in "2: 0.5" or "2 | 0.5".
 /** @param {string} text @param {Token} token */
-const isLineNumber = (text, { from, to }) =>
-  /(?:^|\n)[ \t]*$/.test(text.slice(Math.max(0, from - 20), from)) &&
-  to - from < 4 &&
-  /^[ \t]*[|:.)\t]/.test(text.slice(to, to + 4));
+const isLineNumber = (text, token) =>
+  leadsLine(text, token) &&
+  token.to - token.from < 4 &&
+  /^[ \t]*[|:.)\t]/.test(text.slice(token.to, token.to + 4));
 
 // The rows without a label, of a block whose other rows are named after those of a Jacobian.
 function unlabelledRows({ labels }) {

@@ -51,7 +51,7 @@ export function readNamedTable(typedText) {
     }),
   );
   const cells = rows.map((entries) => entries.map((entry) => entry.text));
-  const named = { cells, headers: headers, assumptions, sources, parts };
+  const named = { cells, headers, assumptions, sources, parts };
   return { ...named, ...(convention && { convention }), ...listUnused(text, parts, sources) };
 }
 

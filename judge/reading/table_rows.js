@@ -16,7 +16,7 @@ export const toMetres = (length, unit) => length / Math.round(1 / unit);
 // Names of joints' variables.
 const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 
-// What stands for a variable that nobody named.
+// A cell for a joint's variable without its name: q, theta, ?, *.
 export const VARIABLE = /^(?:var(?:iable)?|[-*?qd]|th(?:eta)?)\*?$/i;
 
 const LOCKED = /\s*\((?:locked|fixed)[^()]*\)\s*$/i;

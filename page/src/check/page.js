@@ -32,7 +32,7 @@ import { addToolButtons } from "./tools.js";
 /** @typedef {import("./question.js").Outcome} Outcome */
 /** @typedef {import("./question.js").ListedArm} ListedArm */
 /**
- * What the page offers to a form.
+ * The arms, examples and fixed fields of a form.
  * @typedef {object} PageData
  * @property {ListedArm[]} arms
  * @property {Question[]} examples
