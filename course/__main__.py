@@ -10,7 +10,7 @@ from typing import Any
 from answers.command_line import read_arm
 from course import gradescope, making, sheets, store
 from course.collect import collect_hand_ins
-from course.grading import grade
+from course.grading import grade_hand_ins
 from course.roster import read_roster
 from course.sheets import Exercise
 from helpers.inputs import ArmError
@@ -55,21 +55,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     parser = argparse.ArgumentParser(prog="python -m course", description=__doc__)
     commands = parser.add_subparsers(required=True)
-    for name, (run, description, names) in COMMANDS.items():
+    for name, (run_command, description, option_names) in COMMANDS.items():
         command = commands.add_parser(name, help=description, description=description)
-        command.set_defaults(run=run)
-        for option in names.split():
+        command.set_defaults(run_command=run_command)
+        for option in option_names.split():
             command.add_argument(option, **_OPTIONS[option])
     options = parser.parse_args(arguments)
     try:
-        options.run(options)
+        options.run_command(options)
     except (ArmError, OSError, ModuleNotFoundError) as error:
         print(f"course: {error}", file=sys.stderr)
         return 2
     return 0
 
 
-def _make(options: argparse.Namespace) -> None:
+def _make_sheets(options: argparse.Namespace) -> None:
     exercises = [Exercise(read_arm(name), tuple(topics)) for name, *topics in options.arm]
     roster, path = read_roster(options.roster), options.secret
     secret = path.read_text(encoding="utf-8").strip() if path else ""
@@ -88,30 +88,30 @@ def _make(options: argparse.Namespace) -> None:
 
 
 def _print_key(options: argparse.Namespace) -> None:
-    sheet = store.load(options.course).sheet(options.id)
+    sheet = store.load_course(options.course).sheet(options.id)
     for name, answer in making.make_right_answers(sheet).items():
         print(f"{name}: {json.dumps(answer)}")
 
 
-def _reissue(options: argparse.Namespace) -> None:
+def _reissue_sheet(options: argparse.Namespace) -> None:
     course = making.reissue_sheet(options.course, options.id)
     print(f"new sheet: {store.name_sheet(course, options.id)}")
 
 
-def _drop(options: argparse.Namespace) -> None:
+def _drop_student(options: argparse.Namespace) -> None:
     print(f"{len(making.drop_student(options.course, options.id).sheets)} sheets are left")
 
 
-def _collect(options: argparse.Namespace) -> None:
-    course = store.load(options.course)
+def _collect_hand_ins(options: argparse.Namespace) -> None:
+    course = store.load_course(options.course)
     placed, messages = collect_hand_ins(options.download, course.names, options.course)
     print(f"{len(placed)} of {len(course.sheets)} students handed in")
     for message in messages:
         print(message)
 
 
-def _grade(options: argparse.Namespace) -> None:
-    result = grade(
+def _grade_hand_ins(options: argparse.Namespace) -> None:
+    result = grade_hand_ins(
         options.course,
         options.out,
         options.jobs,
@@ -124,7 +124,7 @@ def _grade(options: argparse.Namespace) -> None:
     print(f"{len(result.rows)} students marked: {options.out / 'grades.csv'}")
 
 
-def _count(options: argparse.Namespace) -> None:
+def _count_marks(options: argparse.Namespace) -> None:
     from course.statistics import PICTURE, write_statistics  # matplotlib is slow to import
 
     print(write_statistics(options.course, options.out))
@@ -138,22 +138,27 @@ def _show_progress(line: str) -> None:
 
 
 def _pack_autograder(options: argparse.Namespace) -> None:
-    course = store.load(options.course)
+    course = store.load_course(options.course)
     gradescope.pack_autograder(course, options.out)
     print(f"autograder for {len(course.sheets)} students: {options.out}")
 
 
 COMMANDS = {
     "new": (
-        _make, "make a sheet for each line of a roster",
+        _make_sheets, "make a sheet for each line of a roster",
         "--roster --arm --title --topic --secret --out --jobs",
     ),
     "key": (_print_key, "print one student's key", "course --id"),
-    "reissue": (_reissue, "draw other numbers for one student", "course --id"),
-    "drop": (_drop, "remove one student and leave all others alone", "course --id"),
-    "collect": (_collect, "sort a download of hand-ins by student", "course download"),
-    "grade": (_grade, "mark every hand-in of a course", "course --out --jobs --again --hints"),
-    "stats": (_count, "count the marks by part and by mistake, and draw them", "course --out"),
+    "reissue": (_reissue_sheet, "draw other numbers for one student", "course --id"),
+    "drop": (_drop_student, "remove one student and leave all others alone", "course --id"),
+    "collect": (_collect_hand_ins, "sort a download of hand-ins by student", "course download"),
+    "grade": (
+        _grade_hand_ins, "mark every hand-in of a course",
+        "course --out --jobs --again --hints",
+    ),
+    "stats": (
+        _count_marks, "count the marks by part and by mistake, and draw them", "course --out",
+    ),
     "gradescope": (_pack_autograder, "make Gradescope's autograder", "course --out"),
 }  # fmt: skip
 

@@ -11,8 +11,8 @@ from typing import Any
 
 ANSWERS_FILE = "answers.json"
 NOTEBOOK_FILE = "homework.ipynb"
-PREFIX = "answer_"  # Variables that hold answers begin so.
-SHEET = "sheet"  # the answer that names the sheet, as "course/student"
+ANSWER_PREFIX = "answer_"  # Variables that hold answers begin so.
+SHEET_ANSWER = "sheet"  # the answer that names the sheet, as "course/student"
 MARKED_LINE = "Answers of this sheet: "
 
 
@@ -77,7 +77,7 @@ def parse_answers(text: str | bytes) -> dict[str, Any] | None:
         return None
     if not isinstance(data, dict):
         return None
-    return {name.removeprefix(PREFIX): answer for name, answer in data.items()}
+    return {name.removeprefix(ANSWER_PREFIX): answer for name, answer in data.items()}
 
 
 def list_code_cells(notebook: Any) -> list[Mapping[str, Any]]:

@@ -17,17 +17,17 @@ from course.handed_in import compare_sheet_names, find_sheet_name
 from course.roster import StudentIndex
 from helpers.inputs import ArmError
 
-FOLDER, LATE_FILE = "handed_in", ".late"  # in a student's folder
+HAND_IN_FOLDER, LATE_FILE = "handed_in", ".late"  # in a student's folder
 _MOODLE = re.compile(r"(?P<name>.+)_(?P<key>\d+)_assignsubmission_[a-z]+(?:_.*)?", re.I | re.S)
 _CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_\d+_.+", re.I | re.S)
 _GRADESCOPE, _KEYS = "submission_metadata.yml", (":sid", ":email", ":name")
 _IGNORED = {"__MACOSX", ".DS_Store"}  # macOS adds these to a zip
 
 Labels = tuple[str, ...]  # ids, mail addresses or names of a student
-Sorted = tuple[dict[str, list[HandedFile]], Labels]
+SortedFiles = tuple[dict[str, list[HandedFile]], Labels]
 
 
-def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> Sorted:
+def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> SortedFiles:
     """Put the files of a class into the students' folders, in place of an earlier collection.
 
     Files belong to students by the roster's ids and names. If a name is shared by several
@@ -46,19 +46,22 @@ def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> 
     files = read_files(download, max_files=20_000, max_bytes=2_000_000_000)
     placed, messages = sort_by_student(files, names)
     for student, group in placed.items():
-        folder, beside = course / student / FOLDER, course / student / f".{FOLDER}"
-        shutil.rmtree(beside, ignore_errors=True)
-        beside.mkdir(parents=True)
+        folder, new_folder = (
+            course / student / HAND_IN_FOLDER,
+            course / student / f".{HAND_IN_FOLDER}",
+        )
+        shutil.rmtree(new_folder, ignore_errors=True)
+        new_folder.mkdir(parents=True)
         for number, file in enumerate(group, 1):
             safe_name = re.sub(r"[^\w.() -]", "_", PurePosixPath(file.name).name, flags=re.A)[-80:]
             if not file.trouble:
-                (beside / f"{number} {safe_name}").write_bytes(file.content)
+                (new_folder / f"{number} {safe_name}").write_bytes(file.content)
         shutil.rmtree(folder, ignore_errors=True)
-        beside.rename(folder)
-        mark = course / student / LATE_FILE
-        mark.unlink(missing_ok=True)
+        new_folder.rename(folder)
+        late_file = course / student / LATE_FILE
+        late_file.unlink(missing_ok=True)
         if any(map(_is_marked_late, group)):
-            mark.touch()
+            late_file.touch()
     return placed, messages
 
 
@@ -68,16 +71,18 @@ def _is_marked_late(file: HandedFile) -> bool:
     return any(match and match["late"] for match in matches)
 
 
-def sort_by_student(files: Iterable[HandedFile], names: Mapping[str, str]) -> Sorted:
+def sort_by_student(files: Iterable[HandedFile], names: Mapping[str, str]) -> SortedFiles:
     """Sort files by their students, with a message for each doubtful file."""
     files = [file for file in files if not _IGNORED & {*PurePosixPath(file.name).parts}]
-    lists = [file for file in files if file.name.endswith(_GRADESCOPE)]
+    submitter_lists = [file for file in files if file.name.endswith(_GRADESCOPE)]
     submitters = {
-        folder: labels for file in lists for folder, labels in _read_submitters(file).items()
+        folder: labels
+        for file in submitter_lists
+        for folder, labels in _read_submitters(file).items()
     }
     index, groups = StudentIndex(names), defaultdict[tuple[str, Labels], list[HandedFile]](list)
     for file in files:
-        if file not in lists:
+        if file not in submitter_lists:
             groups[_find_owner_labels(file, index, submitters)].append(file)
     placed, messages = defaultdict[str, list[HandedFile]](list), list[str]()
     for (_, labels), group in groups.items():
@@ -113,17 +118,17 @@ def _find_owner_labels(
             return match["key"], (match["name"],)
     stems = [*parts[:-1], PurePosixPath(file.name).stem]
     labels = [label for stem in stems for label in (stem, stem.split("_")[0])]
-    return "", tuple([label for label in labels if index.find([label])][:1] or parts[:1])
+    return "", tuple([label for label in labels if index.find_students([label])][:1] or parts[:1])
 
 
 def _find_student(
     labels: Labels, group: Iterable[HandedFile], index: StudentIndex
 ) -> tuple[str, str]:
     """Return the id of the student whom labels mean, or "" and the reason for doubt."""
-    candidates = index.find(labels)
+    candidates = index.find_students(labels)
     if len(candidates) == 1:
         return candidates.pop(), ""
-    sheet_owners = index.find({_find_sheet_owner(file) for file in group})
+    sheet_owners = index.find_students({_find_sheet_owner(file) for file in group})
     if len(sheet_owners) == 1 and (not candidates or sheet_owners <= candidates):
         return sheet_owners.pop(), ""
     name = " / ".join(labels)

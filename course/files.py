@@ -51,17 +51,17 @@ def read_files(
 
     After `max_files` files or `max_bytes` bytes the last item says that more was not read.
     """
-    files, left = list[HandedFile](), max_bytes
-    for file in _read_zip(path) if path.is_file() else _unpack_zips(_walk(path)):
-        left -= len(file.content)
-        if len(files) == max_files or left < 0:
+    files, bytes_left = list[HandedFile](), max_bytes
+    for file in _read_zip(path) if path.is_file() else _unpack_zips(_read_folder(path)):
+        bytes_left -= len(file.content)
+        if len(files) == max_files or bytes_left < 0:
             trouble = f"not read: there are more than {max_files} files or {max_bytes:,} bytes"
             return (*files, HandedFile(file.name, trouble=trouble))
         files.append(file)
     return tuple(files)
 
 
-def _walk(root: Path) -> Iterator[HandedFile]:
+def _read_folder(root: Path) -> Iterator[HandedFile]:
     """Read every file below a folder, and report links and unreadable files."""
     errors: list[OSError] = []
     for folder, subfolders, names in os.walk(root, onerror=errors.append):

@@ -12,7 +12,7 @@ from typing import Any
 import helpers
 from course import store
 from course.files import read_files
-from course.grading import MAX_HINTS, compute_total, make_record, write_hints
+from course.grading import MAX_HINTS, compute_total, list_hints, make_record
 from course.handed_in import read_hand_in
 from course.roster import StudentIndex
 from course.store import Course
@@ -54,7 +54,7 @@ def pack_autograder(course: Course, path: Path) -> None:
         for package in (Path(helpers.__file__).parent, Path(__file__).parent):
             ignored = shutil.ignore_patterns("__pycache__")
             shutil.copytree(package, root / package.name, ignore=ignored)
-        store.save(replace(course, secret=""), root)
+        store.save_course(replace(course, secret=""), root)
         store.write_text(root / _SETTINGS, store.format_json({"hints": MAX_HINTS}))
         for name, text in _FILES.items():
             store.write_text(root / name, text.format(needed="\n".join(needed)))
@@ -74,13 +74,13 @@ def run_autograder(root: Path) -> dict[str, Any]:
 
 
 def _mark_submission(root: Path) -> dict[str, Any]:
-    course = store.load(root / "source")
+    course = store.load_course(root / "source")
     metadata = json.loads((root / "submission_metadata.json").read_bytes())
     labels = [str(user.get(key, "")) for user in metadata["users"] for key in ("email", "name")]
-    candidates = StudentIndex(course.names).find(labels)
+    candidates = StudentIndex(course.names).find_students(labels)
     if len(candidates) != 1:
-        count = "More than one sheet" if candidates else "No sheet"
-        message = f"{count} of this course belongs to your name and e-mail address"
+        sheet_count = "More than one sheet" if candidates else "No sheet"
+        message = f"{sheet_count} of this course belongs to your name and e-mail address"
         return {"score": 0, "output": f"{message}; tell your instructor.", "tests": []}
     student = candidates.pop()
     hand_in = read_hand_in(read_files(root / "submission"), course.sheet(student).parts)
@@ -97,11 +97,11 @@ def _mark_submission(root: Path) -> dict[str, Any]:
         }
         for mark in marks
     ]
-    first = f"Read as the sheet of {student}: {record['note'] or 'every part was read'}."
+    sheet_line = f"Read as the sheet of {student}: {record['note'] or 'every part was read'}."
     max_hints = int(json.loads((root / "source" / _SETTINGS).read_bytes())["hints"])
     number = 1 + len(metadata.get("previous_submissions") or ())
-    hints, score = write_hints(marks, number, max_hints), compute_total(course, marks)
-    return {"score": score, "output": "\n".join([first, *hints]), "tests": tests}
+    hints, score = list_hints(marks, number, max_hints), compute_total(course, marks)
+    return {"score": score, "output": "\n".join([sheet_line, *hints]), "tests": tests}
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from course import store
-from course.answers import SHEET
+from course.answers import SHEET_ANSWER
 from course.collect import LATE_FILE
 from course.files import HandedFile, read_files
 from course.handed_in import HandIn, compare_sheet_names, read_hand_in
@@ -36,20 +36,21 @@ _FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 
 Record = dict[str, Any]  # the contents of mark.json
 Marks = Sequence[Mapping[str, Any]]
+Rows = Sequence[Mapping[str, Any]]  # of a table, by column header
 Overrides = dict[str, tuple[float, str]]  # credits and reasons by part
 
 
-class Result(NamedTuple):
+class GradingResult(NamedTuple):
     """The rows of grades.csv and the changes by a second marking."""
 
     rows: list[dict[str, Any]]
     changes: list[dict[str, Any]]
 
 
-def grade(
+def grade_hand_ins(
     folder: Path, out: Path, jobs: int = 0, *, again: bool = False, before_deadline: bool = False,
     report: Callable[[str], None] = lambda _: None,
-) -> Result:  # fmt: skip
+) -> GradingResult:  # fmt: skip
     """Mark all hand-ins of a course and write grades.csv and the feedback.
 
     Args:
@@ -61,23 +62,25 @@ def grade(
         report: Receives a line of progress after each student.
     """
     jobs = whole_number(jobs, "jobs")
-    course = store.load(folder)
+    course = store.load_course(folder)
     overrides, late = read_overrides(folder / _OVERRIDES, course), read_late(folder, course)
-    old = {student: _read_record(out, student) for student in course.sheets}
+    old_records = {student: _read_record(out, student) for student in course.sheets}
     records = _mark_all(folder, out, course, jobs, again=again, report=report)
     rows = []
     for student, record in records.items():
         marks = _apply_overrides(record["marks"], overrides.get(student, {}))
         rows.append(_make_row(course, student, marks, late[student], record["note"]))
-        text = _write_hints if before_deadline else _write_feedback
-        store.write_text(out / student / "feedback.txt", text(course, student, marks, record))
+        format_text = _format_hints if before_deadline else _format_feedback
+        store.write_text(
+            out / student / "feedback.txt", format_text(course, student, marks, record)
+        )
     store.write_text(out / "grades.csv", format_csv(rows))
     for platform, table in make_exports(course, rows).items():
         store.write_text(out / f"grades-{platform}.csv", format_csv(table))
-    changes = [c for s in records for c in _list_changes(s, old[s], records[s])]
+    changes = [c for s in records for c in _list_changes(s, old_records[s], records[s])]
     if changes:
         store.write_text(out / "changes.csv", format_csv(changes))
-    return Result(rows, changes)
+    return GradingResult(rows, changes)
 
 
 def _mark_all(
@@ -87,28 +90,30 @@ def _mark_all(
 
     A hand-in that breaks its process is marked alone, and its record says so.
     """
-    singles = {s: replace(course, secret="", sheets={s: x}) for s, x in course.sheets.items()}
+    single_courses = {
+        s: replace(course, secret="", sheets={s: x}) for s, x in course.sheets.items()
+    }
     records = dict[str, Record]()
     broken = False
     with make_pool(jobs, __name__) as pool:
         futures: dict[Future, str] = {
             pool.submit(mark_student, folder, out, single, again): student
-            for student, single in singles.items()
+            for student, single in single_courses.items()
         }
         for future in as_completed(futures):
             try:
                 records[futures[future]] = future.result()
-                report(f"{len(records)} of {len(singles)} marked")
+                report(f"{len(records)} of {len(single_courses)} marked")
             except BrokenProcessPool:
                 broken = True
-    for student in singles if broken else ():
+    for student in single_courses if broken else ():
         if student not in records:
-            records[student] = _mark_apart(folder, out, singles[student], again)
+            records[student] = _mark_in_new_process(folder, out, single_courses[student], again)
     return {student: records[student] for student in course.sheets}
 
 
-def _mark_apart(folder: Path, out: Path, course: Course, again: bool) -> Record:
-    """Mark a student in a separate process."""
+def _mark_in_new_process(folder: Path, out: Path, course: Course, again: bool) -> Record:
+    """Mark a student in a process of its own."""
     try:
         with make_pool(1, __name__) as pool:
             return pool.submit(mark_student, folder, out, course, again).result()
@@ -125,11 +130,11 @@ def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -
         files = [f for f in read_files(folder / student) if not f.name.startswith(".")]
         digest = _make_digest(files, course.sheets[student])
         stored = _read_record(out, student)
-        if stored and stored["of"] == digest and not again:
+        if stored and stored["digest"] == digest and not again:
             return stored
         hand_in = read_hand_in(files, course.sheet(student).parts)
         record = make_record(course, student, hand_in, digest)
-        is_new = not stored or stored["of"] != digest
+        is_new = not stored or stored["digest"] != digest
         record["hand_ins"] = (stored or {}).get("hand_ins", 0) + (is_new and bool(hand_in.answers))
     except Exception as error:  # a hand-in may break its reader in ways nobody thought of
         trouble = f"{_STOPPED} ({type(error).__name__})"
@@ -139,10 +144,12 @@ def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -
 
 def make_record(course: Course, student: str, hand_in: HandIn, digest: str = "") -> Record:
     """Mark the answers of a hand-in, unless they belong to another sheet."""
-    other = compare_sheet_names(hand_in.answers.get(SHEET), store.name_sheet(course, student))
+    other = compare_sheet_names(
+        hand_in.answers.get(SHEET_ANSWER), store.name_sheet(course, student)
+    )
     marks = mark_sheet(course.sheet(student), {} if other else hand_in.answers)
     note = "; ".join(filter(None, [other, hand_in.trouble]))
-    return {"of": digest, "marks": [vars(mark) for mark in marks], "note": note, "hand_ins": 0}
+    return {"digest": digest, "marks": [vars(mark) for mark in marks], "note": note, "hand_ins": 0}
 
 
 def _save_record(out: Path, student: str, record: Record) -> Record:
@@ -153,7 +160,7 @@ def _save_record(out: Path, student: str, record: Record) -> Record:
 def _read_record(out: Path, student: str) -> Record | None:
     try:
         record = json.loads((out / student / "mark.json").read_bytes())
-        return record if {"of", "marks", "note", "hand_ins"} <= {*record} else None
+        return record if {"digest", "marks", "note", "hand_ins"} <= {*record} else None
     except (OSError, ValueError, TypeError):
         return None
 
@@ -235,8 +242,8 @@ def _apply_overrides(marks: Marks, overrides: Overrides) -> list[dict[str, Any]]
 def _make_row(course: Course, student: str, marks: Marks, late: str, note: str) -> dict[str, Any]:
     """Make a student's row of grades.csv."""
     credits = {mark["part"]: round(mark["credit"], 4) for mark in marks}
-    named = {"id": student, "name": course.names[student], "total": compute_total(course, marks)}
-    return {**named, **credits, "late": late, "note": note}
+    columns = {"id": student, "name": course.names[student], "total": compute_total(course, marks)}
+    return {**columns, **credits, "late": late, "note": note}
 
 
 def compute_total(course: Course, marks: Marks) -> float:
@@ -244,7 +251,7 @@ def compute_total(course: Course, marks: Marks) -> float:
     return round(sum(course.weight(mark["part"]) * mark["credit"] for mark in marks), 4)
 
 
-def make_exports(course: Course, rows: Marks) -> dict[str, list[dict[str, Any]]]:
+def make_exports(course: Course, rows: Rows) -> dict[str, list[dict[str, Any]]]:
     """Make the tables of totals that Canvas and Moodle import, by platform.
 
     Canvas (lib/gradebook_importer.rb of instructure/canvas-lms) expects five columns about the
@@ -252,8 +259,8 @@ def make_exports(course: Course, rows: Marks) -> dict[str, list[dict[str, Any]]]
     a row of that name. Moodle (docs.moodle.org, Grade import) asks for the meaning of each column.
     """
     columns = dict.fromkeys(("Student", "ID", "SIS User ID", "SIS Login ID", "Section"), "")
-    most = sum(map(course.weight, list_part_names(course.exercises)))
-    canvas = [{**columns, "Student": "    Points Possible", course.title: most}]
+    max_total = sum(map(course.weight, list_part_names(course.exercises)))
+    canvas = [{**columns, "Student": "    Points Possible", course.title: max_total}]
     totals = [{course.title: row["total"]} for row in rows]
     pairs = [*zip(rows, totals, strict=True)]
     canvas += [{"Student": row["name"], "SIS Login ID": row["id"], **x} for row, x in pairs]
@@ -261,11 +268,11 @@ def make_exports(course: Course, rows: Marks) -> dict[str, list[dict[str, Any]]]
     return {"canvas": canvas, "moodle": moodle}
 
 
-def _write_feedback(course: Course, student: str, marks: Marks, record: Record) -> str:
+def _format_feedback(course: Course, student: str, marks: Marks, record: Record) -> str:
     """Return the reasons for each mark, without the solution."""
     parts = course.sheet(student).parts
-    total, most = compute_total(course, marks), sum(map(course.weight, parts))
-    lines = [f"{course.title}, {course.names[student]} ({student}): {total:.4g} of {most:g}"]
+    total, max_total = compute_total(course, marks), sum(map(course.weight, parts))
+    lines = [f"{course.title}, {course.names[student]} ({student}): {total:.4g} of {max_total:g}"]
     lines += [f"Note: {record['note']}."] if record["note"] else []
     for mark in marks:
         weight = course.weight(mark["part"])
@@ -278,24 +285,24 @@ def _write_feedback(course: Course, student: str, marks: Marks, record: Record) 
     return "\n".join(lines) + "\n"
 
 
-def _write_hints(course: Course, student: str, marks: Marks, record: Record) -> str:
+def _format_hints(course: Course, student: str, marks: Marks, record: Record) -> str:
     """Return the hints for before the deadline, for the first hand-ins of a student."""
     lines = [f"{course.title}, {course.names[student]} ({student}): before the deadline"]
     lines += [f"Note: {record['note']}."] if record["note"] else []
-    lines += write_hints(marks, record["hand_ins"])
+    lines += list_hints(marks, record["hand_ins"])
     return "\n".join(lines) + "\n"
 
 
-def write_hints(marks: Marks, hand_ins: int, most: int = MAX_HINTS) -> list[str]:
-    """Return a line with the hint for each part, or a note after the first `most` hand-ins."""
-    if hand_ins > most:
-        return [f"Hints are given for {most} hand-ins; this one is read after the deadline."]
+def list_hints(marks: Marks, hand_ins: int, max_hints: int = MAX_HINTS) -> list[str]:
+    """Return a line with the hint for each part, or a note after `max_hints` hand-ins."""
+    if hand_ins > max_hints:
+        return [f"Hints are given for {max_hints} hand-ins; this one is read after the deadline."]
     return [f"{mark['part']}: {mark['hint']}" for mark in marks]
 
 
 def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[str, Any]]:
     """List the parts whose credit changed although the hand-in did not."""
-    if not old or old["of"] != new["of"]:
+    if not old or old["digest"] != new["digest"]:
         return []
     before = {mark["part"]: mark["credit"] for mark in old["marks"]}
     changed = [mark for mark in new["marks"] if before.get(mark["part"]) != mark["credit"]]
@@ -306,13 +313,15 @@ def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[st
     ]  # fmt: skip
 
 
-def format_csv(rows: Marks) -> str:
+def format_csv(rows: Rows) -> str:
     """Format rows as CSV by RFC 4180, with no text that a spreadsheet reads as a formula."""
     file = io.StringIO()
     names = list(dict.fromkeys(name for row in rows for name in row))
     writer = csv.DictWriter(file, names, restval="")
     writer.writeheader()
     for row in rows:
-        risky = [k for k, x in row.items() if isinstance(x, str) and x.startswith(_FORMULA_STARTS)]
-        writer.writerow({**row, **{key: f"'{row[key]}" for key in risky}})
+        formulas = [
+            k for k, x in row.items() if isinstance(x, str) and x.startswith(_FORMULA_STARTS)
+        ]
+        writer.writerow({**row, **{key: f"'{row[key]}" for key in formulas}})
     return file.getvalue()

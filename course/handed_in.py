@@ -11,8 +11,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from course.answers import (
-    PREFIX,
-    SHEET,
+    ANSWER_PREFIX,
+    SHEET_ANSWER,
     find_printed_answers,
     list_code_cells,
     parse_answers,
@@ -20,8 +20,8 @@ from course.answers import (
 )
 from course.files import HandedFile
 
-_SHEET_LINE = re.compile(rf"^\s*{PREFIX}{SHEET}\s*=\s*['\"]([^'\"]+)", re.M)
-_ANSWER_LINE = re.compile(rf"^\s*{PREFIX}(\w+)(.*)$", re.M)
+_SHEET_LINE = re.compile(rf"^\s*{ANSWER_PREFIX}{SHEET_ANSWER}\s*=\s*['\"]([^'\"]+)", re.M)
+_ANSWER_LINE = re.compile(rf"^\s*{ANSWER_PREFIX}(\w+)(.*)$", re.M)
 _MAX_NAMES = 5  # file names in a message
 
 
@@ -51,8 +51,8 @@ def read_hand_in(files: Sequence[HandedFile], parts: Collection[str]) -> HandIn:
             hand_in = _choose_answers(kind, candidates)
             others = [name for name, a in printed.items() if a != hand_in.answers]
             if kind == "answers files" and others and not hand_in.trouble:
-                words = f"{others[0]} printed other answers; those of the answers file are marked"
-                return replace(hand_in, trouble=words)
+                trouble = f"{others[0]} printed other answers; those of the answers file are marked"
+                return replace(hand_in, trouble=trouble)
             return hand_in
     return HandIn(trouble=_explain_no_answers(files, notebooks))
 
@@ -65,7 +65,7 @@ def find_sheet_name(file: HandedFile) -> str:
         match = _SHEET_LINE.search("\n".join(map(read_source, cells)))
         return match[1] if match else ""
     answers = parse_answers(file.content) or {}
-    return str(answers.get(SHEET, ""))
+    return str(answers.get(SHEET_ANSWER, ""))
 
 
 def compare_sheet_names(sheet_name: object, expected: str) -> str:
@@ -89,7 +89,7 @@ def _is_readable(file: HandedFile) -> bool:
 
 
 def _choose_answers(kind: str, candidates: Mapping[str, Mapping[str, Any]]) -> HandIn:
-    """Return the only answers among candidates, or none and the names if they differ."""
+    """Return the answers that all candidates give, or none and the names if they differ."""
     first, *others = candidates.values()
     if any(other != first for other in others):
         names = ", ".join(candidates)
@@ -111,19 +111,19 @@ def _explain_no_answers(files: Sequence[HandedFile], notebooks: Mapping[str, Any
         return f"{begun[0]} was never run: choose Restart and run all, save it, hand it in again"
     if begun:
         return f"{begun[0]} answers nothing: its last cell was not run after it was answered"
-    seen = [str(file) for file in files if file.name not in untouched]
+    names = [str(file) for file in files if file.name not in untouched]
     result = "nothing was answered" if untouched else "nothing was handed in"
-    if not seen:
+    if not names:
         return result
-    more = f" and {len(seen) - _MAX_NAMES} more" if len(seen) > _MAX_NAMES else ""
-    return f"{result} that can be marked; seen: {', '.join(seen[:_MAX_NAMES])}{more}"
+    more = f" and {len(names) - _MAX_NAMES} more" if len(names) > _MAX_NAMES else ""
+    return f"{result} that can be marked; seen: {', '.join(names[:_MAX_NAMES])}{more}"
 
 
 def _is_untouched(notebook: Any) -> bool:
     """Return whether every answer cell still has the dots that the sheet came with."""
     sources = "\n".join(map(read_source, list_code_cells(notebook)))
     lines = _ANSWER_LINE.findall(sources)
-    return {rest.replace(" ", "") for name, rest in lines if name != SHEET} == {"=..."}
+    return {rest.replace(" ", "") for name, rest in lines if name != SHEET_ANSWER} == {"=..."}
 
 
 def _load_json(file: HandedFile) -> Any:

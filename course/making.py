@@ -16,7 +16,13 @@ from typing import Any
 import numpy as np
 
 from course import sheets, store
-from course.answers import NOTEBOOK_FILE, PREFIX, SHEET, to_json_value, write_last_cell
+from course.answers import (
+    ANSWER_PREFIX,
+    NOTEBOOK_FILE,
+    SHEET_ANSWER,
+    to_json_value,
+    write_last_cell,
+)
 from course.marking import mark_sheet
 from course.processes import make_pool
 from course.roster import Student
@@ -26,7 +32,7 @@ from helpers.arm import Arm, Row
 from helpers.inputs import ArmError
 
 _MAX_TRIES = 20
-_FEW = 4  # a single process draws so many sheets before further processes start
+_MAX_SHEETS_ALONE = 4  # a single process draws so many sheets before further processes start
 _INSTRUCTIONS = (
     "Answer by the names that each question gives: put each answer in place of the dots. **Write"
     ' numbers as text, with the decimals that are asked**: `"0.350, -1.204, 0.077"`, or rows on'
@@ -50,7 +56,7 @@ _INSTALLATION = (
     "Every question can be answered without, too: the questions stand in words, and the last cell"
     " needs nothing but Python."
 )
-_UNKNOWN = re.compile(r", \w+=(?:-?inf|None)")  # a limit in the text of a row
+_UNKNOWN_LIMIT = re.compile(r", \w+=(?:-?inf|None)")  # a limit in the text of a row
 _BOOK_FOLDER = "./companion"  # the source of the helpers if no address is known
 # Only `arm` needs the helpers: a student without them can read, answer and hand in.
 _SETUP = """{prefix}{sheet} = {name!r}  # whose sheet this is
@@ -92,8 +98,8 @@ def make_course(
         replace(x, topics=x.topics or sheets.list_suitable_topics(x.arm)) for x in exercises
     )
     course = Course(title, exercises, secret or secrets.token_hex(), {})
-    if (folder / store.FILE).exists():
-        old = store.load(folder)
+    if (folder / store.COURSE_FILE).exists():
+        old = store.load_course(folder)
         expected = (title, exercises, secret or old.secret)
         if (old.title, old.exercises, old.secret) != expected:
             about = "; ".join(f"{x.arm.name} with {', '.join(x.topics)}" for x in old.exercises)
@@ -124,14 +130,14 @@ def _save_sheets(course: Course, folder: Path, entries: Mapping[str, Any]) -> Co
         unchanged = old and old != entry and store.format_json(make_notebook(course, student))
         if not path.exists() or (unchanged and path.read_bytes() == unchanged.encode()):
             store.write_text(path, store.format_json(make_notebook(grown, student)))
-    store.save(grown, folder)
+    store.save_course(grown, folder)
     return grown
 
 
 def _draw_entries(course: Course, students: list[str], jobs: int) -> Iterator[dict[str, Any]]:
     """Draw proved sheets in the order of the students, many of them by several processes."""
     draw = partial(draw_entry, replace(course, sheets={}))
-    if len(students) <= _FEW or jobs == 1:
+    if len(students) <= _MAX_SHEETS_ALONE or jobs == 1:
         yield from map(draw, students)
         return
     with make_pool(jobs, __name__) as pool:
@@ -167,7 +173,7 @@ def _draw_proved_section(course: Course, student: str, index: int, issue: int) -
 
 def reissue_sheet(folder: Path, student: str) -> Course:
     """Draw new numbers for a student and keep the old notebook beside the new notebook."""
-    course = store.load(folder)
+    course = store.load_course(folder)
     old = course.require_entry(student)
     new = {**old, **draw_entry(course, student, old["issue"] + 1)}
     path = folder / student / NOTEBOOK_FILE
@@ -178,10 +184,10 @@ def reissue_sheet(folder: Path, student: str) -> Course:
 
 def drop_student(folder: Path, student: str) -> Course:
     """Remove a student from the course, but keep the student's folder."""
-    course = store.load(folder)
+    course = store.load_course(folder)
     course.require_entry(student)
     course = replace(course, sheets={s: x for s, x in course.sheets.items() if s != student})
-    store.save(course, folder)
+    store.save_course(course, folder)
     return course
 
 
@@ -211,7 +217,7 @@ def make_notebook(course: Course, student: str) -> dict[str, Any]:
     introduction = f"# {course.title}\n\n{name} ({student})\n\n{_INSTRUCTIONS}"
     arms = "\n".join(f"arm{s.suffix} = {_write_arm(s.arm)}" for s in sheet.sections)
     setup = _SETUP.format(
-        prefix=PREFIX, sheet=SHEET, name=store.name_sheet(course, student),
+        prefix=ANSWER_PREFIX, sheet=SHEET_ANSWER, name=store.name_sheet(course, student),
         arms=arms.replace("\n", "\n    "),
     )  # fmt: skip
     cells = [
@@ -226,7 +232,7 @@ def make_notebook(course: Course, student: str) -> dict[str, Any]:
             cell_id = f"question{section.suffix}-{number}"
             cells.append(_make_text_cell(cell_id, question.markdown))
             for part in question.parts:
-                code = f"# {part.description}\n{PREFIX}{part.name} = ..."
+                code = f"# {part.description}\n{ANSWER_PREFIX}{part.name} = ..."
                 cells.append(_make_code_cell(f"answer-{part.name}", code))
     cells.append(_make_text_cell("hand-in", _HAND_IN))
     cells.append(_make_code_cell("write", write_last_cell()))
@@ -240,7 +246,7 @@ def _write_arm(arm: Arm) -> str:
     fields = {"name": arm.name, "values": dict(arm.values), "home": [*arm.home]}
     lines = [f"{name}={value!r}," for name, value in {**fields, "source": arm.source}.items()]
     for name, items in lists.items():
-        entries = [f"    {_UNKNOWN.sub('', repr(item))}," for item in items]
+        entries = [f"    {_UNKNOWN_LIMIT.sub('', repr(item))}," for item in items]
         lines += [f"{name}=[", *entries, "],"]
     return "\n    ".join(["Arm(", *lines]) + "\n)"
 

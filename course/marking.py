@@ -33,12 +33,12 @@ Array = NDArray[np.float64]
 MISTAKE_SHARE = 0.5  # credit for work with one mistake
 _MAX_CHARACTERS = 8000  # the longest right column has 3473
 _ROUND_OFF = 1 + 1e-9
-_MAX_NAMED = 3  # mistakes that give the same numbers; nobody reads more
+_MAX_NAMED_MISTAKES = 3  # mistakes that give the same numbers; nobody reads more
 NOT_ANSWERED = "Not answered."
 _RIGHT = "Right."
-_NOTHING_SEEN = "It was read; no usual mistake explains all of it."
+_NO_MISTAKE_SEEN = "It was read; no usual mistake explains all of it."
 # Advice of the checkers about their options, which nobody can set on a sheet.
-_HINT = re.compile(r"(\n- | )If that is what you mean, say .*")
+_OPTION_ADVICE = re.compile(r"(\n- | )If that is what you mean, say .*")
 _BLANK = (None, "", "...", ".", "-")
 
 
@@ -80,10 +80,10 @@ def mark_part(sheet: Sheet, name: str, answer: Any) -> Mark:
             return _make_refusal(name, f"Not read: it has more than {_MAX_CHARACTERS} characters.")
         if not any(c.isalnum() and c != "0" for c in str(_fill_blanks(answer))):
             return _make_refusal(name, NOT_ANSWERED)
-        mark_kind = _BY_KIND.get(part.kind, _mark_numbers)
+        mark_kind = _MARK_BY_KIND.get(part.kind, _mark_numbers)
         return mark_kind(question, part, answer)
     except ArmError as error:
-        return _make_refusal(name, _HINT.sub("", f"Not read: {error}"))
+        return _make_refusal(name, _OPTION_ADVICE.sub("", f"Not read: {error}"))
     except Exception as error:  # an answer that breaks a reader costs only its part
         message = f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
         return _make_refusal(name, message)
@@ -113,8 +113,10 @@ def _fill_blanks(answer: Any) -> Any:
 def _mark_numbers(question: Question, part: Part, answer: Any) -> Mark:
     """Mark numbers by their blocks, which are entries, columns or halves of columns."""
     typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
-    candidates = _shape_like(typed, part)
-    return max((_mark_values(part, one) for one in candidates), key=lambda mark: mark.credit)
+    candidates = _reshape_like_answer(typed, part)
+    return max(
+        (_mark_values(part, numbers) for numbers in candidates), key=lambda mark: mark.credit
+    )
 
 
 def _read_answer(answer: Any, name: str) -> TypedNumbers:
@@ -136,7 +138,7 @@ def _join_entries(answer: list[Any]) -> str:
     return "\n".join("\t".join(map(str, row)) for row in rows)
 
 
-def _shape_like(typed: TypedNumbers, part: Part) -> list[TypedNumbers]:
+def _reshape_like_answer(typed: TypedNumbers, part: Part) -> list[TypedNumbers]:
     """Return numbers in the shape of the right answer, half a Jacobian as either half.
 
     Raises ArmError if their count differs.
@@ -148,8 +150,8 @@ def _shape_like(typed: TypedNumbers, part: Part) -> list[TypedNumbers]:
         zeros, all_units = np.zeros_like(values), np.r_[units, units]
         halves = (np.r_[values, zeros], np.r_[zeros, values])
         return [TypedNumbers(half, all_units) for half in halves]
-    counts = f"{values.size} numbers given, expected {np.size(part.value)}"
-    raise ArmError(f"{counts}; write 0 for what you do not have")
+    message = f"{values.size} numbers given, expected {np.size(part.value)}"
+    raise ArmError(f"{message}; write 0 for what you do not have")
 
 
 def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
@@ -157,18 +159,20 @@ def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
     tolerance = part.unit * _ROUND_OFF
     errors = np.abs(typed.values - part.value)
     if errors.max() <= tolerance:
-        return Mark(part.name, 1.0, _RIGHT, _NOTHING_SEEN)
+        return Mark(part.name, 1.0, _RIGHT, _NO_MISTAKE_SEEN)
     is_right = _split_into_blocks(part, errors).max(axis=1) <= tolerance
-    counts = _split_into_blocks(part, np.abs(part.value - part.idle)).max(axis=1) > tolerance
-    share = float((is_right & counts).sum() / max(1, counts.sum()))
-    named = [m for m in part.mistakes if _is_explained_by(part, typed.values, m)]
-    credit = MISTAKE_SHARE if named else MISTAKE_SHARE * share
-    hint = _name_mistakes(named) if named else _NOTHING_SEEN
-    lines = [*([hint] if named else []), _describe_wrong_blocks(part, ~is_right)]
+    needs_work = (
+        _split_into_blocks(part, np.abs(part.value - part.baseline)).max(axis=1) > tolerance
+    )
+    share = float((is_right & needs_work).sum() / max(1, needs_work.sum()))
+    mistakes = [m for m in part.mistakes if _is_explained_by(part, typed.values, m)]
+    credit = MISTAKE_SHARE if mistakes else MISTAKE_SHARE * share
+    hint = _name_mistakes(mistakes) if mistakes else _NO_MISTAKE_SEEN
+    lines = [*([hint] if mistakes else []), _describe_wrong_blocks(part, ~is_right)]
     coarse = np.maximum(typed.units, tolerance)
     if np.all(errors <= coarse * _ROUND_OFF) and part.kind != "column":
         lines.append(f"Too few decimals: {part.digits} were asked.")
-    return Mark(part.name, credit, "\n".join(lines), hint, tuple(m.name for m in named))
+    return Mark(part.name, credit, "\n".join(lines), hint, tuple(m.name for m in mistakes))
 
 
 def _is_explained_by(part: Part, values: Array, mistake: Mistake) -> bool:
@@ -176,7 +180,9 @@ def _is_explained_by(part: Part, values: Array, mistake: Mistake) -> bool:
     # Millimetres that were computed from rounded metres are off by 1000 times as much.
     scale = max(1.0, np.abs(mistake.values).max() / np.abs(part.value).max())
     tolerance = part.unit * _ROUND_OFF * scale
-    needed = _split_into_blocks(part, np.abs(mistake.values - part.idle)).max(axis=1) > tolerance
+    needed = (
+        _split_into_blocks(part, np.abs(mistake.values - part.baseline)).max(axis=1) > tolerance
+    )
     fits = _split_into_blocks(part, np.abs(values - mistake.values)).max(axis=1) <= tolerance
     return bool(needed.any() and fits[needed].all())
 
@@ -194,7 +200,7 @@ def _split_into_blocks(part: Part, values: Array) -> Array:
 
 
 def _name_mistakes(mistakes: list[Mistake]) -> str:
-    messages = list(dict.fromkeys(mistake.message for mistake in mistakes))[:_MAX_NAMED]
+    messages = list(dict.fromkeys(mistake.message for mistake in mistakes))[:_MAX_NAMED_MISTAKES]
     return f"This is what a usual mistake gives: {'; or: '.join(messages)}."
 
 
@@ -240,7 +246,7 @@ def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
 
 
 def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
-    """Mark a table in any choice of frames as right, as one mistake, or as another arm."""
+    """Mark a table in any choice of frames as right, as right but for a mistake, or as wrong."""
     options = {
         "columns": "a alpha d theta", "lengths": "m", "angles": "rad", "convention": "standard",
         "tolerance": part.unit,
@@ -248,15 +254,15 @@ def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
     arm = judge_data(part.value)
     reply = ask_judge("table mistake", mine=format_table(answer), arm=arm, options=options)
     if reply["right"]:
-        return Mark(part.name, 1.0, reply["headline"], _NOTHING_SEEN)
+        return Mark(part.name, 1.0, reply["headline"], _NO_MISTAKE_SEEN)
     if "share" in reply:  # the rows of the last joints are missing
-        return Mark(part.name, MISTAKE_SHARE * reply["share"], reply["headline"], _NOTHING_SEEN)
+        return Mark(part.name, MISTAKE_SHARE * reply["share"], reply["headline"], _NO_MISTAKE_SEEN)
     if not reply["name"]:
         message = "Not right: it describes another arm, and no one mistake explains it."
-        return Mark(part.name, 0.0, message, _NOTHING_SEEN)
+        return Mark(part.name, 0.0, message, _NO_MISTAKE_SEEN)
     message = f"This is what a mistake gives: {reply['message'].rstrip('.')}."
     has_size = reply["name"].startswith(("course.entry", "table.number", "table.angle"))
-    hint = _NOTHING_SEEN if has_size else message
+    hint = _NO_MISTAKE_SEEN if has_size else message
     return Mark(part.name, MISTAKE_SHARE, message, hint, (reply["name"],))
 
 
@@ -271,7 +277,7 @@ def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
     credit = float(hits.any(axis=0).sum() / count)
     wrong = np.asarray(~hits.any(axis=1))
     if credit == 1:
-        return Mark(part.name, 1.0, _RIGHT, _NOTHING_SEEN)
+        return Mark(part.name, 1.0, _RIGHT, _NO_MISTAKE_SEEN)
     lines = [f"{hits.any(axis=0).sum()} of {count} branches are right."]
     if len(rows) > count:
         lines.append(f"{len(rows)} rows are given; the first {count} count.")
@@ -280,7 +286,7 @@ def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
         lines.append(f"Too few decimals: {part.digits} were asked.")
     elif wrong.any():
         lines.append(f"Not right: {_list_positions('row', wrong)}.")
-    return Mark(part.name, credit, "\n".join(lines), _NOTHING_SEEN)
+    return Mark(part.name, credit, "\n".join(lines), _NO_MISTAKE_SEEN)
 
 
 def _match_branches(question: Question, part: Part, rows: Array, tolerance: Any) -> NDArray:
@@ -301,11 +307,13 @@ def _mark_pose(question: Question, part: Part, answer: Any) -> Mark:
     values = typed.values.ravel()
     verdict = checks.compare_pose(values, question.arm, target, tolerance=part.unit)
     if verdict.agrees:
-        return Mark(part.name, 1.0, _HINT.sub("", str(verdict)), _NOTHING_SEEN)
-    return Mark(part.name, 0.0, _HINT.sub("", str(verdict)), _NOTHING_SEEN, verdict.causes)
+        return Mark(part.name, 1.0, _OPTION_ADVICE.sub("", str(verdict)), _NO_MISTAKE_SEEN)
+    return Mark(
+        part.name, 0.0, _OPTION_ADVICE.sub("", str(verdict)), _NO_MISTAKE_SEEN, verdict.causes
+    )
 
 
-_BY_KIND = {
+_MARK_BY_KIND = {
     "table": _mark_table,
     "column": _mark_column,
     "branches": _mark_branches,

@@ -84,9 +84,9 @@ def _read_student(row: Mapping[str, str]) -> Student:
     """Return the student of a row, with "\\0" for a missing id or name."""
     cells = {header.casefold(): cell for header, cell in row.items()}
     student_id = next((cells[key] for key in _ID_HEADERS if key in cells), "\0")
-    last = next((cells[key] for key in _LAST_NAMES if key in cells), "")
-    both = f"{cells.get(_FIRST_NAME, '')} {last}".strip()
-    name = next((cells[key] for key in _NAME_HEADERS if key in cells), both or "\0")
+    last_name = next((cells[key] for key in _LAST_NAMES if key in cells), "")
+    full_name = f"{cells.get(_FIRST_NAME, '')} {last_name}".strip()
+    name = next((cells[key] for key in _NAME_HEADERS if key in cells), full_name or "\0")
     return Student(student_id, name)
 
 
@@ -113,7 +113,7 @@ class StudentIndex:
             for first in range(len(parts)):  # some systems put the last name first
                 self._names["".join(parts[first:] + parts[:first])].add(student)
 
-    def find(self, labels: Iterable[str]) -> set[str]:
+    def find_students(self, labels: Iterable[str]) -> set[str]:
         """Return the ids of the students whom some labels may mean.
 
         A label that is an id, or a mail address with an id before the @, counts before names.

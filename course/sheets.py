@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from course.topics import (
-    BY_NAME,
+    TOPIC_BY_NAME,
     Numbers,
     Part,
     Rng,
@@ -23,7 +23,7 @@ from course.topics import (
 from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
 
-TOPICS = tuple(BY_NAME)
+TOPICS = tuple(TOPIC_BY_NAME)
 # The pieces that are marked separately, for kinds of parts that are no plain numbers.
 _MARKED_PIECES = {
     "rotation": "each column counts",
@@ -155,7 +155,7 @@ def list_part_names(exercises: Iterable[Exercise]) -> list[str]:
         name + make_suffix(index)
         for index, exercise in enumerate(exercises)
         for topic in exercise.topics
-        for name in BY_NAME[topic].parts
+        for name in TOPIC_BY_NAME[topic].parts
     ]
 
 

@@ -26,7 +26,7 @@ def write_statistics(folder: Path, out: Path) -> str:
 
     Returns the counts by part and by mistake as text.
     """
-    course = store.load(folder)
+    course = store.load_course(folder)
     marks = [mark for marks in read_marks(folder, out, course).values() for mark in marks]
     if not marks:
         raise ArmError(f"{out} holds no marks; expected the results of grade")

@@ -19,7 +19,7 @@ from course.sheets import Exercise, Section, Sheet, change_lengths, list_part_na
 from helpers.arm import Arm, Body, Joint, Row
 from helpers.inputs import ArmError, require_type
 
-FILE = "course.json"
+COURSE_FILE = "course.json"
 
 
 @dataclass(frozen=True)
@@ -77,8 +77,8 @@ def name_sheet(course: Course, student: str) -> str:
     """Return the name of a sheet, made of course, student and issue."""
     label = json.dumps([course.title, [[x.arm.name, *x.topics] for x in course.exercises]])
     issue = int(course.sheets[student].get("issue", 0))
-    short = hashlib.sha256(label.encode()).hexdigest()[:6]
-    return f"{short}/{student}" + (f"#{issue}" if issue else "")
+    digest = hashlib.sha256(label.encode()).hexdigest()[:6]
+    return f"{digest}/{student}" + (f"#{issue}" if issue else "")
 
 
 def derive_seed(course: Course, student: str, index: int, attempt: int) -> str:
@@ -87,12 +87,12 @@ def derive_seed(course: Course, student: str, index: int, attempt: int) -> str:
     return hmac.digest(course.secret.encode(), message.encode(), "sha256").hex()
 
 
-def load(folder: Path) -> Course:
+def load_course(folder: Path) -> Course:
     """Load the course in a folder.
 
     Raises ArmError if `new` did not make its file.
     """
-    path = folder / FILE
+    path = folder / COURSE_FILE
     try:
         data = json.loads(path.read_bytes())
         exercises = [
@@ -119,12 +119,12 @@ def _is_weight(value: Any) -> bool:
     return is_number and math.isfinite(value) and value >= 0
 
 
-def save(course: Course, folder: Path) -> None:
+def save_course(course: Course, folder: Path) -> None:
     """Write course.json, readable by its owner alone, and a .gitignore that names it."""
-    write_text(folder / ".gitignore", f"{FILE}\n")
+    write_text(folder / ".gitignore", f"{COURSE_FILE}\n")
     exercises = [{"arm": arm_to_json(x.arm), "topics": x.topics} for x in course.exercises]
     data = {**vars(course), "exercises": exercises}
-    write_text(folder / FILE, format_json(data), mode=0o600)
+    write_text(folder / COURSE_FILE, format_json(data), mode=0o600)
 
 
 def format_json(data: Mapping[str, Any]) -> str:
@@ -141,11 +141,11 @@ def write_text(path: Path, text: str, mode: int = 0o666) -> None:
     Bytes that are no text, such as those of odd file names, are escaped.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(f".{path.name}.{os.getpid()}")
-    beside.unlink(missing_ok=True)
-    beside.touch(mode)
-    beside.write_bytes(text.encode(errors="backslashreplace"))
-    beside.replace(path)
+    temporary = path.with_name(f".{path.name}.{os.getpid()}")
+    temporary.unlink(missing_ok=True)
+    temporary.touch(mode)
+    temporary.write_bytes(text.encode(errors="backslashreplace"))
+    temporary.replace(path)
 
 
 def arm_to_json(arm: Arm) -> dict[str, Any]:

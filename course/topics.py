@@ -33,10 +33,10 @@ _SMALLEST_SINGULAR_VALUE = 0.04  # questions keep this distance from singular po
 _TARGET_DIGITS = 6  # A target is printed to 1e-6 m, which moves a joint by 1e-6 / 0.04 rad.
 _FEWEST_DIGITS, _MOST_DIGITS = 3, 4  # decimals that are asked
 _EULER_DIGITS = 2  # decimals that 1000 Euler steps give
-_SECRET_POSES = 4  # Formulas are judged at these poses.
+_SECRET_POSE_COUNT = 4  # Formulas are judged at these poses.
 # Tolerance divided by the largest number, since constants in formulas may have four digits.
 _FORMULA_SHARE = 1e-4
-_EVEN_LENGTH = 1.25  # columns are drawn within this factor of the usual length of their formulas
+_LENGTH_RATIO = 1.25  # columns are drawn within this factor of the usual length of their formulas
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,8 @@ class Part:
         value: Right answer: an array; an `Arm` for a table; for a column its values at the secret
             poses, shape (k, 6); the branches, shape (k, dof), for inverse kinematics.
         mistakes: Usual mistakes with their answers.
-        idle: Values that need no work, such as zeros or values that the question gives.
+        baseline: Values that need no work and earn nothing, such as zeros or values of the
+            question.
         formulas: Six formulas of a column.
     """
 
@@ -59,7 +60,7 @@ class Part:
     kind: Kind
     value: Any
     mistakes: tuple[Mistake, ...] = ()
-    idle: Any = 0.0
+    baseline: Any = 0.0
     formulas: tuple[str, ...] = ()
 
     @cached_property
@@ -134,7 +135,7 @@ def make_drawn_arm(numbers: Numbers) -> Arm:
     return Arm("the arm asked", rows)
 
 
-def _ask_table(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+def _write_table_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     right = make_drawn_arm(numbers)
     frames = link_frames(right, np.zeros(right.dof))
     lines = ["| joint | it | a point on its axis (m) | direction |", "|:-:|:--|:--|:--|"]
@@ -157,7 +158,7 @@ def _ask_table(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     return text, (Part("table", description, "table", right),)
 
 
-def _ask_pose(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+def _write_pose_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     right, q = _compute_at_pose(numbers, arm, numbers["q"]), format_matrix(numbers["q"])
     text = f"Where is the tip of this arm, and how is it turned, at $q = {q}$?"
     mistakes = list_mistakes("tip", arm, q=numbers["q"])
@@ -174,20 +175,20 @@ def _draw_jacobian(arm: Arm, rng: Rng) -> Numbers | None:
         "q": _draw_pose(arm, rng),
         "q_dot": (rng.uniform(-1, 1, arm.dof).round(1) + 0.0).tolist(),
         **_draw_camera(arm, rng),
-        "poses": [_draw_pose(arm, rng) for _ in range(_SECRET_POSES)],
+        "poses": [_draw_pose(arm, rng) for _ in range(_SECRET_POSE_COUNT)],
     }
 
 
 def _draw_camera(arm: Arm, rng: Rng) -> dict[str, Any]:
     """Draw a link, a joint before it and a point, so that all students have like formulas."""
-    choices = _list_even_columns(arm.rows, tuple(arm.values))
+    choices = _list_usual_columns(arm.rows, tuple(arm.values))
     link, column = choices[rng.integers(len(choices))]
     position = [int(x) / 100 for x in rng.choice([-1, 1], 2) * rng.integers(3, 20, 2)]
     return {"link": link, "column": column, "camera": position}
 
 
 @lru_cache(maxsize=64)
-def _list_even_columns(rows: tuple[Row, ...], names: tuple[str, ...]) -> list[tuple[int, int]]:
+def _list_usual_columns(rows: tuple[Row, ...], names: tuple[str, ...]) -> list[tuple[int, int]]:
     """List the links and joints whose column has about the usual length as formulas."""
     arm = Arm("measured", rows, dict.fromkeys(names, 0.5))
     lengths = dict[tuple[int, int], int]()
@@ -197,8 +198,8 @@ def _list_even_columns(rows: tuple[Row, ...], names: tuple[str, ...]) -> list[tu
         for column in range(camera.dof):
             lengths[link, column + 1] = len("".join(map(str, J[:, column])))
     usual = float(np.median([*lengths.values()]))
-    even = [x for x, n in lengths.items() if usual / _EVEN_LENGTH <= n <= usual * _EVEN_LENGTH]
-    return even or [*lengths]
+    columns = [x for x, n in lengths.items() if usual / _LENGTH_RATIO <= n <= usual * _LENGTH_RATIO]
+    return columns or [*lengths]
 
 
 def make_camera_arm(arm: Arm, numbers: Numbers) -> Arm:
@@ -208,7 +209,7 @@ def make_camera_arm(arm: Arm, numbers: Numbers) -> Arm:
     return Arm("the arm up to its camera", rows, arm.values)
 
 
-def _ask_jacobian(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+def _write_jacobian_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     q, q_dot, column = np.array(numbers["q"]), np.array(numbers["q_dot"]), int(numbers["column"])
     right, camera = _compute_at_pose(numbers, arm, q), make_camera_arm(arm, numbers)
     names, moving = ", ".join(f"`{x}`" for x in camera.variables), camera.variables[column - 1]
@@ -263,12 +264,13 @@ def _draw_circle(arm: Arm, rng: Rng) -> Numbers | None:
         "duration": int(rng.integers(2, 7)) * 5,
     }
     try:
-        run = trace_circle(arm, numbers)
+        trajectory = trace_circle(arm, numbers)
     except (SingularError, ArmError):
         return None
-    moved = np.abs(run.q[[_KEY_STEPS // 4, _KEY_STEPS // 2]] - run.q[0]).max(axis=0).min() > 0.02
-    good = run.report.executable and run.report.smallest_singular_value > _SMALLEST_SINGULAR_VALUE
-    return numbers if good and moved else None
+    q, report = trajectory.q, trajectory.report
+    moved = np.abs(q[[_KEY_STEPS // 4, _KEY_STEPS // 2]] - q[0]).max(axis=0).min() > 0.02
+    is_safe = report.executable and report.smallest_singular_value > _SMALLEST_SINGULAR_VALUE
+    return numbers if is_safe and moved else None
 
 
 def trace_circle(arm: Arm, numbers: Numbers) -> Trace:
@@ -279,7 +281,7 @@ def trace_circle(arm: Arm, numbers: Numbers) -> Trace:
     return trace(arm, numbers["q"], path, method="exact", rates=plain_inverse(1e-4))
 
 
-def _ask_circle(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+def _write_circle_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     right, (first, second) = _compute_circle(arm, numbers), numbers["plane"]
     start = np.array(numbers["q"])
     text = (
@@ -296,7 +298,7 @@ def _ask_circle(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     return text, (
         Part("centre", "the circle's centre (m)", "numbers", right["centre"], centres),
         Part("quarter", joints.format("a quarter"), "numbers", right["quarter"], backwards, start),
-        Part("half", joints.format("half"), "numbers", right["half"], idle=start),
+        Part("half", joints.format("half"), "numbers", right["half"], baseline=start),
     )
 
 
@@ -306,7 +308,7 @@ def _draw_torque(arm: Arm, rng: Rng) -> Numbers | None:
     return {"q": q, "force": force.tolist()}
 
 
-def _ask_torque(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+def _write_torque_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     q, force = format_matrix(numbers["q"]), format_matrix(numbers["force"])
     right = _compute_at_pose(numbers, arm, numbers["q"])
     text = (
@@ -321,12 +323,12 @@ def _ask_torque(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     g = _make_part("g", "the torques that hold the weight (N m)", "torques", right["g"], g_mistakes)
     description = "the torques with the force (N m)"
     tau = _make_part("tau", description, "torques", right["tau"], tau_mistakes)
-    return text, (g, replace(tau, idle=right["g"]))
+    return text, (g, replace(tau, baseline=right["g"]))
 
 
 def _draw_target(arm: Arm, rng: Rng) -> Numbers | None:
     """Draw a target that has the usual number of branches, the same for every student."""
-    usual = _count_usual_branches(arm) if find_closed_form(arm) else 0
+    usual = _count_usual_branches(arm) if find_closed_form_solver(arm) else 0
     q = _draw_pose(arm, rng)
     numbers = _make_target(arm, q)
     return numbers if not usual or len(_find_branches(arm, numbers)) == usual else None
@@ -339,7 +341,7 @@ def _make_target(arm: Arm, q: list[float]) -> dict[str, Any]:
 
 def _find_branches(arm: Arm, numbers: Numbers) -> Array:
     """Return the branches within the limits, shape (k, dof)."""
-    find_all = find_closed_form(arm)
+    find_all = find_closed_form_solver(arm)
     assert find_all
     solutions = find_all(arm, make_target_pose(np.array(numbers["target"])))
     return np.asarray(solutions.q[solutions.within_limits])
@@ -358,11 +360,11 @@ def _count_branches_of(arm: Arm, _lengths: tuple[tuple[str, float], ...]) -> int
     return int(np.bincount(counts).argmax())
 
 
-def _ask_target(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
+def _write_target_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     target = np.array(numbers["target"])
     quantity = "pose $[R\\ p]$" if target.shape[1] == 4 else "position $p$"
     quantity += f" $= {format_matrix(target, _TARGET_DIGITS)}$."
-    if not find_closed_form(arm):
+    if not find_closed_form_solver(arm):
         description = "joint values (rad; m where one slides) that give this"
         part = Part("q", description, "pose", np.array(numbers["solution"]))
         return f"Find joint values that give the tip the {quantity}", (part,)
@@ -401,39 +403,39 @@ class Topic(NamedTuple):
     """
 
     draw: Callable[[Arm, Rng], Numbers | None]
-    ask: Callable[[Arm, Numbers], tuple[str, tuple[Part, ...]]]
+    write: Callable[[Arm, Numbers], tuple[str, tuple[Part, ...]]]
     parts: tuple[str, ...]
 
 
-BY_NAME = {
-    "DH table": Topic(_draw_table, _ask_table, ("table",)),
+TOPIC_BY_NAME = {
+    "DH table": Topic(_draw_table, _write_table_question, ("table",)),
     "forward kinematics": Topic(
-        lambda arm, rng: {"q": _draw_pose(arm, rng)}, _ask_pose, ("p", "R")
+        lambda arm, rng: {"q": _draw_pose(arm, rng)}, _write_pose_question, ("p", "R")
     ),
-    "Jacobian": Topic(_draw_jacobian, _ask_jacobian, ("J", "xi", "J_column")),
-    "circle tracing": Topic(_draw_circle, _ask_circle, ("centre", "quarter", "half")),
-    "static torque": Topic(_draw_torque, _ask_torque, ("g", "tau")),
-    "inverse kinematics": Topic(_draw_target, _ask_target, ("q",)),
+    "Jacobian": Topic(_draw_jacobian, _write_jacobian_question, ("J", "xi", "J_column")),
+    "circle tracing": Topic(_draw_circle, _write_circle_question, ("centre", "quarter", "half")),
+    "static torque": Topic(_draw_torque, _write_torque_question, ("g", "tau")),
+    "inverse kinematics": Topic(_draw_target, _write_target_question, ("q",)),
 }
 
 
 def _compute_circle(arm: Arm, numbers: Numbers) -> dict[str, Array]:
     """Compute the right numbers of a circle, by the names of the parts."""
-    run, first = trace_circle(arm, numbers), np.eye(3)["xyz".index(numbers["plane"][0])]
+    trajectory, first = trace_circle(arm, numbers), np.eye(3)["xyz".index(numbers["plane"][0])]
     shares = {"quarter": 1, "half": 2, "three quarters": 3}
-    joints = {name: run.q[n * _KEY_STEPS // 4] for name, n in shares.items()}
-    return {"centre": run.path.positions[0] - numbers["radius"] * first, **joints}
+    joints = {name: trajectory.q[n * _KEY_STEPS // 4] for name, n in shares.items()}
+    return {"centre": trajectory.path.positions[0] - numbers["radius"] * first, **joints}
 
 
 def write_question(topic: str, arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     """Write a topic's text and the parts of its key."""
-    return BY_NAME[topic].ask(arm, numbers)
+    return TOPIC_BY_NAME[topic].write(arm, numbers)
 
 
 def draw_numbers(topic: str, arm: Arm, rng: Rng) -> Numbers:
     """Draw numbers for a topic until they can be asked and every mistake shows."""
     for _ in range(_MAX_TRIES):
-        numbers = BY_NAME[topic].draw(arm, rng)
+        numbers = TOPIC_BY_NAME[topic].draw(arm, rng)
         if numbers and all(part.digits for part in write_question(topic, arm, numbers)[1]):
             return numbers
     raise ArmError(
@@ -479,7 +481,7 @@ def find_missing_property(topic: str, arm: Arm) -> str:
     return "masses" if topic == "static torque" and not arm.bodies else ""
 
 
-def find_closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
+def find_closed_form_solver(arm: Arm) -> Callable[..., inverse.Solutions] | None:
     """Return the solver that finds every branch of an arm in closed form, or None."""
     probe = forward_kinematics(arm, np.full(arm.dof, 0.4))
     for solver in (inverse.elbow, inverse.ur, inverse.stanford, inverse.spherical_wrist):

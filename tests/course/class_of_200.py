@@ -128,10 +128,10 @@ def main(count, folder):
     hw, rng = folder / "hw", np.random.default_rng(0)
     new = ["new", "--roster", "r.csv", "--out", "hw", *ARGUMENTS]
     seconds = run(folder, new, lambda: len([*hw.glob("s*/homework.ipynb")]) >= count // 2)
-    early = store.load(hw).sheets
+    early = store.load_course(hw).sheets
     print(f"new: killed after {seconds:.0f} s with {len(early)} sheets")
     print(f"new again: {run(folder, new):.0f} s")
-    course = store.load(hw)
+    course = store.load_course(hw)
     kept = all(course.sheets[student] == sheet for student, sheet in early.items())
     print(f"{len(course.sheets)} sheets; those of the killed command are kept: {kept}")
     start, parts = time.monotonic(), {}

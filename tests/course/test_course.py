@@ -19,7 +19,7 @@ import pytest
 from course import __main__ as commands
 from course import grading, making, processes, store
 from course.collect import collect_hand_ins
-from course.grading import grade, mark_student
+from course.grading import grade_hand_ins, mark_student
 from course.making import make_right_answers
 from course.marking import Mark, mark_sheet
 from course.roster import Student, read_roster
@@ -128,7 +128,7 @@ def run_command(line, capsys, code=0):
 def test_commands_lead_from_roster_to_grades(here, capsys):
     output = run_command(f"{NEW} --title Ä --topic Jacobian", capsys)
     assert output == "2 sheets in hw\n"
-    course = store.load(Path("hw"))
+    course = store.load_course(Path("hw"))
     (exercise,) = course.exercises
     assert (course.title, exercise.topics, exercise.arm.dof) == ("Ä", ("Jacobian",), 3)
     assert course.secret == SECRET
@@ -186,7 +186,7 @@ def test_course_grows_and_keeps_sheets(here):
     assert Path("hw/ab/homework.ipynb").read_text("utf-8") == notebook
     third = make_course("cd")
     assert (third.secret, len(third.sheets)) == (first.secret, 2)
-    assert store.load(Path("hw")) == third
+    assert store.load_course(Path("hw")) == third
     assert stat.S_IMODE(Path("hw/course.json").stat().st_mode) == 0o600
     assert Path("hw/.gitignore").read_text("utf-8") == "course.json\n"
     corrected = [Student("ab", "Ada King"), Student("cd", "CD")]
@@ -243,7 +243,7 @@ def test_sheet_that_fails_its_proof_is_drawn_again(here, monkeypatch, failures):
 def test_broken_course_file_is_reported(tmp_path, text, message):
     (tmp_path / "course.json").write_text(text, encoding="utf-8")
     with pytest.raises(ArmError, match=re.escape(f"{tmp_path / 'course.json'} {message}")):
-        store.load(tmp_path)
+        store.load_course(tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -259,7 +259,7 @@ def test_bad_weights_are_reported(here, weights, message):
     data = json.loads(Path("hw/course.json").read_bytes())
     Path("hw/course.json").write_text(json.dumps({**data, "weights": weights}), "utf-8")
     with pytest.raises(ArmError, match=re.escape(message)):
-        store.load(Path("hw"))
+        store.load_course(Path("hw"))
 
 
 def test_weights_count_and_last(here):
@@ -268,13 +268,13 @@ def test_weights_count_and_last(here):
     Path("hw/course.json").write_text(json.dumps({**data, "weights": {"p": 2.5}}), "utf-8")
     course = make_course("ab", "cd")
     write_answers("ab", make_right_answers(course.sheet("ab")))
-    assert list_totals(grade(Path("hw"), Path("out"), jobs=1)) == [3.5, 0]
+    assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == [3.5, 0]
 
 
 def test_dropped_student_changes_no_other_sheet(here, capsys):
     course = make_course("ab", "cd", "ef")
     assert run_command("drop hw --id cd", capsys) == "2 sheets are left\n"
-    left = store.load(Path("hw"))
+    left = store.load_course(Path("hw"))
     assert left.sheets == {s: course.sheets[s] for s in ("ab", "ef")}
     assert Path("hw/cd/homework.ipynb").exists()
     assert make_course("cd", secret=course.secret).sheets["cd"] == course.sheets["cd"]
@@ -287,12 +287,12 @@ def test_reissued_sheet_has_other_numbers(here, capsys):
         "ab", {**make_right_answers(old.sheet("ab")), "sheet": store.name_sheet(old, "ab")}
     )
     assert run_command("reissue hw --id ab", capsys).endswith("/ab#1\n")
-    new = store.load(Path("hw"))
+    new = store.load_course(Path("hw"))
     assert new.sheets["cd"] == old.sheets["cd"]
     assert new.sheets["ab"]["sections"] != old.sheets["ab"]["sections"]
     assert Path("hw/ab/.0 homework.ipynb").read_bytes() == notebook
     assert "/ab#1" in Path("hw/ab/homework.ipynb").read_text("utf-8")
-    (row, _) = grade(Path("hw"), Path("out"), jobs=1).rows
+    (row, _) = grade_hand_ins(Path("hw"), Path("out"), jobs=1).rows
     assert row["total"] == 0
     assert "another sheet of the same student" in row["note"]
 
@@ -313,7 +313,7 @@ def test_interrupted_course_is_completed(here, monkeypatch):
 
     with pytest.raises(KeyboardInterrupt):
         make_course(*students, jobs=2, report=stop)
-    part = store.load(Path("hw"))
+    part = store.load_course(Path("hw"))
     assert list(part.sheets) == students[:2]
     whole = make_course(*students, jobs=2)
     assert list(whole.sheets) == students
@@ -351,15 +351,15 @@ def list_totals(result):
 
 def test_grading_again_marks_only_new_hand_ins(here, monkeypatch):
     course = make_course("ab", "cd")
-    assert list_totals(grade(Path("hw"), Path("out"), jobs=1)) == [0, 0]
+    assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == [0, 0]
     write_answers("ab", make_right_answers(course.sheet("ab")))
-    first = grade(Path("hw"), Path("out"), jobs=2)
+    first = grade_hand_ins(Path("hw"), Path("out"), jobs=2)
     assert list_totals(first) == [2, 0]
     table = Path("out/grades.csv").read_bytes()
     os.utime("hw/ab/answers.json", (1, 1))
     Path("out/ab/feedback.txt").unlink()
     marked = {s: Path(f"out/{s}/mark.json").stat().st_mtime_ns for s in ("ab", "cd")}
-    assert grade(Path("hw"), Path("out"), jobs=1) == first
+    assert grade_hand_ins(Path("hw"), Path("out"), jobs=1) == first
     assert Path("out/grades.csv").read_bytes() == table
     assert "p: 1 of 1 for" in Path("out/ab/feedback.txt").read_text("utf-8")
     for student, time_of_mark in marked.items():
@@ -369,7 +369,7 @@ def test_grading_again_marks_only_new_hand_ins(here, monkeypatch):
 def test_grading_again_reports_changes(here, capsys):
     course = make_course("ab", "cd")
     write_answers("ab", make_right_answers(course.sheet("ab")))
-    grade(Path("hw"), Path("out"), jobs=1)
+    grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     path = Path("out/ab/mark.json")
     record = json.loads(path.read_bytes())
     record["marks"][0]["credit"] = 0.5  # as an older judge had it
@@ -385,9 +385,9 @@ def test_grading_again_reports_changes(here, capsys):
 def test_overrides_last(here):
     course = make_course("ab")
     Path("hw/overrides.csv").write_text("id,part,credit,why\nab,p,0.75,on paper\n", "utf-8")
-    assert list_totals(grade(Path("hw"), Path("out"), jobs=1)) == [0.75]
+    assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == [0.75]
     write_answers("ab", make_right_answers(course.sheet("ab")))
-    assert list_totals(grade(Path("hw"), Path("out"), jobs=1, again=True)) == [1.75]
+    assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1, again=True)) == [1.75]
     feedback = Path("out/ab/feedback.txt").read_text("utf-8")
     assert "p: 0.75 of 1 for the tip's position (m)\n    Set by hand: on paper\n" in feedback
 
@@ -397,7 +397,7 @@ def test_bad_overrides_are_all_reported(here):
     text = "id;part;credit;why\nzz;p;1;\nab;x;1;\nab;p;2;\nab;p;0,5;\n"
     Path("hw/overrides.csv").write_text(text, "utf-8")
     with pytest.raises(ArmError) as error:
-        grade(Path("hw"), Path("out"), jobs=1)
+        grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     for line in (2, 3, 4):
         assert f"line {line}: " in str(error.value)
     assert "line 5" not in str(error.value)
@@ -406,7 +406,7 @@ def test_bad_overrides_are_all_reported(here):
 def test_exports_have_the_columns_of_the_platforms(here):
     make_course("ab", "cd")
     Path("hw/overrides.csv").write_text("id,part,credit,why\nab,p,0.75,\n", "utf-8")
-    grade(Path("hw"), Path("out"), jobs=1)
+    grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     assert Path("out/grades-canvas.csv").read_text("utf-8").splitlines() == [
         "Student,ID,SIS User ID,SIS Login ID,Section,Homework",
         "    Points Possible,,,,,2.0",
@@ -431,12 +431,12 @@ def test_late_column_follows_canvas_and_late_csv(here):
     Path("d/cd_LATE_3_4_answers.json").write_text("{}", "utf-8")
     Path("d/ef_5_6_answers.json").write_text("{}", "utf-8")
     collect_hand_ins(Path("d"), course.names, Path("hw"))
-    assert list_late(grade(Path("hw"), Path("out"), jobs=1)) == ["late", "late", ""]
+    assert list_late(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == ["late", "late", ""]
     Path("hw/late.csv").write_text("id;late\ncd;\nef;two days\n", "utf-8")
-    assert list_late(grade(Path("hw"), Path("out"), jobs=1)) == ["late", "", "two days"]
+    assert list_late(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == ["late", "", "two days"]
     Path("d/ab_LATE_1_2_answers.json").rename("d/ab_1_7_answers.json")
     collect_hand_ins(Path("d"), course.names, Path("hw"))
-    assert list_late(grade(Path("hw"), Path("out"), jobs=1))[0] == ""
+    assert list_late(grade_hand_ins(Path("hw"), Path("out"), jobs=1))[0] == ""
 
 
 def test_stats_count_parts_and_mistakes(here, capsys):
@@ -444,7 +444,7 @@ def test_stats_count_parts_and_mistakes(here, capsys):
     keys = {student: make_right_answers(course.sheet(student)) for student in ("ab", "cd")}
     write_answers("ab", keys["ab"])
     write_answers("cd", {**keys["cd"], "p": [1000 * x for x in keys["cd"]["p"]], "R": "1 2 3"})
-    grade(Path("hw"), Path("out"), jobs=1)
+    grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     lines = run_command("stats hw --out out", capsys).splitlines()
     assert [line.split() for line in lines[:3]] == [
         ["part", "mean", "right", "partly", "wrong", "not", "answered"],
@@ -462,7 +462,7 @@ def test_late_csv_with_unknown_students_is_refused(here):
     make_course("ab")
     Path("hw/late.csv").write_text("id,late\nzz,1\nab,1\nyy,1\n", "utf-8")
     with pytest.raises(ArmError, match="line 2: no student 'zz'; line 4: no student 'yy'"):
-        grade(Path("hw"), Path("out"), jobs=1)
+        grade_hand_ins(Path("hw"), Path("out"), jobs=1)
 
 
 def test_hints_show_no_mark_and_end_after_three(here):
@@ -470,7 +470,7 @@ def test_hints_show_no_mark_and_end_after_three(here):
     key = make_right_answers(course.sheet("ab"))
     for number in range(5):
         write_answers("ab", {**key, "p": [1000 * x + number * 1e-5 for x in key["p"]]})
-        grade(Path("hw"), Path("out"), jobs=1, before_deadline=True)
+        grade_hand_ins(Path("hw"), Path("out"), jobs=1, before_deadline=True)
         hints = Path("out/ab/feedback.txt").read_text("utf-8")
         assert ("The position is in millimetres" in hints) == (number < 3)
         assert "of 1" not in hints
@@ -481,7 +481,7 @@ def test_hints_show_no_mark_and_end_after_three(here):
 def test_hand_in_of_another_course_is_not_marked(here):
     course = make_course("ab")
     write_answers("ab", {**make_right_answers(course.sheet("ab")), "sheet": "ffffff/ab"})
-    (row,) = grade(Path("hw"), Path("out"), jobs=1).rows
+    (row,) = grade_hand_ins(Path("hw"), Path("out"), jobs=1).rows
     assert (row["total"], row["note"]) == (
         0,
         "this answers a sheet of another course ('ffffff/ab')",
@@ -505,7 +505,7 @@ def test_process_that_ends_costs_its_author_only(here, monkeypatch):
         lambda files, parts: os._exit(1) if len(files) > 1 else real(files, parts),
     )
     write_answers("ab", {"p": [1, 2, 3]})
-    notes = [row["note"] for row in grade(Path("hw"), Path("out"), jobs=1).rows]
+    notes = [row["note"] for row in grade_hand_ins(Path("hw"), Path("out"), jobs=1).rows]
     assert notes == ["marking it stopped; please look at it by hand", "nothing was answered"]
 
 

@@ -98,7 +98,7 @@ def test_named_mistakes_are_worth_the_same(arm):
     for part in list_measured_parts(own):
         for mistake in part.mistakes:
             mark = mark_text(own, part, mistake.values, 6)
-            is_copied = np.abs(mistake.values - part.idle).max() <= part.unit
+            is_copied = np.abs(mistake.values - part.baseline).max() <= part.unit
             assert mark.credit == (0 if is_copied else MISTAKE_SHARE), (part.name, mistake.name)
             assert is_copied or mistake.name in mark.mistakes
 
@@ -114,7 +114,7 @@ def test_coarse_digits_earn_by_right_numbers_only(arm):
                 wrong = part.value * (1 + size * rng.choice([-1, 1], np.shape(part.value)))
                 earned = mark_text(own, part, wrong, digits).credit
                 is_right = np.abs(np.round(wrong, digits) - part.value) <= part.unit
-                is_right &= np.abs(part.value - part.idle) > part.unit
+                is_right &= np.abs(part.value - part.baseline) > part.unit
                 assert earned == 0 if not is_right.any() else earned < 1
 
 

@@ -21,7 +21,7 @@ from course.sheets import (
 )
 from course.topics import (
     draw_numbers,
-    find_closed_form,
+    find_closed_form_solver,
     format_matrix,
     make_target_pose,
 )
@@ -277,27 +277,29 @@ def test_target_is_reachable_and_limits_are_printed(arm):
     assert printed == pytest.approx(target.ravel(), abs=1e-9)
     asked = "pose $[R\\ p]$" if arm.dof >= 6 else "position $p$"
     sought = (
-        "every set of joint values within the limits" if find_closed_form(arm) else "joint values"
+        "every set of joint values within the limits"
+        if find_closed_form_solver(arm)
+        else "joint values"
     )
     assert found.text.startswith(f"Find {sought} that give the tip the {asked} $= ")
     printed_limits = re.findall(
         r"\$q_\{(\d)\}\$ from (-?[\d.]*\d) to (-?[\d.]*\d)[;.]?", found.text
     )
-    limits = zip(arm.joints, *arm.limits, strict=True) if find_closed_form(arm) else ()
+    limits = zip(arm.joints, *arm.limits, strict=True) if find_closed_form_solver(arm) else ()
     assert [(int(i), float(low), float(high)) for i, low, high in printed_limits] == [
         (i, float(f"{low:g}"), float(f"{high:g}")) for i, low, high in limits if np.isfinite(low)
     ]
     assert found.text.endswith("; whole turns count as the same.") == bool(printed_limits)
     (part,) = found.parts
-    assert part.kind == ("branches" if find_closed_form(arm) else "pose")
+    assert part.kind == ("branches" if find_closed_form_solver(arm) else "pose")
     assert (part.name, part.unit) == ("q", 1e-3)
     lower, upper = found.arm.limits
     for q in np.atleast_2d(part.value):
         assert compute_tip(found.arm, q)[:3, -target.shape[1] :] == pytest.approx(target, abs=5e-6)
         assert (q >= lower - 1e-9).all()
         assert (q <= upper + 1e-9).all()
-    if find_closed_form(arm):
-        every = find_closed_form(arm)(found.arm, make_target_pose(target))
+    if find_closed_form_solver(arm):
+        every = find_closed_form_solver(arm)(found.arm, make_target_pose(target))
         assert len(part.value) == every.within_limits.sum()
 
 
