@@ -5,7 +5,7 @@ import re
 import sys
 from pathlib import Path
 
-from answers import document
+from answers import make_html_sheet
 from answers.command_line import read_arm
 from helpers.inputs import ArmError
 
@@ -38,8 +38,8 @@ def main(arguments: list[str] | None = None) -> None:
             arm = arm.with_base(options.base_pose.split(","))
         if options.tool_pose:
             arm = arm.with_tool(options.tool_pose.split(","))
-        out = options.out or Path(f"{file_stem(arm.name)}_answers.html")
-        out.write_text(document(arm), encoding="utf-8")
+        out = options.out or Path(f"{make_file_stem(arm.name)}_answers.html")
+        out.write_text(make_html_sheet(arm), encoding="utf-8")
     except (ArmError, OSError) as error:
         sys.exit(str(error))
     except ModuleNotFoundError as error:
@@ -47,7 +47,7 @@ def main(arguments: list[str] | None = None) -> None:
     sys.stdout.write(f"{out}\n")
 
 
-def file_stem(name: str) -> str:
+def make_file_stem(name: str) -> str:
     """Return a name in lower case with underscores, fit for the name of a file."""
     return re.sub(r"\W+", "_", name).strip("_").lower() or "arm"
 

@@ -38,14 +38,14 @@ class Answer:
     Attributes:
         name: its name in programs, such as ``T_03``, ``J`` or ``det_J``.
         value: its entries in short symbols; a vector has one column, a number one entry.
-        home: its entries at the arm's home pose, in numbers.
+        home_values: its entries at the arm's home pose, in numbers.
         definitions: formulas of its short symbols, such as cos(q_2 + q_3) for c_23, each before
             the definitions that use it.
     """
 
     name: str
     value: sp.ImmutableMatrix
-    home: Array
+    home_values: Array
     definitions: dict[sp.Symbol, sp.Expr]
 
     @property
@@ -76,33 +76,33 @@ class AnswerSheet:
                     " use, or needs for something else; expected another name, as a_2 or l_pen"
                 )
         self.arm = arm
-        self.home = compute_home_values(arm)
+        self.home_values = compute_home_values(arm)
 
     # The answers
 
     @cached_property
-    def links(self) -> list[Answer]:
+    def link_matrices(self) -> list[Answer]:
         """A_1 .. A_n, each 4x4."""
-        links = enumerate(symbolic.link_transforms(self.arm), 1)
-        return [self._make_answer(f"A_{i}", A) for i, A in links]
+        matrices = enumerate(symbolic.link_transforms(self.arm), 1)
+        return [self._make_answer(f"A_{i}", A) for i, A in matrices]
 
     @cached_property
     def frames(self) -> list[Answer]:
         """T_01 .. T_0n, each 4x4."""
-        return [self._make_answer(f"T_0{i}", T) for i, T in enumerate(self._frames)][1:]
+        return [self._make_answer(f"T_0{i}", T) for i, T in enumerate(self._frame_matrices)][1:]
 
     @cached_property
     def origins(self) -> list[Answer]:
         """o_0 .. o_n, each 3x1."""
-        return [self._make_answer(f"o_{i}", T[:3, 3]) for i, T in enumerate(self._frames)]
+        return [self._make_answer(f"o_{i}", T[:3, 3]) for i, T in enumerate(self._frame_matrices)]
 
     @cached_property
     def axes(self) -> list[Answer]:
         """z_0 .. z_n, each 3x1."""
-        return [self._make_answer(f"z_{i}", T[:3, 2]) for i, T in enumerate(self._frames)]
+        return [self._make_answer(f"z_{i}", T[:3, 2]) for i, T in enumerate(self._frame_matrices)]
 
     @cached_property
-    def _frames(self) -> list[sp.ImmutableMatrix]:
+    def _frame_matrices(self) -> list[sp.ImmutableMatrix]:
         return self.steps.frames if self.steps else symbolic.link_frames(self.arm)
 
     @cached_property
@@ -122,12 +122,12 @@ class AnswerSheet:
 
         It is None for other numbers of joints, and for formulas in named steps.
         """
-        if "det_J" not in self.home or self.steps:
+        if "det_J" not in self.home_values or self.steps:
             return None
         return self._make_answer("det_J", sp.ImmutableMatrix([[symbolic.determinant(self.arm)]]))
 
     @cached_property
-    def gravity(self) -> list[Answer]:
+    def energy_and_torques(self) -> list[Answer]:
         """Potential energy P (J) and torques g(q) = dP/dq, dof x 1, of an arm with masses.
 
         The torques are in N m, or in N for a joint that slides. Programs call them G.
@@ -145,10 +145,11 @@ class AnswerSheet:
         ]
 
     @cached_property
-    def items(self) -> list[Answer]:
+    def answers(self) -> list[Answer]:
         """All answers, in the order of the homework."""
-        several = [*self.links, *self.frames, *self.origins, *self.axes, self.jacobian]
-        return [*several, *([self.determinant] if self.determinant else []), *self.gravity]
+        determinant = [self.determinant] if self.determinant else []
+        kinematics = [*self.link_matrices, *self.frames, *self.origins, *self.axes, self.jacobian]
+        return [*kinematics, *determinant, *self.energy_and_torques]
 
     def _make_answer(self, name: str, value: sp.ImmutableMatrix) -> Answer:
         """Return an answer in short symbols.
@@ -156,7 +157,7 @@ class AnswerSheet:
         Decimal fractions become decimals. Coordinates of a centre of mass are called x_c1, since
         z_1 is an axis on the sheet.
         """
-        value = self._with_decimals(value)
+        value = self._use_decimals(value)
         steps = self._find_steps(value)
         names = {
             f: n for formula in (value, *steps.values()) for f, n in short_names(formula).items()
@@ -164,9 +165,9 @@ class AnswerSheet:
         pairs = [(symbol, function) for function, symbol in names.items()]
         definitions = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
         definitions |= {step: short(formula) for step, formula in steps.items()}
-        return Answer(name, short(value), self.home[name], definitions)
+        return Answer(name, short(value), self.home_values[name], definitions)
 
-    def _with_decimals(self, formula):
+    def _use_decimals(self, formula):
         """Replace decimal fractions by decimals, and z_1 of a centre of mass by z_c1."""
         fractions = (number for number in formula.atoms(sp.Rational) if number.q > 1)
         decimals = {number: sp.Float(number) for number in fractions if 10**9 % number.q == 0}
@@ -184,12 +185,12 @@ class AnswerSheet:
     @cached_property
     def _decimal_steps(self) -> dict[sp.Symbol, sp.Expr]:
         definitions = self.steps.definitions if self.steps else {}
-        return {name: self._with_decimals(formula) for name, formula in definitions.items()}
+        return {name: self._use_decimals(formula) for name, formula in definitions.items()}
 
     # Meaning of the symbols
 
     @cached_property
-    def values(self) -> dict[str, float]:
+    def symbol_values(self) -> dict[str, float]:
         """Values of lengths, angles, masses, centres of mass and g by symbol."""
         lengths = {name: value for name, value in self.arm.values.items() if value}
         if not self.arm.bodies:

@@ -13,53 +13,55 @@ _WIDTH = 56  # characters in a line
 _HEIGHT = 16  # lines in a display
 
 
-def format_name(item: Answer) -> str:
+def format_name(answer: Answer) -> str:
     """Return an answer's name in TeX."""
-    letter, _, index = item.name.partition("_")
-    named = {"J": "J", "det": r"\det J", "P": "P", "G": "g(q)"}
-    if letter in named:
-        return named[letter]
+    letter, _, index = answer.name.partition("_")
+    names = {"J": "J", "det": r"\det J", "P": "P", "G": "g(q)"}
+    if letter in names:
+        return names[letter]
     return f"{{}}^{{0}}T_{{{index[1:]}}}" if letter == "T" else f"{letter}_{{{index}}}"
 
 
-def format_symbols(sheet: AnswerSheet, item: Answer, complete: bool = False) -> list[str]:
+def format_symbols(sheet: AnswerSheet, answer: Answer, complete: bool = False) -> list[str]:
     """Write an answer in symbols, as a list of displays.
 
     Args:
         sheet: the sheet of the answer.
-        item: the answer.
-        complete: write out long parts of origins and axes, which a page has elsewhere.
+        answer: the answer to write.
+        complete: write out long parts of origins and axes, which a page has shared_names.
     """
-    value, names = item.value, _entry_names(sheet, item)
-    if not item.is_number and _measure_width(value) <= _WIDTH:
-        return [f"{format_name(item)} = {sp.latex(value)}"]
+    value, names = answer.value, _name_entries(sheet, answer)
+    if not answer.is_number and _measure_width(value) <= _WIDTH:
+        return [f"{format_name(answer)} = {sp.latex(value)}"]
     if value.cols == 1:
-        first = next((axis for axis in sheet.axes if axis.value == value), item)
-        if first is not item and not complete:
-            return [f"{format_name(item)} = {format_name(first)}"]
+        first = next((axis for axis in sheet.axes if axis.value == value), answer)
+        if first is not answer and not complete:
+            return [f"{format_name(answer)} = {format_name(first)}"]
         return _format_aligned([*zip(names, value, strict=True)])
-    elsewhere = {} if complete else _name_shared_entries(sheet, item)
-    cut, long = _name_long_entries(value, [elsewhere.get(k, own) for k, own in enumerate(names)])
-    by_columns = sorted({*long} - elsewhere.keys(), key=lambda k: (k % value.cols, k))
+    shared_names = {} if complete else _name_shared_entries(sheet, answer)
+    cut, long = _name_long_entries(
+        value, [shared_names.get(k, name) for k, name in enumerate(names)]
+    )
+    by_columns = sorted({*long} - shared_names.keys(), key=lambda k: (k % value.cols, k))
     return [
-        f"{format_name(item)} = {sp.latex(cut)}",
+        f"{format_name(answer)} = {sp.latex(cut)}",
         *_format_aligned([(names[k], value[k]) for k in by_columns]),
     ]
 
 
-def _name_shared_entries(sheet: AnswerSheet, item: Answer) -> dict[int, str]:
+def _name_shared_entries(sheet: AnswerSheet, answer: Answer) -> dict[int, str]:
     """Return names for the entries that a frame or J shares with axes and origins, by index."""
-    columns, first = item.value.cols, {}  # index of a vector's first entry
-    if item.name[0] == "T":
-        i = int(item.name[2:])
+    columns, first = answer.value.cols, {}  # index of a vector's first entry
+    if answer.name[0] == "T":
+        i = int(answer.name[2:])
         first = {2: sheet.axes[i], 3: sheet.origins[i]}
-    elif item.name == "J":
+    elif answer.name == "J":
         joints = enumerate(zip(sheet.arm.joints, sheet.arm.turning, strict=True))
         first = {k + 3 * columns * turns: sheet.axes[i - 1] for k, (i, turns) in joints}
     return {
         start + row * columns: entry
         for start, vector in first.items()
-        for row, entry in enumerate(_entry_names(sheet, vector))
+        for row, entry in enumerate(_name_entries(sheet, vector))
     }
 
 
@@ -94,22 +96,22 @@ def _name_long_entries(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.
     return cut, long
 
 
-def format_numbers(item: Answer, home: Array) -> str:
+def format_numbers(answer: Answer, values: Array) -> str:
     """Write an answer's numbers, a scalar to six decimals, matrices to four."""
-    if item.is_number:
-        return f"{format_name(item)} = {sp.latex(_round_number(home[0, 0], 6))}"
-    value = sp.Matrix([[_round_number(x, 4) for x in row] for row in home])
+    if answer.is_number:
+        return f"{format_name(answer)} = {sp.latex(_round_number(values[0, 0], 6))}"
+    value = sp.Matrix([[_round_number(x, 4) for x in row] for row in values])
     shown = sp.latex(value, mat_str="array")
-    return f"{format_name(item)} = {shown.replace('c' * value.cols, 'r' * value.cols, 1)}"
+    return f"{format_name(answer)} = {shown.replace('c' * value.cols, 'r' * value.cols, 1)}"
 
 
-def as_latex(sheet: AnswerSheet, item: Answer) -> str:
+def write_latex(sheet: AnswerSheet, answer: Answer) -> str:
     """Write displays for amsmath, below comments that define c_{23} and the like."""
     legend = [
-        f"% ${sp.latex(symbol)} = {formula_latex(f)}$" for symbol, f in item.definitions.items()
+        f"% ${sp.latex(symbol)} = {formula_latex(f)}$" for symbol, f in answer.definitions.items()
     ]
     return "\n".join(
-        [*legend, *(f"\\[\n{display}\n\\]" for display in format_symbols(sheet, item, True))]
+        [*legend, *(f"\\[\n{display}\n\\]" for display in format_symbols(sheet, answer, True))]
     )
 
 
@@ -118,16 +120,16 @@ def _round_number(value: float, digits: int) -> sp.Expr:
     return sp.Integer(rounded) if rounded.is_integer() else sp.Float(str(rounded))
 
 
-def _entry_names(sheet: AnswerSheet, item: Answer) -> list[str]:
+def _name_entries(sheet: AnswerSheet, answer: Answer) -> list[str]:
     """Return the TeX name of each entry, by row and column, component or joint."""
-    rows, columns = item.value.shape
-    letter = item.name[0]
-    if item.is_number:
-        return [format_name(item)]
+    rows, columns = answer.value.shape
+    letter = answer.name[0]
+    if answer.is_number:
+        return [format_name(answer)]
     if letter == "G":
         return [f"g_{{{joint}}}" for joint in sheet.arm.joints]
     if columns == 1:
-        return [f"({format_name(item)})_{{{axis}}}" for axis in "xyz"]
+        return [f"({format_name(answer)})_{{{axis}}}" for axis in "xyz"]
     letter = letter if letter == "J" else letter.lower()
     return [f"{letter}_{{{i + 1}{k + 1}}}" for i in range(rows) for k in range(columns)]
 

@@ -19,40 +19,45 @@ from helpers.formulas import formula_latex
 from helpers.inputs import ArmError, require_type, tuple_of_items
 
 LANGUAGES = {
-    "LaTeX": displays.as_latex,
-    "SymPy": programs.as_sympy,
-    "NumPy": programs.as_numpy,
-    "MATLAB": programs.as_matlab,
+    "LaTeX": displays.write_latex,
+    "SymPy": programs.write_sympy,
+    "NumPy": programs.write_numpy,
+    "MATLAB": programs.write_matlab,
 }
 
 
-def markdown(
-    arm: Arm, heading: str, lead: str, also: tuple[Arm, ...] = (), description: str = ""
+def make_markdown_sheet(
+    arm: Arm,
+    heading: str,
+    introduction: str,
+    other_arms: tuple[Arm, ...] = (),
+    description: str = "",
 ) -> str:
     """Write the sheet as a page of the book, in MyST Markdown.
 
     Args:
         arm: the arm of the sheet.
-        heading, lead: the page's title and first paragraph, in Markdown.
-        also: the same arm with other lengths; the page gives their numbers too.
+        heading: the page's title, in Markdown.
+        introduction: its first paragraphs, in Markdown.
+        other_arms: the same arm with other lengths; the page gives their numbers too.
         description: one sentence for search engines.
 
-    Raises ArmError for an arm of `also` with other rows, for letters that programs cannot use, and
-    for an arm without joints.
+    Raises ArmError for an arm of `other_arms` with other rows, for letters that programs cannot
+    use, and for an arm without joints.
     """
     require_type(arm, Arm, "arm")
     require_type(description, str, "description")
     require_type(heading, str, "heading")
-    require_type(lead, str, "lead")
+    require_type(introduction, str, "introduction")
     meta = f"---\nmyst:\n  html_meta:\n    description: {json.dumps(description)}\n---\n\n"
-    start = f"{meta if description else ''}# {heading}\n\n{lead}\n\n"
-    return start + _format_sections(arm, also)
+    start = f"{meta if description else ''}# {heading}\n\n{introduction}\n\n"
+    return start + _format_sections(arm, other_arms)
 
 
-def document(arm: Arm) -> str:
+def make_html_sheet(arm: Arm) -> str:
     """Write the sheet as a self-contained HTML file, with formulas in MathML.
 
-    Raises ArmError as `markdown` does.
+    Raises ArmError as `make_markdown_sheet` does.
     """
     require_type(arm, Arm, "arm")
     from markdown_it import MarkdownIt
@@ -71,17 +76,17 @@ def document(arm: Arm) -> str:
     )
 
 
-def _format_sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
+def _format_sections(arm: Arm, other_arms: tuple[Arm, ...] = ()) -> str:
     """Write style, sections (heading, question, answers) and script of a sheet."""
-    arms = (arm, *tuple_of_items(also, "also", "arms with the same rows"))
-    for other in also:
+    arms = (arm, *tuple_of_items(other_arms, "other_arms", "arms with the same rows"))
+    for other in other_arms:
         if other.rows != arm.rows:
             raise ArmError(
                 f"{other.name} has other rows than {arm.name}; expected other values only"
             )
-    sheet, *others = (AnswerSheet(replace(a, name=escape(a.name))) for a in arms)
+    sheet, *other_sheets = (AnswerSheet(replace(a, name=escape(a.name))) for a in arms)
     sections = [
-        ("Link matrices", _ASK_LINKS, sheet.links),
+        ("Link matrices", _ASK_LINKS, sheet.link_matrices),
         ("Frames seen from the base", _ask_frames(sheet), sheet.frames),
         ("Origins", _ASK_ORIGINS, sheet.origins),
         ("Axes", _ASK_AXES, sheet.axes),
@@ -89,85 +94,89 @@ def _format_sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
     ]
     if det := sheet.determinant:
         sections.append(("Determinant", _ask_determinant(sheet, det), [det]))
-    if sheet.gravity:
-        sections.append(("Gravity", _ASK_GRAVITY + _format_joint_note(arm), sheet.gravity))
-    answers = "\n\n".join(
+    if sheet.energy_and_torques:
+        sections.append(
+            ("Gravity", _ASK_GRAVITY + _format_joint_note(arm), sheet.energy_and_torques)
+        )
+    questions = "\n\n".join(
         f"## {heading}\n\n**First try.** {question}\n\n"
-        + "\n\n".join(_format_answer(sheet, item, others) for item in items)
-        for heading, question, items in sections
+        + "\n\n".join(_format_answer(sheet, answer, other_sheets) for answer in answers)
+        for heading, question, answers in sections
     )
     style, script = ((_STATIC / f"answers.{kind}").read_text("utf-8") for kind in ("css", "js"))
     return (
         f"<style>\n{style}</style>\n\n{_TOOLS}\n\n## Table\n\n"
-        f"{_format_introduction(sheet, others)}\n\n"
-        f"{answers}\n\n{_format_program_data(sheet)}\n\n<script>\n{script}</script>\n"
+        f"{_format_introduction(sheet, other_sheets)}\n\n"
+        f"{questions}\n\n{_format_program_data(sheet)}\n\n<script>\n{script}</script>\n"
     )
 
 
 def _format_program_data(sheet: AnswerSheet) -> str:
     """Write the <script> element with the programs of each answer, by language."""
     texts = {
-        _make_id(item): {language: block(sheet, item) for language, block in LANGUAGES.items()}
-        for item in sheet.items
+        _make_id(answer): {language: write(sheet, answer) for language, write in LANGUAGES.items()}
+        for answer in sheet.answers
     }
     data = json.dumps(texts).replace("</", r"<\/")
     return f'<script type="application/json">{data}</script>'
 
 
-def _format_answer(sheet: AnswerSheet, item: Answer, others: list[AnswerSheet]) -> str:
-    """Write a folded answer with its formula and its numbers at home, for `others` too."""
-    formulas = [f"$$\n{display}\n$$" for display in displays.format_symbols(sheet, item)]
-    for of, home in _list_home_values(sheet, item, others):
-        formulas.append(f"In numbers{of}:\n\n$$\n{displays.format_numbers(item, home)}\n$$")
-    name = _format_html_name(item)
-    title = f'<details class="answer" id="{_make_id(item)}"><summary>{name}</summary>'
+def _format_answer(sheet: AnswerSheet, answer: Answer, other_sheets: list[AnswerSheet]) -> str:
+    """Write a folded answer with its formula and its numbers at home, for `other_sheets` too."""
+    formulas = [f"$$\n{display}\n$$" for display in displays.format_symbols(sheet, answer)]
+    for caption, values in _list_home_values(sheet, answer, other_sheets):
+        formulas.append(
+            f"In numbers{caption}:\n\n$$\n{displays.format_numbers(answer, values)}\n$$"
+        )
+    name = _format_html_name(answer)
+    title = f'<details class="answer" id="{_make_id(answer)}"><summary>{name}</summary>'
     return "\n\n".join([title, *formulas, "</details>"])
 
 
-def _make_id(item: Answer) -> str:
-    return item.name.replace("_", "-").lower()
+def _make_id(answer: Answer) -> str:
+    return answer.name.replace("_", "-").lower()
 
 
-def _format_html_name(item: Answer) -> str:
+def _format_html_name(answer: Answer) -> str:
     """Return an answer's name in HTML."""
-    letter, _, index = item.name.partition("_")
-    named = {"det": "det <i>J</i>", "G": "<i>g</i>(<i>q</i>)", "J": "<i>J</i>", "P": "<i>P</i>"}
+    letter, _, index = answer.name.partition("_")
+    names = {"det": "det <i>J</i>", "G": "<i>g</i>(<i>q</i>)", "J": "<i>J</i>", "P": "<i>P</i>"}
     if letter == "T":
         return f"<sup>0</sup><i>T</i><sub>{index[1:]}</sub>"
-    return named.get(letter, f"<i>{letter}</i><sub>{index}</sub>")
+    return names.get(letter, f"<i>{letter}</i><sub>{index}</sub>")
 
 
 def _list_home_values(
-    sheet: AnswerSheet, item: Answer, others: list[AnswerSheet]
+    sheet: AnswerSheet, answer: Answer, other_sheets: list[AnswerSheet]
 ) -> list[tuple[str, Array]]:
     """Return captions and numbers of an answer for each arm whose numbers differ."""
-    captioned = [(f", {sheet.arm.name}", item.home)]
-    for other in others:
-        if not np.allclose(other.home[item.name], item.home, rtol=0, atol=5e-5):
-            captioned.append((f", {other.arm.name}", other.home[item.name]))
-    return captioned if len(captioned) > 1 else [("", item.home)]
+    captioned = [(f", {sheet.arm.name}", answer.home_values)]
+    for other in other_sheets:
+        if not np.allclose(other.home_values[answer.name], answer.home_values, rtol=0, atol=5e-5):
+            captioned.append((f", {other.arm.name}", other.home_values[answer.name]))
+    return captioned if len(captioned) > 1 else [("", answer.home_values)]
 
 
 # The text above the answers
 
 
-def _format_introduction(sheet: AnswerSheet, others: list[AnswerSheet]) -> str:
+def _format_introduction(sheet: AnswerSheet, other_sheets: list[AnswerSheet]) -> str:
     """Write the table, the values of its symbols, the home pose and the short names."""
     arm = sheet.arm
     pairs = zip(arm.variables, arm.home, strict=True)
     home = ", ".join(
         f"${name} = {sp.latex(programs.make_exact_angle(value))}$" for name, value in pairs
     )
-    values = [other.arm._repr_markdown_().rsplit("\n\n", 1)[1] for other in others]
+    other_values = [other.arm._repr_markdown_().rsplit("\n\n", 1)[1] for other in other_sheets]
     zero = [f"${sp.latex(sp.Symbol(name))}$" for name, value in arm.values.items() if not value]
-    parts = [arm._repr_markdown_(), *values]
+    parts = [arm._repr_markdown_(), *other_values]
     if zero:
         parts.append(f"What is 0, here {', '.join(zero)}, is left out of the formulas.")
     parts.append(f"Numbers are given at {home} (rad; m where a joint slides), rounded.")
     parts.append(f"Short names: {_format_legend(sheet)}.")
     if sheet.steps:
         parts.append(_STEPS_NOTE)
-    parts += [_format_mass_table(s) for s in (sheet, *others) if s.arm.bodies]
+    parts += [_format_mass_table(s) for s in (sheet, *other_sheets) if s.arm.bodies]
     return "\n\n".join(parts)
 
 
@@ -178,7 +187,7 @@ def _ask_frames(sheet: AnswerSheet) -> str:
 
 def _format_legend(sheet: AnswerSheet) -> str:
     """List the short names of sums of angles, such as c_23 = cos(q_2 + q_3)."""
-    symbols = {symbol: f for item in sheet.items for symbol, f in item.definitions.items()}
+    symbols = {symbol: f for answer in sheet.answers for symbol, f in answer.definitions.items()}
     sums = [
         f"${sp.latex(symbol)} = {formula_latex(f)}$"
         for symbol, f in sorted(symbols.items(), key=str)
@@ -196,7 +205,7 @@ def _format_mass_table(sheet: AnswerSheet) -> str:
     )
     letters = ("m_", "x_c", "y_c", "z_c")
     rows = [
-        [i, *(sheet.values.get(f"{letter}{i}", 0.0) for letter in letters)]
+        [i, *(sheet.symbol_values.get(f"{letter}{i}", 0.0) for letter in letters)]
         for i in range(1, len(sheet.arm.rows) + 1)
     ]
     lines = [f"| {' | '.join(f'{x:g}' for x in row)} |" for row in rows]

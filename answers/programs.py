@@ -47,18 +47,19 @@ class _Language(NamedTuple):
         text = self.printer({"full_prec": False}).doprint(formula)
         return text.replace("numpy.", "np.")
 
-    def format_assignment(self, item: Answer) -> str:
+    def format_assignment(self, answer: Answer) -> str:
         """Return the statement that assigns an answer to its name."""
-        if item.is_number:
-            value = self.format_formula(item.value[0])
-            return self._wrap_line(f"{item.name} = ({value}){self.statement_end}", "")
+        if answer.is_number:
+            value = self.format_formula(answer.value[0])
+            return self._wrap_line(f"{answer.name} = ({value}){self.statement_end}", "")
         rows = [
-            ", ".join(map(self.format_formula, item.value.row(i))) for i in range(item.value.rows)
+            ", ".join(map(self.format_formula, answer.value.row(i)))
+            for i in range(answer.value.rows)
         ]
-        row = self.row if item.value.cols > 1 else "{}"
+        row = self.row if answer.value.cols > 1 else "{}"
         body = [self._wrap_line(row.format(text) + self.row_end, "    ") for text in rows]
         return "\n".join(
-            [f"{item.name} = {self.matrix_start}", *body, self.matrix_end + self.statement_end]
+            [f"{answer.name} = {self.matrix_start}", *body, self.matrix_end + self.statement_end]
         )
 
     def _wrap_line(self, text: str, indent: str) -> str:
@@ -72,22 +73,22 @@ class _Language(NamedTuple):
         )
         return f"{self.continuation}\n".join(lines)
 
-    def format_values(self, sheet: AnswerSheet, item: Answer) -> list[str]:
+    def format_values(self, sheet: AnswerSheet, answer: Answer) -> list[str]:
         """Return the lines that assign a number to every symbol of an answer."""
-        formulas = (item.value, *item.definitions.values())
+        formulas = (answer.value, *answer.definitions.values())
         free = {symbol.name for formula in formulas for symbol in formula.free_symbols}
         home = zip(sheet.arm.variables, sheet.arm.home, strict=True)
         numbers = {name: make_exact_angle(value) for name, value in home}
-        numbers |= {name: sp.Float(value) for name, value in sheet.values.items()}
+        numbers |= {name: sp.Float(value) for name, value in sheet.symbol_values.items()}
         return [
             f"{n} = {self.format_formula(v)}{self.statement_end}"
             for n, v in numbers.items()
             if n in free
         ]
 
-    def format_definitions(self, item: Answer) -> list[str]:
+    def format_definitions(self, answer: Answer) -> list[str]:
         """Return the lines that assign cosines and sines to their short names."""
-        pairs = item.definitions.items()
+        pairs = answer.definitions.items()
         return [
             f"{self.format_formula(n)} = {self.format_formula(f)}{self.statement_end}"
             for n, f in pairs
@@ -99,32 +100,32 @@ _NUMPY = _Language(_NumPy, "np.array([", "[{}]", ",", "])")
 _MATLAB = _Language(_Octave, "[", "{}", ";", "]", ";", " ...")
 
 
-def as_sympy(sheet: AnswerSheet, item: Answer) -> str:
+def write_sympy(sheet: AnswerSheet, answer: Answer) -> str:
     """Write an answer for SymPy, with every quantity a symbol."""
-    names = [line.split(" = ")[0] for line in _SYMPY.format_values(sheet, item)]
+    names = [line.split(" = ")[0] for line in _SYMPY.format_values(sheet, answer)]
     groups = [names[k : k + 8] for k in range(0, len(names), 8)]
     lines = [f'{", ".join(group)} = symbols("{" ".join(group)}")' for group in groups]
-    body = "\n".join([*lines, *_SYMPY.format_definitions(item), _SYMPY.format_assignment(item)])
+    body = "\n".join([*lines, *_SYMPY.format_definitions(answer), _SYMPY.format_assignment(answer)])
     used = [name for name in _IMPORTED if re.search(rf"\b{name}\b", body)]
     return "\n".join([f"from sympy import {', '.join(used)}", "", body])
 
 
-def as_numpy(sheet: AnswerSheet, item: Answer) -> str:
+def write_numpy(sheet: AnswerSheet, answer: Answer) -> str:
     """Write an answer for NumPy with the joint values of the home pose."""
     lines = [
         "import numpy as np",
         "",
-        *_NUMPY.format_values(sheet, item),
-        *_NUMPY.format_definitions(item),
+        *_NUMPY.format_values(sheet, answer),
+        *_NUMPY.format_definitions(answer),
     ]
-    shown = item.name if item.is_number else f"{item.name}.round(4)"
-    return "\n".join([*lines, _NUMPY.format_assignment(item), f"print({shown})"])
+    shown = answer.name if answer.is_number else f"{answer.name}.round(4)"
+    return "\n".join([*lines, _NUMPY.format_assignment(answer), f"print({shown})"])
 
 
-def as_matlab(sheet: AnswerSheet, item: Answer) -> str:
+def write_matlab(sheet: AnswerSheet, answer: Answer) -> str:
     """Write an answer for MATLAB or Octave with the joint values of the home pose."""
-    lines = [*_MATLAB.format_values(sheet, item), *_MATLAB.format_definitions(item)]
-    return "\n".join([*lines, _MATLAB.format_assignment(item)])
+    lines = [*_MATLAB.format_values(sheet, answer), *_MATLAB.format_definitions(answer)]
+    return "\n".join([*lines, _MATLAB.format_assignment(answer)])
 
 
 def make_exact_angle(value: float) -> sp.Expr:

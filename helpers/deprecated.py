@@ -16,7 +16,7 @@ def deprecated_names(module: str, **new_names: str) -> Callable[[str], Any]:
     Args:
         module: The module's ``__name__``.
         new_names: For each old name, the new one: in the same module, as ``"join_traces"``, or
-            with its own module, as ``"answers.sheets.document"``.
+            with its own module, as ``"answers.page.make_html_sheet"``.
     """
 
     def get_renamed(name: str) -> Any:

@@ -5,7 +5,8 @@
 
 import warnings
 
-from answers import document, markdown
+from answers import make_html_sheet as document
+from answers import make_markdown_sheet as markdown
 
 __all__ = ["document", "markdown"]
 
@@ -13,7 +14,7 @@ _IS_COMMAND = __name__ == "__main__"
 # Python shows a DeprecationWarning only where it points at the program that was started.
 warnings.warn(
     "helpers.sheets is now called answers, and will go in the next edition: say"
-    f" {'python -m answers' if _IS_COMMAND else 'from answers import document'}",
+    f" {'python -m answers' if _IS_COMMAND else 'from answers import make_html_sheet'}",
     DeprecationWarning,
     stacklevel=1 if _IS_COMMAND else 2,
 )

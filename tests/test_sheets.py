@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from answers import displays, document, markdown
-from answers.__main__ import file_stem, main
+from answers import displays, make_html_sheet, make_markdown_sheet
+from answers.__main__ import main, make_file_stem
 from answers.command_line import read_arm
 from answers.content import AnswerSheet
 from helpers import kinematics, robots, statics
@@ -87,7 +87,7 @@ def moved(text, arm, q):
 @cache
 def page(sheet):
     """The arm's sheet; it takes longer to make than to read."""
-    return markdown(sheet.arm, "A sheet", "Of an arm.")
+    return make_markdown_sheet(sheet.arm, "A sheet", "Of an arm.")
 
 
 @cache
@@ -107,7 +107,7 @@ def run(text):
 
 @every_arm
 def test_numpy_blocks_match_numeric_view(sheet, capsys):
-    for item in sheet.items:
+    for item in sheet.answers:
         names = run(moved(given("NumPy", sheet, item), sheet.arm, pose(sheet)))
         check(sheet, item.name, names[item.name], pose(sheet))
         assert capsys.readouterr().out
@@ -117,8 +117,8 @@ def test_numpy_blocks_match_numeric_view(sheet, capsys):
 def test_numpy_blocks_hold_the_home_pose(sheet):
     """All blocks begin with the same joint values, so that one of them is run."""
     home = np.array(sheet.arm.home)
-    first, *others = (given("NumPy", sheet, item) for item in sheet.items)
-    check(sheet, sheet.items[0].name, run(first)[sheet.items[0].name], home)
+    first, *others = (given("NumPy", sheet, item) for item in sheet.answers)
+    check(sheet, sheet.answers[0].name, run(first)[sheet.answers[0].name], home)
     for text in others:
         for variable, value in re.findall(r"(?m)^(q_\d+) = ([^\n#]+)", text):
             expected = home[sheet.arm.variables.index(variable)]
@@ -127,18 +127,18 @@ def test_numpy_blocks_hold_the_home_pose(sheet):
 
 @every_arm
 def test_sympy_blocks_match_numeric_view(sheet):
-    for item in sheet.items:
+    for item in sheet.answers:
         names = run(given("SymPy", sheet, item))
-        letters = [sp.Symbol(name) for name in (*sheet.values, *sheet.arm.variables)]
+        letters = [sp.Symbol(name) for name in (*sheet.symbol_values, *sheet.arm.variables)]
         value = sp.Matrix([names[item.name]]) if item.is_number else names[item.name]
-        got = sp.lambdify(letters, value)(*sheet.values.values(), *pose(sheet))
+        got = sp.lambdify(letters, value)(*sheet.symbol_values.values(), *pose(sheet))
         check(sheet, item.name, got, pose(sheet))
 
 
 @every_arm
 def test_matlab_blocks_match_numeric_view(sheet):
     """MATLAB is rarely at hand, so each block is turned into Python by its few rules."""
-    for item in sheet.items:
+    for item in sheet.answers:
         text = re.sub(r"\s*\.\.\.\n\s*", " ", given("MATLAB", sheet, item))
         assert not re.search(r"[^;\[]$", text, re.M)
         text = text.replace(".*", "*").replace(".^", "**").replace("^", "**")
@@ -150,7 +150,7 @@ def test_matlab_blocks_match_numeric_view(sheet):
 
 @every_arm
 def test_program_lines_have_at_most_110_characters(sheet):
-    for item in sheet.items:
+    for item in sheet.answers:
         for language in ("SymPy", "NumPy", "MATLAB"):
             assert max(map(len, given(language, sheet, item).splitlines())) <= 110, item.name
 
@@ -188,7 +188,7 @@ def test_displayed_formulas_are_complete(sheet):
         for vector in (*sheet.axes, *sheet.origins)
         for axis, x in zip("xyz", vector.value, strict=True)
     }
-    for item in sheet.items:
+    for item in sheet.answers:
         shown, whole = (
             displays.format_symbols(sheet, item),
             [plain(sp.latex(x)) for x in item.value],
@@ -203,7 +203,7 @@ def test_displayed_formulas_are_complete(sheet):
 @every_arm
 def test_matrices_are_displayed_as_matrices(sheet):
     """Long entries have names in them; a long vector is written line by line."""
-    for item in sheet.items:
+    for item in sheet.answers:
         first, *below = displays.format_symbols(sheet, item)
         lines = item.value.cols == 1 and ("aligned" in first or first in PARALLEL)
         assert ("matrix" in first) != lines
@@ -221,8 +221,8 @@ def test_latex_block_explains_abbreviations():
 @every_arm
 def test_page_numbers_match_numeric_view(sheet):
     """Rounded to four digits, at the home pose."""
-    for item in sheet.items:
-        shown = displays.format_numbers(item, item.home)
+    for item in sheet.answers:
+        shown = displays.format_numbers(item, item.home_values)
         assert f"In numbers:\n\n$$\n{shown}\n$$" in page(sheet)
         numbers = [float(text) for text in re.findall(r"-?[\d.]+", shown.split(" = ")[1])]
         expected = np.ravel(true(sheet, item.name, np.array(sheet.arm.home)))
@@ -269,7 +269,7 @@ def test_sheet_page_has_title_and_answers():
     text = answers.page_markdown(answers.PAGES[5])
     assert text.startswith('---\nmyst:\n  html_meta:\n    description: "Elbow arm: every link ')
     assert "\n---\n\n# Elbow arm\n\nThe arm of three joints" in text
-    assert text.count('<details class="answer"') == len(SHEETS["elbow"].items)
+    assert text.count('<details class="answer"') == len(SHEETS["elbow"].answers)
     assert "<details open" not in text
     assert "What is 0, here $d$, is left out" in text
     assert "$c_{23} = \\cos{(q_{2} + q_{3})}$" in text
@@ -277,7 +277,9 @@ def test_sheet_page_has_title_and_answers():
 
 def test_other_arm_is_shown_where_numbers_differ():
     """Numbers of both arms where they differ; at home link 3 points down its frame's y axis."""
-    text = markdown(ELBOW, "E", "L", (replace(ELBOW.with_values(a_3=0.35), name="longer"),))
+    text = make_markdown_sheet(
+        ELBOW, "E", "L", (replace(ELBOW.with_values(a_3=0.35), name="longer"),)
+    )
     shown = text.split('id="a-3"')[1].split("</details>")[0]
     assert "In numbers, Elbow arm:\n\n$$\nA_{3}" in shown
     assert "In numbers, longer:\n\n$$\nA_{3}" in shown
@@ -286,7 +288,7 @@ def test_other_arm_is_shown_where_numbers_differ():
 
 
 def test_document_is_one_self_contained_file():
-    html = document(replace(NUMBERED, name="<b>bold & brave</b>"))
+    html = make_html_sheet(replace(NUMBERED, name="<b>bold & brave</b>"))
     assert "<b>bold" not in html
     assert "&lt;b&gt;bold &amp; brave" in html
     for path in (Path(displays.__file__).parent / "static").iterdir():
@@ -303,12 +305,14 @@ def test_determinant_states_its_factors():
     assert "It falls into 2 factors that depend" in page(SHEETS["elbow"])
     assert "It falls into 3 factors that depend" in page(SHEETS["ur10e"])
     assert "it does not fall into factors" in page(SHEETS["panda_joint_3_locked"])
-    assert "This one is 0 everywhere." in markdown(Arm("flat", [revolute(a=1)] * 3), "F", "L")
+    assert "This one is 0 everywhere." in make_markdown_sheet(
+        Arm("flat", [revolute(a=1)] * 3), "F", "L"
+    )
 
 
 def test_zero_masses_are_listed():
     arm = Arm("light", [revolute(a=1)], bodies=[Body(0, (0, 0, 0))])
-    assert "| 1 | 0 | 0 | 0 | 0 |" in markdown(arm, "L", "L")
+    assert "| 1 | 0 | 0 | 0 | 0 |" in make_markdown_sheet(arm, "L", "L")
 
 
 # The command line
@@ -318,7 +322,7 @@ def test_command_writes_a_file(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     main(["elbow arm"])
     assert capsys.readouterr().out == "elbow_arm_answers.html\n"
-    assert [file_stem(name) for name in ("UR10e (homework)", "…")] == ["ur10e_homework", "arm"]
+    assert [make_file_stem(name) for name in ("UR10e (homework)", "…")] == ["ur10e_homework", "arm"]
     assert "Elbow arm" in (tmp_path / "elbow_arm_answers.html").read_text(encoding="utf-8")
 
 
@@ -334,7 +338,7 @@ def test_command_takes_base_tip_and_out(tmp_path, capsys):
     out, file = tmp_path / "sheet.html", str(tmp_path / "one.urdf")
     main([file, "--base", "b", "--tip", "d", "--out", str(out)])
     assert capsys.readouterr().out == f"{out}\n"
-    assert out.read_text(encoding="utf-8") == document(from_urdf(file, "b", "d"))
+    assert out.read_text(encoding="utf-8") == make_html_sheet(from_urdf(file, "b", "d"))
     assert from_urdf(file, "b", "d") not in (from_urdf(file, "b"), from_urdf(file, None, "d"))
 
 
@@ -381,12 +385,12 @@ def test_arm_without_joints_is_rejected():
     with pytest.raises(ArmError, match="arm is 'Panda'; expected an Arm"):
         AnswerSheet("Panda")
     with pytest.raises(ArmError, match="post has no joints; a sheet needs an arm that moves"):
-        document(Arm("post", [fixed(a=1)]))
+        make_html_sheet(Arm("post", [fixed(a=1)]))
 
 
 def test_other_arm_needs_the_same_rows():
     with pytest.raises(ArmError, match="Panda has other rows than Elbow arm; expected other value"):
-        markdown(ELBOW, "Elbow", "An arm.", (PANDA,))
+        make_markdown_sheet(ELBOW, "Elbow", "An arm.", (PANDA,))
 
 
 # The old name
@@ -403,11 +407,11 @@ def test_helpers_sheets_warns_of_its_new_name(tmp_path):
     ]
     done = subprocess.run(command, cwd=answers.ROOT, capture_output=True, text=True, check=True)
     assert "DeprecationWarning: helpers.sheets is now called answers" in done.stderr
-    assert (tmp_path / "elbow.html").read_text(encoding="utf-8") == document(ELBOW)
+    assert (tmp_path / "elbow.html").read_text(encoding="utf-8") == make_html_sheet(ELBOW)
 
 
 def test_helpers_sheets_still_has_its_functions():
     sys.modules.pop("helpers.sheets", None)
-    with pytest.warns(DeprecationWarning, match="say from answers import document"):
+    with pytest.warns(DeprecationWarning, match="say from answers import make_html_sheet"):
         from helpers.sheets import document as old_document
-    assert old_document is document
+    assert old_document is make_html_sheet

@@ -9,9 +9,9 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from answers import document
+from answers import make_html_sheet
 from answers.content import AnswerSheet
-from answers.programs import as_numpy
+from answers.programs import write_numpy
 from helpers import kinematics, statics, symbolic
 from helpers.arm import Arm, Body, revolute
 from helpers.inputs import ArmError
@@ -91,13 +91,13 @@ def test_determinant_of_six_skew_joints_names_manipulability():
 
 def test_sheet_of_eight_skew_joints_computes_its_numbers():
     arm = skew_arm(8)
-    page = document(arm)
+    page = make_html_sheet(arm)
     assert len(page) < 1e6
     assert "in the entries of the frame before" in page
     assert "add up" not in page
     sheet = AnswerSheet(arm)
-    for item in (sheet.frames[-1], sheet.axes[-1], sheet.jacobian, *sheet.gravity):
+    for item in (sheet.frames[-1], sheet.axes[-1], sheet.jacobian, *sheet.energy_and_torques):
         values: dict = {}
         with contextlib.redirect_stdout(io.StringIO()):
-            exec(as_numpy(sheet, item), values)
-        np.testing.assert_allclose(values[item.name], np.squeeze(item.home), atol=1e-9)
+            exec(write_numpy(sheet, item), values)
+        np.testing.assert_allclose(values[item.name], np.squeeze(item.home_values), atol=1e-9)

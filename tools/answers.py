@@ -13,7 +13,7 @@ from typing import NamedTuple
 import sympy as sp
 from sphinx.application import Sphinx
 
-from answers import markdown
+from answers import make_markdown_sheet
 from helpers.arm import Arm
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
@@ -116,7 +116,7 @@ def page_markdown(page: SheetPage) -> str:
     arm, *more_arms = page.arms
     introduction = f"{page.introduction}\n{INSTRUCTIONS.rstrip()}"
     description = f"{page.heading}: {DESCRIPTION}"
-    return markdown(arm, page.heading, introduction, tuple(more_arms), description)
+    return make_markdown_sheet(arm, page.heading, introduction, tuple(more_arms), description)
 
 
 def write_pages(folder: Path, fingerprint: str) -> None:

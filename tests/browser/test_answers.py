@@ -6,7 +6,7 @@ from io import BytesIO
 import pytest
 from pypdf import PdfReader
 
-from answers import document
+from answers import make_html_sheet
 from helpers.robots import ELBOW
 from tests.test_book import HTML
 
@@ -61,7 +61,7 @@ def test_block_without_clipboard_is_selected(browser, tmp_path):
         "Object.defineProperty(navigator, 'clipboard', { value: undefined });"
         "addEventListener('copy', () => { window.copied = document.activeElement.value })"
     )
-    (tmp_path / "sheet.html").write_text(document(ELBOW), encoding="utf-8")
+    (tmp_path / "sheet.html").write_text(make_html_sheet(ELBOW), encoding="utf-8")
     page.goto((tmp_path / "sheet.html").as_uri())
     page.locator("#a-1 summary").click()
     page.locator("#a-1").get_by_role("button", name="Copy MATLAB").click()
