@@ -44,11 +44,19 @@ export function makeMarkedText(onCorrect) {
     const pieces = splitAtMarks(question.answer, marks);
     text.replaceChildren(...pieces.map((piece) => buttons[piece.index ?? -1] ?? piece.text));
     makeTabStop(buttons, marks);
-    setText(status, marks.length ? HELP : "");
+    setText(status, describeHelp(marks, question.answer));
     legend.replaceChildren(...makeLegend(marks));
     choices.replaceChildren(...makeChoices(question.answer, outcome.answers ?? [], onCorrect));
   }
   return { root, update };
+}
+
+// Say how a number is corrected; name the first unread one, which stops the verdict.
+function describeHelp(marks, text) {
+  const unread = marks.find(({ kind }) => kind === "unread");
+  if (!unread) return marks.length ? HELP : "";
+  const word = text.slice(unread.from, unread.to);
+  return `Choose ${word} to write it as a plain number, or to say that it is no entry.`;
 }
 
 function makeNumber(mark, text, { status, editor }) {
