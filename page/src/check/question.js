@@ -264,9 +264,12 @@ export function judgeQuestion(question, arms) {
     if (!(error instanceof ArmError)) throw error;
     const { advice, answers } = error;
     const tokens = error.text === question.answer ? error.tokens : undefined; // not those of q
-    return { error: capitalize(error.message), arm, q, advice, tokens, answers };
+    return { error: makeSentence(error.message), arm, q, advice, tokens, answers };
   }
 }
+
+const makeSentence = (/** @type {string} */ message) =>
+  capitalize(message) + (/[.?!]$/.test(message) ? "" : ".");
 
 const findTokens = (/** @type {Verdict} */ { tokens, typed }) => tokens ?? typed?.tokens;
 
