@@ -17,7 +17,7 @@ const EXPECTED = "expected x, y, z, roll, pitch, yaw, or the rows of a 4 x 4 pos
  * @param {string} text
  * @param {string} unit of angles without a unit
  * @returns {{ pose: Frame, note?: string } | { error: string }} `note` says that the nearest
- *   rotation was taken
+ *   rotation was taken; it continues a sentence about the pose, as the error does
  */
 export function readPose(text, unit) {
   const parts = text.split(/[\s,;|&[\]()]+/).filter(Boolean);
@@ -57,7 +57,7 @@ function mendRotation(rows, last) {
   const isExplained = moved > 0 && decimals && moved <= 1.5 * 10 ** -decimals;
   if (!isExplained || Math.max(...last.map(Math.abs)) > RIGID) return null;
   const [x, y, z, o] = [0, 1, 2, 3].map((k) => nearest.map((row) => row[k]));
-  const note = `The pose has only ${decimals} decimals; the nearest rotation was taken.`;
+  const note = `has only ${decimals} decimals; the nearest rotation was taken`;
   return { pose: { x, y, z, o }, note };
 }
 

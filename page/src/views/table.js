@@ -67,7 +67,7 @@ function makeMountFields(store, { change, complain, fit, reading }) {
     complain("error" in result ? `${label}: this ${result.error}.` : "");
     if ("error" in result) return;
     place(makePoseRows(result.pose));
-    if (result.note) reading.show(result.note, store.state.arm);
+    if (result.note) reading.show(`${label}: this pose ${result.note}.`, store.state.arm);
     fit();
   };
   const putBefore = (rows) =>
