@@ -4,7 +4,7 @@
 
 import { DEG, RAD } from "../geometry/angles.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
-import { combinations } from "../geometry/walk.js";
+import { combinations } from "../geometry/axis_gaps.js";
 import { makeMakersCause } from "./joints.js";
 import { makeCause } from "./ranking.js";
 

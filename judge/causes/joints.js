@@ -4,7 +4,7 @@
 
 import { cosSin, jointNames, revoluteFlags } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
-import { combinations } from "../geometry/walk.js";
+import { combinations } from "../geometry/axis_gaps.js";
 import { joinList } from "../sentences.js";
 import { makeCause } from "./ranking.js";
 

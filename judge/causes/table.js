@@ -3,7 +3,7 @@
 
 import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
 import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geometry/rows.js";
-import { combinations } from "../geometry/walk.js";
+import { combinations } from "../geometry/axis_gaps.js";
 import { convertFromCraig } from "../reading/table_conversion.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { combineCauses, makeCause } from "./ranking.js";

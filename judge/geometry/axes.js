@@ -1,47 +1,50 @@
-// Compares two tables by what all Denavit-Hartenberg tables of one arm have in common. Revolute
-// axes are lines in space: each has a distance and a twist to the next one, and an offset between
-// the feet of its two common normals. Along parallel axes only the sum of the offsets is
-// determined. A prismatic axis has a direction and no position. A table is free to choose the
-// direction of each axis; the comparison therefore chooses a sign per joint.
+// Compares two tables by the distances and angles that all Denavit-Hartenberg tables of an arm
+// share. A revolute axis is a line in space. It has a distance and a twist to the next axis, and an
+// offset between the ends of its two common normals. Along parallel axes only the sum of the
+// offsets is determined. A prismatic axis has a direction and no position. A table is free to
+// choose the direction of each axis, so the comparison chooses a sign for each joint.
 
 import { cross, dot, movingRows, linkFrames, norm } from "./kinematics.js";
 import { snapRows } from "./rows.js";
-import { listGaps, NORMAL_INDEX, TINY } from "./walk.js";
+import { listGaps, NORMAL_INDEX, AXIS_ROUND_OFF } from "./axis_gaps.js";
 
 /** @typedef {import("./arm.js").Row} Row */
 
 /**
- * The gap from one revolute axis to the next one or to the tip, with the prismatic axes between.
+ * The gap from a revolute axis to the next revolute axis or to the tip. Prismatic axes may lie in
+ * it.
  * @typedef {object} Gap
  * @property {number[]} joints the joints in the gap, by index from 0
  * @property {number[]} normal the common normal, from the first axis to the last (m)
- * @property {number} length of the normal (m)
+ * @property {number} length length of the normal (m)
  * @property {Map<string, number>} shape dot and triple products of the gap's directions, by the
  *   indices of their joints ("0,1"); they determine the directions up to a rotation
- * @property {number | null} offset along the axis (m); null while the next axis is parallel
- * @property {number[]} bunch the parallel axes whose offsets are added up
+ * @property {number | null} offset along the first axis (m); null if the next axis is parallel
+ * @property {number[]} parallelJoints the joints with parallel axes whose offsets are added up
  * @property {boolean} fromBase whether the offset depends on the base frame alone
- * @property {boolean} toTip
+ * @property {boolean} toTip whether the gap ends at the tip
  */
 
 /**
- * The axes of one table, ready to be compared.
- * @typedef {object} AxisWalk
+ * The axes of a table, as `compareAxes` needs them.
+ * @typedef {object} TableAxes
  * @property {Row[]} rows
  * @property {number[]} joints the rows that move, counted from 1
  * @property {Gap[]} gaps
- * @property {number} tilt cosine of the angle between the last joint axis and the last frame's z
- * @property {[number, number]} foot distance (m) and angle (rad) from z_0 to axis 1, not 0 only if
- *   fixed rows come first
- * @property {number[]} axis the direction of axis 1
+ * @property {number} toolCosine cosine of the angle between the last joint axis and the last
+ *   frame's z
+ * @property {number} axis1Distance from z_0 (m); it and the angle are 0 unless fixed rows come
+ *   first
+ * @property {number} axis1Angle from z_0 (rad)
+ * @property {number[]} axis1 direction of axis 1
  * @property {number} up -1 if axis 1 points down, else 1
  */
 
 /**
- * One difference between two tables.
+ * A makeDifference between two tables.
  * @typedef {object} Difference
  * @property {string} key of its message
- * @property {number} row where it shows, counted from 1
+ * @property {number} row that shows it, counted from 1
  * @property {string} entry a, alpha, d, theta, "joint" or "joints"
  * @property {any} mine its value in the student's table (m, rad or a kind of joint)
  * @property {any} reference its value in the reference
@@ -55,10 +58,15 @@ import { listGaps, NORMAL_INDEX, TINY } from "./walk.js";
  * @property {number[]} signs for each joint 1, or -1 if its axis points the other way
  * @property {number} baseHigher how much higher the student's base frame is on axis 1 (m)
  * @property {boolean} upsideDown whether z_0 points the other way
- * @property {[number, number]} tilts the angle from the last joint axis to the last frame's z (rad)
+ * @property {[number, number]} toolAngles from the last joint axis to the last frame's z, in the
+ *   student's table and in the reference (rad)
  */
 
-/** Describe the axes of a table with at least one joint. @param {Row[]} rows @returns {AxisWalk} */
+/**
+ * Describe the axes of a table with at least one joint.
+ * @param {Row[]} rows
+ * @returns {TableAxes}
+ */
 export function describeAxes(rows) {
   const moving = movingRows({ rows });
   const numbers = moving.map((i) => i + 1);
@@ -66,25 +74,26 @@ export function describeAxes(rows) {
     rows,
     joints: numbers,
     gaps: listGaps({ rows }),
-    tilt: tilt({ rows }, moving),
-    ...foot(rows, moving[0]),
+    toolCosine: computeToolCosine({ rows }, moving),
+    ...locateFirstAxis(rows, moving[0]),
   };
 }
 
-// Axis 1 relative to z_0.
-/** @returns {{ foot: [number, number], axis: number[], up: number }} */
-function foot(rows, first) {
+// Locate axis 1 relative to z_0. The axis of a slide has no position, and its distance is 0.
+function locateFirstAxis(rows, first) {
   const { z, o } = linkFrames({ rows: rows.slice(0, first) }, []).at(-1);
   const n = cross([0, 0, 1], z);
-  const far = norm(n) > TINY ? Math.abs(dot(o, n)) / norm(n) : Math.hypot(o[0], o[1]);
+  const distance =
+    norm(n) > AXIS_ROUND_OFF ? Math.abs(dot(o, n)) / norm(n) : Math.hypot(o[0], o[1]);
   return {
-    foot: [rows[first].kind === "revolute" ? far : 0, clampedAcos(Math.abs(z[2]))],
-    axis: z,
-    up: z[2] < -TINY ? -1 : 1,
+    axis1Distance: rows[first].kind === "revolute" ? distance : 0,
+    axis1Angle: clampedAcos(Math.abs(z[2])),
+    axis1: z,
+    up: z[2] < -AXIS_ROUND_OFF ? -1 : 1,
   };
 }
 
-function tilt(arm, moving) {
+function computeToolCosine(arm, moving) {
   const frames = linkFrames(
     arm,
     moving.map(() => 0),
@@ -92,60 +101,71 @@ function tilt(arm, moving) {
   return dot(frames[moving.at(-1)].z, frames.at(-1).z);
 }
 
-// The comparison
-
 /**
- * Compare two arms, choosing the signs of the axes that leave the fewest differences. The signs are
+ * Compare two tables with the signs of the axes that leave the fewest differences. The signs are
  * chosen gap by gap from the base, and for each sign of the last axis the cheapest choice is kept.
- * @param {AxisWalk} mine
- * @param {AxisWalk} reference
+ * @param {TableAxes} mine of the student's table
+ * @param {TableAxes} reference
  * @param {number} [length] tolerance of lengths (m)
  * @param {number} [angle] tolerance of angles (rad)
  * @returns {AxisComparison}
  */
 export function compareAxes(mine, reference, length = 1e-6, angle = 1e-4) {
-  const unlike = compareKinds(mine, reference);
-  if (unlike.length)
-    return { differences: unlike, signs: [], baseHigher: 0, upsideDown: false, tilts: [0, 0] };
-  const feet = compareFeet(mine, reference, length, angle);
-  const far = feet.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), 0);
+  const kindDifferences = compareKinds(mine, reference);
+  if (kindDifferences.length) {
+    const noBase = { baseHigher: 0, upsideDown: false };
+    return { differences: kindDifferences, signs: [], ...noBase, toolAngles: [0, 0] };
+  }
+  const baseDifferences = compareFirstAxes(mine, reference, length, angle);
+  const cost = [baseDifferences.length, addSizes(baseDifferences), 0];
   let best = new Map(
-    [1, -1].map((s) => [s, { cost: [feet.length, far, 0], signs: [s], found: feet }]),
+    [1, -1].map((sign) => [sign, { cost, signs: [sign], differences: baseDifferences }]),
   );
-  const sides = { mine, reference, within: { length, angle } };
-  for (const gap of mine.gaps.keys()) best = extendBest(sides, gap, best);
-  const ends = [...best].map(([last, { cost, signs, found }]) => {
-    /** @type {[number, number]} */
-    const tilts = [clampedAcos(mine.tilt), clampedAcos(last * reference.tilt)];
-    const note = Number(angleDistance(...tilts) > angle);
-    const total = signs.reduce((sum, s) => sum + s, 0);
-    return { cost: [cost[0], cost[1], cost[2] + note, -total], signs, differences: found, tilts };
-  });
-  const { signs, differences, tilts } = ends.reduce((p, q) => (isCheaper(q.cost, p.cost) ? q : p));
-  const turned = {
+  const comparison = { mine, reference, tolerances: { length, angle } };
+  for (const gap of mine.gaps.keys()) best = extendBest(comparison, gap, best);
+  const choices = [...best].map(([lastSign, choice]) => addTool(comparison, lastSign, choice));
+  const { signs, differences, toolAngles } = choices.reduce((p, q) =>
+    isCheaper(q.cost, p.cost) ? q : p,
+  );
+  return {
+    differences,
+    signs,
     baseHigher: measureBaseHeight(mine, reference, signs),
     upsideDown: isUpsideDown(mine, reference, signs),
+    toolAngles,
   };
-  return { differences, signs, ...turned, tilts };
 }
+
+// Add the angle of the tool to a choice of signs. A tool that points otherwise costs a remark, and
+// each negative sign costs least of all.
+function addTool({ mine, reference, tolerances }, lastSign, { cost, signs, differences }) {
+  /** @type {[number, number]} */
+  const toolAngles = [clampedAcos(mine.toolCosine), clampedAcos(lastSign * reference.toolCosine)];
+  const remarks = cost[2] + Number(angleDistance(...toolAngles) > tolerances.angle);
+  const total = signs.reduce((sum, sign) => sum + sign, 0);
+  return { cost: [cost[0], cost[1], remarks, -total], signs, differences, toolAngles };
+}
+
+const addSizes = (differences, start = 0) =>
+  differences.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), start);
 
 /**
  * Return whether two tables describe the same arm, whatever frames they choose.
  * @param {Row[]} mine @param {Row[]} reference
  */
 export function isSameMachine(mine, reference) {
-  const [ours, theirs] = [mine, reference].map(snapRows);
-  return !compareAxes(describeAxes(ours), describeAxes(theirs)).differences.length;
+  const [axes, referenceAxes] = [mine, reference].map((rows) => describeAxes(snapRows(rows)));
+  return !compareAxes(axes, referenceAxes).differences.length;
 }
 
-// Return whether z_0 points the other way. A level axis 1 cannot show it.
+// Return whether z_0 points down in one table only. A level axis 1 cannot show it.
 const isUpsideDown = (mine, reference, signs) =>
   !isLevel(mine) && signs[0] * mine.up * reference.up < 0;
 
 // Return whether axis 1 points neither up nor down.
-const isLevel = ({ axis }) => Math.abs(axis[2]) < TINY;
+const isLevel = ({ axis1 }) => Math.abs(axis1[2]) < AXIS_ROUND_OFF;
 
-// Return whether the costs p are lower than q: the first that differs decides.
+// Return whether cost p is lower than q. The first entry that differs decides.
 function isCheaper(p, q) {
   const k = p.findIndex((x, i) => x !== q[i]);
   return k >= 0 && p[k] < q[k];
@@ -158,45 +178,48 @@ const listSigns = (count) =>
   );
 
 // Return the cheapest choice of signs up to the end of a gap, for each sign of its last joint. Each
-// gap begins with the last joint of the previous one.
-function extendBest(sides, gap, best) {
-  const { joints: between } = sides.mine.gaps[gap];
-  const found = new Map();
-  for (const chosen of listSigns(between.length)) {
-    const choice = extendChoice(sides, gap, chosen, best.get(chosen[0]));
-    const last = chosen.at(-1);
-    if (!found.has(last) || isCheaper(choice.cost, found.get(last).cost)) found.set(last, choice);
+// gap begins with the last joint of the previous gap.
+function extendBest(comparison, gap, best) {
+  const choices = new Map();
+  for (const gapSigns of listSigns(comparison.mine.gaps[gap].joints.length)) {
+    const choice = extendChoice(comparison, gap, gapSigns, best.get(gapSigns[0]));
+    const last = gapSigns.at(-1);
+    if (!choices.has(last) || isCheaper(choice.cost, choices.get(last).cost))
+      choices.set(last, choice);
   }
-  return found;
+  return choices;
 }
 
-// Add the signs of a gap's joints to a choice. Its cost is the number of differences, then their
-// size, then the number of remarks.
-function extendChoice(
-  { mine, reference, within },
-  gap,
-  chosen,
-  { cost, signs: before, found: old },
-) {
+// Add the signs of a gap's joints to a choice. Its cost is the number of differences, then the sum
+// of their sizes, then the number of remarks.
+function extendChoice({ mine, reference, tolerances }, gap, gapSigns, choice) {
   const [m, r] = [mine.gaps[gap], reference.gaps[gap]];
-  const signs = new Map(m.joints.map((k, i) => [k, chosen[i]]));
-  const alike = isBaseHeightGap(m) && isBaseHeightGap(r) && `${m.bunch}` === `${r.bunch}`;
-  const note = alike && Math.abs(heightDifference(m, r, chosen[0])) > within.length;
-  const turned =
-    isUpsideDown(mine, reference, before) ||
-    (isLevel(mine) && before[0] * dot(mine.axis, reference.axis) < 0);
-  const fresh = compareGap(mine, m, r, signs, within);
-  const far = fresh.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), cost[1]);
-  const notes = cost[2] + Number(note) + Number(turned);
+  const signs = new Map(m.joints.map((k, i) => [k, gapSigns[i]]));
+  const setBaseHeight = isBaseHeightGap(m) && isBaseHeightGap(r) && haveSameParallelJoints(m, r);
+  const isHigher =
+    setBaseHeight && Math.abs(heightDifference(m, r, gapSigns[0])) > tolerances.length;
+  const isReversed =
+    isUpsideDown(mine, reference, choice.signs) ||
+    (isLevel(mine) && choice.signs[0] * dot(mine.axis1, reference.axis1) < 0);
+  const differences = compareGap(mine, m, r, signs, tolerances);
+  const size = addSizes(differences, choice.cost[1]);
+  const remarks = choice.cost[2] + Number(isHigher) + Number(isReversed);
   return {
-    cost: [cost[0] + fresh.length, Number(far.toFixed(9)), notes],
-    signs: [...before, ...chosen.slice(1)],
-    found: [...old, ...fresh],
+    cost: [choice.cost[0] + differences.length, Number(size.toFixed(9)), remarks],
+    signs: [...choice.signs, ...gapSigns.slice(1)],
+    differences: [...choice.differences, ...differences],
   };
 }
 
-/** @returns {Difference} */
-const difference = (key, [row, entry], [mine, reference], ends = [0, 0]) => ({
+const haveSameParallelJoints = (m, r) => `${m.parallelJoints}` === `${r.parallelJoints}`;
+
+/**
+ * @param {string} key @param {[number, string]} cell row and entry
+ * @param {any[]} values in the student's table and in the reference
+ * @param {number[]} [ends]
+ * @returns {Difference}
+ */
+const makeDifference = (key, [row, entry], [mine, reference], ends = [0, 0]) => ({
   key,
   row,
   entry,
@@ -205,119 +228,136 @@ const difference = (key, [row, entry], [mine, reference], ends = [0, 0]) => ({
   ends,
 });
 
-/** Return whether a gap's offset is the height of the base frame, and no slide makes up for it. */
-export const isBaseHeightGap = ({ fromBase, offset, bunch, joints: between, toTip }) =>
+/** Return whether a gap's offset is the height of the base frame, which no slide can change. */
+export const isBaseHeightGap = ({ fromBase, offset, parallelJoints, joints, toTip }) =>
   fromBase &&
   offset !== null &&
-  bunch.every((k, i) => k === i) &&
-  between.length + Number(toTip) === 2;
+  parallelJoints.every((k, i) => k === i) &&
+  joints.length + Number(toTip) === 2;
 
 const heightDifference = (m, r, sign) => sign * (r.offset ?? 0) - (m.offset ?? 0);
 
 function measureBaseHeight(mine, reference, signs) {
-  const [m, r] = [mine, reference].map((s) => s.gaps.find(isBaseHeightGap));
-  if (!m || !r || `${m.bunch}` !== `${r.bunch}`) return 0;
-  // The height is along the last of parallel axes, which may point the other way than axis 1.
-  const within = mine.gaps.slice(1, m.bunch.length);
-  const turned = within.reduce((x, g) => x * g.shape.get(`${g.joints}`), 1);
-  return mine.up * Math.round(turned) * heightDifference(m, r, signs[m.bunch.at(-1)]);
+  const [m, r] = [mine, reference].map(({ gaps }) => gaps.find(isBaseHeightGap));
+  if (!m || !r || !haveSameParallelJoints(m, r)) return 0;
+  // The height is measured along the last of the parallel axes, which may point against axis 1.
+  const parallelGaps = mine.gaps.slice(1, m.parallelJoints.length);
+  const cosine = parallelGaps.reduce((x, gap) => x * gap.shape.get(`${gap.joints}`), 1);
+  return mine.up * Math.round(cosine) * heightDifference(m, r, signs[m.parallelJoints.at(-1)]);
 }
 
 function compareKinds(mine, reference) {
-  const [ours, theirs] = [mine.joints, reference.joints];
-  if (ours.length !== theirs.length) {
-    const row = ours[Math.min(ours.length, theirs.length) - 1];
-    return [difference("table count", [row, "joints"], [ours.length, theirs.length])];
+  const [numbers, expectedNumbers] = [mine.joints, reference.joints];
+  const counts = [numbers.length, expectedNumbers.length];
+  if (counts[0] !== counts[1]) {
+    const row = numbers[Math.min(...counts) - 1];
+    return [makeDifference("table count", [row, "joints"], counts)];
   }
-  return ours.flatMap((i, k) => {
-    const [kind, wanted] = [mine.rows[i - 1].kind, reference.rows[theirs[k] - 1].kind];
-    return kind === wanted ? [] : [difference("table kind", [i, "joint"], [kind, wanted])];
+  return numbers.flatMap((number, k) => {
+    const kind = mine.rows[number - 1].kind;
+    const expected = reference.rows[expectedNumbers[k] - 1].kind;
+    if (kind === expected) return [];
+    return [makeDifference("table kind", [number, "joint"], [kind, expected])];
   });
 }
 
 // Compare the distance and the angle of axis 1 from z_0. Its direction is free.
-function compareFeet(mine, reference, length, angle) {
-  const [[far, lean], [other, wanted]] = [mine.foot, reference.foot];
+function compareFirstAxes(mine, reference, length, angle) {
   const ends = [0, mine.joints[0]];
-  const found = [];
-  if (Math.abs(lean - wanted) > angle)
-    found.push(difference("table lean", [1, "alpha"], [lean, wanted], ends));
-  if (Math.abs(far - other) > length)
-    found.push(difference("table foot", [1, "a"], [far, other], ends));
-  return found;
+  const differences = [];
+  const angles = [mine.axis1Angle, reference.axis1Angle];
+  if (Math.abs(angles[0] - angles[1]) > angle)
+    differences.push(makeDifference("table lean", [1, "alpha"], angles, ends));
+  const distances = [mine.axis1Distance, reference.axis1Distance];
+  if (Math.abs(distances[0] - distances[1]) > length)
+    differences.push(makeDifference("table foot", [1, "a"], distances, ends));
+  return differences;
 }
 
+// Compare gap m of the student's table with gap r of the reference, for the signs of its joints.
 function compareGap(mine, m, r, signs, { length, angle }) {
-  const found = [];
+  const differences = [];
   const first = mine.joints[m.joints[0]];
   if (Math.abs(m.length - r.length) > length) {
     const end = m.toTip ? 0 : mine.joints[m.joints.at(-1)];
-    found.push(difference("table distance", [first, "a"], [m.length, r.length], [first, end]));
+    differences.push(
+      makeDifference("table distance", [first, "a"], [m.length, r.length], [first, end]),
+    );
   }
-  const turned = compareTwists(mine, m, r, signs, angle);
-  found.push(...(turned.length ? turned : compareSlides(mine, m, r, signs, angle)));
-  if (m.fromBase || `${m.bunch}` !== `${r.bunch}` || m.offset === null || r.offset === null)
-    return found;
-  const wanted = signs.get(m.joints[0]) * r.offset;
-  if (Math.abs(m.offset - wanted) > length) {
-    const ends = [mine.joints[m.bunch[0]], mine.joints[m.bunch.at(-1)]];
-    found.push(difference("table along", [ends[1], "d"], [m.offset, wanted], ends));
+  const twists = compareTwists(mine, m, r, signs, angle);
+  differences.push(...(twists.length ? twists : compareSlides(mine, m, r, signs, angle)));
+  if (m.fromBase || !haveSameParallelJoints(m, r) || m.offset === null || r.offset === null)
+    return differences;
+  const expected = signs.get(m.joints[0]) * r.offset;
+  if (Math.abs(m.offset - expected) > length) {
+    const ends = [mine.joints[m.parallelJoints[0]], mine.joints[m.parallelJoints.at(-1)]];
+    differences.push(makeDifference("table along", [ends[1], "d"], [m.offset, expected], ends));
   }
-  return found;
+  return differences;
 }
 
 function compareTwists(mine, m, r, signs, angle) {
   return m.joints.slice(1).flatMap((j, k) => {
     const pair = [m.joints[k], j];
     const normal = `${[...pair, NORMAL_INDEX]}`;
-    const sided = m.joints.length === 2 && m.shape.has(normal) && r.shape.has(normal);
-    const [x, y] = [twist(m, pair, sided, new Map()), twist(r, pair, sided, signs)];
-    if (angleDistance(x, y) <= angle) return [];
+    const isSigned = m.joints.length === 2 && m.shape.has(normal) && r.shape.has(normal);
+    const twist = computeTwist(m, pair, isSigned, new Map());
+    const expected = computeTwist(r, pair, isSigned, signs);
+    if (angleDistance(twist, expected) <= angle) return [];
     const ends = pair.map((i) => mine.joints[i]);
-    return [difference("table between", [ends[0], "alpha"], [x, y], ends)];
+    return [makeDifference("table between", [ends[0], "alpha"], [twist, expected], ends)];
   });
 }
 
-// Return the angle between two axes: signed about their common normal if `sided`, else 0 to pi.
-function twist(gap, pair, sided, signs) {
-  const cosine = product(gap, pair, signs);
-  return sided
-    ? Math.atan2(product(gap, [...pair, NORMAL_INDEX], signs), cosine)
+// Return the angle between two axes, signed about their common normal or from 0 to pi.
+function computeTwist(gap, pair, isSigned, signs) {
+  const cosine = signedProduct(gap, pair, signs);
+  return isSigned
+    ? Math.atan2(signedProduct(gap, [...pair, NORMAL_INDEX], signs), cosine)
     : clampedAcos(cosine);
 }
 
-// Return a product of the gap's directions, each multiplied by its joint's sign.
-const product = (gap, which, signs) =>
-  which.reduce((x, k) => x * (signs.get(k) ?? 1), gap.shape.get(`${which}`));
+// Return the dot or triple signedProduct of a gap's directions, each multiplied by its joint's
+// sign.
+const signedProduct = (gap, directions, signs) =>
+  directions.reduce((x, k) => x * (signs.get(k) ?? 1), gap.shape.get(`${directions}`));
 
-// A slide does not turn: it holds the axes before and after it at a fixed angle about itself, and
-// the shortest line across it has a direction.
+// Compare the directions in a gap with a slide. A slide does not turn, so the axes before and after
+// it keep a fixed angle about it, and the common normal across it has a fixed direction.
 function compareSlides(mine, m, r, signs, angle) {
-  const slides = m.joints.some((k) => mine.rows[mine.joints[k] - 1].kind === "prismatic");
-  const both = slides ? [...m.shape.keys()].filter((key) => r.shape.has(key)) : [];
-  const off = (key) => Math.abs(m.shape.get(key) - product(r, key.split(",").map(Number), signs));
-  if (both.every((key) => off(key) <= angle)) return [];
-  const about = anglesAboutSlides(mine, m, r, signs).find(
-    ([, x, y]) => angleDistance(x, y) > angle,
+  const hasSlide = m.joints.some((k) => mine.rows[mine.joints[k] - 1].kind === "prismatic");
+  const keys = hasSlide ? [...m.shape.keys()].filter((key) => r.shape.has(key)) : [];
+  const isEqual = (key) => {
+    const expected = signedProduct(r, key.split(",").map(Number), signs);
+    return Math.abs(m.shape.get(key) - expected) <= angle;
+  };
+  if (keys.every(isEqual)) return [];
+  const wrongAngle = anglesAboutSlides(mine, m, r, signs).find(
+    ([, actual, expected]) => angleDistance(actual, expected) > angle,
   );
-  if (about) return [difference("table held", [about[0], "theta"], about.slice(1))];
+  if (wrongAngle) {
+    const [row, actual, expected] = wrongAngle;
+    return [makeDifference("table held", [row, "theta"], [actual, expected])];
+  }
   const [start, end] = [0, -1].map((k) => mine.joints[m.joints.at(k)]);
-  return [difference("table side", [start, "a"], [0, Math.PI], [start, m.toTip ? 0 : end])];
+  return [makeDifference("table side", [start, "a"], [0, Math.PI], [start, m.toTip ? 0 : end])];
 }
 
-// List for each slide between axes not parallel to it: its row, and in each table the angle about
-// it from the common normal before it to the one after it. Its direction is chosen near theta.
+// List the row of each slide with the angle about it in both tables, from the common normal before
+// it to the common normal after it. A slide parallel to all axes on one side of it has no such
+// angle.
 function anglesAboutSlides(mine, m, r, signs) {
-  const skew = (...pair) => 1 - m.shape.get(`${pair}`) ** 2 > TINY;
+  const areSkew = (...pair) => 1 - m.shape.get(`${pair}`) ** 2 > AXIS_ROUND_OFF;
   return m.joints.slice(1, -1).flatMap((k) => {
-    const before = m.joints.filter((i) => i < k && skew(i, k)).at(-1);
-    const after = m.joints.find((j) => j > k && skew(k, j));
+    const before = m.joints.filter((i) => i < k && areSkew(i, k)).at(-1);
+    const after = m.joints.find((j) => j > k && areSkew(k, j));
     if (before === undefined || after === undefined) return [];
     const [three, row] = [[before, k, after], mine.joints[k]];
-    // 2 rad instead of a right angle, where rounding would choose the direction.
-    const back =
+    // The slide's direction is chosen so that the angle is near theta. The bound is 2 rad, since at
+    // a right angle round-off would choose the direction.
+    const isReversed =
       angleDistance(angleAboutSecond(m, three, new Map(), 1), mine.rows[row - 1].theta) > 2;
-    const direction = back ? -1 : 1;
+    const direction = isReversed ? -1 : 1;
     return [
       [
         row,
@@ -328,23 +368,23 @@ function anglesAboutSlides(mine, m, r, signs) {
   });
 }
 
-// Return the angle about the second of three axes, from the common normal of the first two to that
-// of the last two.
+// Return the angle about the second of three axes, from the common normal of the first two axes to
+// the common normal of the last two.
 function angleAboutSecond(gap, three, signs, direction) {
   const [i, k, j] = three;
   const [u, v, w] = [
     [i, k],
     [k, j],
     [i, j],
-  ].map((pair) => product(gap, pair, signs));
-  const angle = Math.atan2(direction * product(gap, three, signs), direction * (u * v - w));
-  return angle < TINY - Math.PI ? Math.PI : angle;
+  ].map((pair) => signedProduct(gap, pair, signs));
+  const angle = Math.atan2(direction * signedProduct(gap, three, signs), direction * (u * v - w));
+  return angle < AXIS_ROUND_OFF - Math.PI ? Math.PI : angle;
 }
 
-/** Return acos of a cosine that rounding may have taken past 1. */
+/** Return acos of a cosine that round-off may have moved past 1. */
 export const clampedAcos = (cosine) => Math.acos(Math.max(-1, Math.min(1, cosine)));
 
-/** Return the distance of two angles, whole turns aside (rad). */
+/** Return the distance between two angles on the circle, 0 to pi. @param {number} left rad */
 export function angleDistance(left, right) {
   const turn = 2 * Math.PI;
   const over = (left - right + Math.PI) % turn;

@@ -1,5 +1,5 @@
-// Jacobians and gravity torques with mistakes in the table or in the recipe. Here a Jacobian is a
-// flat list of 6 x dof numbers, row by row, as people write it.
+// Computes Jacobians and gravity torques with mistakes in the table or in the recipe. Here a
+// Jacobian is a flat list of 6 x dof numbers, row by row, as people write it.
 
 import {
   cross,
@@ -7,9 +7,12 @@ import {
   movingRows,
   linkFrames,
   minus,
-  plus,
   scaled,
   revoluteFlags,
+  pointInBase,
+  pointInFrame,
+  vectorInBase,
+  vectorInFrame,
 } from "./kinematics.js";
 
 const ZERO = [0, 0, 0];
@@ -17,7 +20,7 @@ const ZERO = [0, 0, 0];
 /** @typedef {import("./arm.js").Row} Row */
 /** @typedef {import("./kinematics.js").Frame} Frame */
 /**
- * An arm at a pose. A mistake changes its table or its joint values.
+ * An arm at a pose. A mistake changes the arm's table or its joint values.
  * @typedef {object} Chain
  * @property {Row[]} rows
  * @property {number[]} q joint values (rad or m)
@@ -26,7 +29,7 @@ const ZERO = [0, 0, 0];
  * @property {number} dof
  */
 /**
- * Deviations from the Jacobian's recipe; a step that is absent is done right.
+ * Deviations from the Jacobian's recipe. A step that is absent is done right.
  * @typedef {object} RecipeOptions
  * @property {number[]} [axis] index of the frame whose z serves each joint
  * @property {number[]} [origin] index of the frame whose o serves each joint
@@ -36,7 +39,12 @@ const ZERO = [0, 0, 0];
  * @property {boolean} [crossed] whether z is crossed with the lever arm
  */
 
-/** @param {import("./arm.js").Rows} arm @param {number[]} q @returns {Chain} */
+/**
+ * Return an arm at a pose.
+ * @param {import("./arm.js").Rows} arm
+ * @param {number[]} q
+ * @returns {Chain}
+ */
 export const makeChain = (arm, q) => ({
   rows: arm.rows,
   q,
@@ -45,7 +53,7 @@ export const makeChain = (arm, q) => ({
   dof: q.length,
 });
 
-/** @param {Chain} c */
+/** Return the link frames of an arm at its pose. @param {Chain} c */
 export const chainFrames = (c) => linkFrames(c, c.q);
 
 /**
@@ -80,8 +88,8 @@ export function flatJacobian(c, T, options = {}) {
 }
 
 /**
- * Return frames whose axes are the rows of T, not its columns. The last row (0, 0, 0, 1) serves as
- * the origin.
+ * Return frames whose axes are the rows of T, as for somebody who takes rows for columns. The last
+ * row (0, 0, 0, 1) serves as the origin.
  * @param {Frame[]} T
  */
 export const swapRowsForColumns = (T) =>
@@ -90,12 +98,6 @@ export const swapRowsForColumns = (T) =>
     return { x: row(0), y: row(1), z: row(2), o: ZERO };
   });
 
-const inAxes = ({ x, y, z }, u) => [dot(x, u), dot(y, u), dot(z, u)];
-const fromAxes = ({ x, y, z }, u) => [
-  u[0] * x[0] + u[1] * y[0] + u[2] * z[0],
-  u[0] * x[1] + u[1] * y[1] + u[2] * z[1],
-  u[0] * x[2] + u[1] * y[2] + u[2] * z[2],
-];
 const addScaled = (u, k, v) => [u[0] + k * v[0], u[1] + k * v[1], u[2] + k * v[2]];
 
 /**
@@ -105,31 +107,35 @@ const addScaled = (u, k, v) => [u[0] + k * v[0], u[1] + k * v[1], u[2] + k * v[2
  * @param {number[]} [halves] to rotate: 0 linear, 1 angular
  */
 export const rotateIntoFrame = (J, frame, halves = [0, 1]) =>
-  rotateHalves(J, (u) => inAxes(frame, u), halves);
+  mapHalves(J, (v) => vectorInFrame(frame, v), halves);
 /** Rotate a Jacobian's rows from a frame's axes into the base's (R J). */
-export const rotateFromFrame = (J, frame) => rotateHalves(J, (u) => fromAxes(frame, u), [0, 1]);
+export const rotateFromFrame = (J, frame) => mapHalves(J, (v) => vectorInBase(frame, v), [0, 1]);
 
-function rotateHalves(J, rotate, halves) {
+// Convert the vectors in the linear half (0) or the angular half (1) of a Jacobian's columns.
+function mapHalves(J, convert, halves) {
   const dof = J.length / 6;
-  const made = J.slice();
+  const converted = J.slice();
   for (const half of halves) {
     for (let i = 3 * half * dof; i < (3 * half + 1) * dof; i++) {
-      const u = rotate([J[i], J[i + dof], J[i + 2 * dof]]);
-      for (let k = 0; k < 3; k++) made[i + k * dof] = u[k];
+      const v = convert([J[i], J[i + dof], J[i + 2 * dof]]);
+      for (let k = 0; k < 3; k++) converted[i + k * dof] = v[k];
     }
   }
-  return made;
+  return converted;
 }
 
 /**
- * Transpose a matrix of this shape, held row by row.
+ * Transpose a matrix that is given row by row.
  * @template T @param {T[]} flat @param {number[]} shape @returns {T[]}
  */
 export const transpose = (flat, [rows, width]) =>
   flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
-/** Join the linear rows of one Jacobian with the angular rows of another. */
-export const joinHalves = (v, w) => [...v.slice(0, v.length / 2), ...w.slice(w.length / 2)];
+/** Join the linear rows of a Jacobian with the angular rows of a second one. */
+export const joinHalves = (linear, angular) => [
+  ...linear.slice(0, linear.length / 2),
+  ...angular.slice(angular.length / 2),
+];
 
 /**
  * Return g(q), the torques (N m) and forces (N) that hold the arm up.
@@ -145,8 +151,7 @@ export function computeTorquesOfMasses(c, T, masses, centres, gravity) {
   let [mass, moment, k] = [0, ZERO, c.dof - 1];
   for (let row = c.rows.length - 1; row >= 0; row--) {
     mass += masses[row];
-    const centre = plus(fromAxes(T[row + 1], centres[row]), T[row + 1].o);
-    moment = addScaled(moment, masses[row], centre);
+    moment = addScaled(moment, masses[row], pointInBase(T[row + 1], centres[row]));
     if (c.at[k] !== row) continue;
     const { z, o } = T[row];
     const torque = -dot(z, cross(minus(moment, scaled(mass, o)), gravity));
@@ -156,22 +161,21 @@ export function computeTorquesOfMasses(c, T, masses, centres, gravity) {
   return torques;
 }
 
-/** Return the coordinates in frame `to` of a point given in frame `from`. */
-export const changeFrame = (from, to, point) =>
-  inAxes(to, minus(plus(fromAxes(from, point), from.o), to.o));
+/** Return the coordinates in frame `to` of a point in frame `from`. */
+export const changeFrame = (from, to, point) => pointInFrame(to, pointInBase(from, point));
 
-/** Return a wrench of the base's axes in those of a frame (R^T F). */
+/** Rotate a wrench from the base's axes into those of a frame (R^T F). */
 export const wrenchIntoFrame = (frame, F) => [
-  ...inAxes(frame, F.slice(0, 3)),
-  ...inAxes(frame, F.slice(3)),
+  ...vectorInFrame(frame, F.slice(0, 3)),
+  ...vectorInFrame(frame, F.slice(3)),
 ];
-/** Return a wrench of a frame's axes in those of the base (R F). */
+/** Rotate a wrench from a frame's axes into the base's (R F). */
 export const wrenchFromFrame = (frame, F) => [
-  ...fromAxes(frame, F.slice(0, 3)),
-  ...fromAxes(frame, F.slice(3)),
+  ...vectorInBase(frame, F.slice(0, 3)),
+  ...vectorInBase(frame, F.slice(3)),
 ];
 
-/** Return J^T F. @param {number[]} J @param {number[]} F */
+/** Return the joint torques J^T F. @param {number[]} J @param {number[]} F */
 export const multiplyByTranspose = (J, F) =>
   Array.from({ length: J.length / 6 }, (_, k) =>
     F.reduce((sum, f, i) => sum + J[(i * J.length) / 6 + k] * f, 0),

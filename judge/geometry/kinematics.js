@@ -1,18 +1,18 @@
-// Forward kinematics, Jacobian and gravity torques of an arm at one joint vector. The recursion is
-// that of helpers/kinematics.py and helpers/statics.py; a test compares the two.
+// Computes the link frames, the Jacobian and the gravity torques of an arm at one joint vector, by
+// the recursion of helpers/kinematics.py and helpers/statics.py. A test compares the two.
 
 /** @typedef {import("./arm.js").Arm} Arm */
 /** @typedef {import("./arm.js").Rows} Rows */
 /**
- * A vector in the base frame: three coordinates.
+ * Three coordinates, in the base frame if nothing else is said.
  * @typedef {number[]} Vector
  */
 /**
- * A frame in base coordinates: its axes and its origin.
+ * The axes and the origin of a frame in base coordinates.
  * @typedef {{ x: Vector, y: Vector, z: Vector, o: Vector }} Frame
  */
 
-export const GRAVITY = 9.81;
+export const GRAVITY = 9.81; // m/s²
 
 export const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 export const scaled = (k, v) => [k * v[0], k * v[1], k * v[2]];
@@ -24,6 +24,27 @@ export const cross = (u, v) => [
   u[0] * v[1] - u[1] * v[0],
 ];
 export const norm = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
+
+/** Return a frame's vector in the base's axes (R v). @param {Frame} frame @param {Vector} v */
+export const vectorInBase = ({ x, y, z }, v) => [
+  v[0] * x[0] + v[1] * y[0] + v[2] * z[0],
+  v[0] * x[1] + v[1] * y[1] + v[2] * z[1],
+  v[0] * x[2] + v[1] * y[2] + v[2] * z[2],
+];
+
+/** Return a vector of the base in a frame's axes (R^T v). @param {Frame} frame @param {Vector} v */
+export const vectorInFrame = ({ x, y, z }, v) => [dot(x, v), dot(y, v), dot(z, v)];
+
+/** Return a frame's point in base coordinates. @param {Frame} frame @param {Vector} point */
+export const pointInBase = (frame, point) => plus(vectorInBase(frame, point), frame.o);
+
+/**
+ * Return a point of the base in a frame's coordinates.
+ * @param {Frame} frame
+ * @param {Vector} point
+ */
+export const pointInFrame = (frame, point) => vectorInFrame(frame, minus(point, frame.o));
+
 // Return the linear combination a u + b v.
 const combine = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]];
 
@@ -65,7 +86,7 @@ export const jointNumbers = keptByRows((rows) => movingRows({ rows }).map((i) =>
 export const revoluteFlags = keptByRows((rows) =>
   movingRows({ rows }).map((i) => rows[i].kind === "revolute"),
 );
-/** Return the names of the joint values: q_1, q_2, ... @param {Rows} arm */
+/** Return the names q_1, q_2, ... of the joint values. @param {Rows} arm */
 export const jointNames = (arm) => jointNumbers(arm).map((i) => `q_${i}`);
 
 /**
@@ -115,8 +136,8 @@ export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
 }
 
 /**
- * Return dP/dq: the torque (N m) or force (N) with which each joint holds the arm up.
- * @param {Rows} arm rows with `body`, the mass and centre of mass
+ * Return the torque (N m) or force (N) dP/dq with which each joint holds the arm up.
+ * @param {Rows} arm rows with `body`, which has the mass and the centre of mass
  * @param {Frame[]} frames link frames
  * @param {number} [gravity] m/s²
  */
@@ -132,17 +153,17 @@ export function computeHoldingTorques(arm, frames, gravity = GRAVITY) {
   });
 }
 
-/** Return the links' potential energy, 0 at the base's height. @param {Rows} arm */
+/** Return the links' potential energy (J), 0 at the base's height. @param {Rows} arm */
 export const potentialEnergy = (arm, frames, gravity = GRAVITY) =>
   listBodies(arm, frames).reduce((sum, { mass, centre }) => sum + mass * gravity * centre[2], 0);
 
 // The bodies of the links, with their centres of mass in the base frame.
 const listBodies = (arm, frames) =>
-  arm.rows.flatMap((row, k) => (row.body ? [placeBody(row.body, frames[k + 1], k)] : []));
-
-function placeBody([mass, ...com], { x, y, z, o }, row) {
-  return { mass, row, centre: plus(o, plus(combine(com[0], x, com[1], y), scaled(com[2], z))) };
-}
+  arm.rows.flatMap(({ body }, row) => {
+    if (!body) return [];
+    const [mass, ...centre] = body;
+    return [{ mass, row, centre: pointInBase(frames[row + 1], centre) }];
+  });
 
 /**
  * Return J^T F, the joint torques of a wrench that the world exerts on the tool.
@@ -153,11 +174,11 @@ export const computeWrenchTorques = (columns, wrench) =>
   columns.map((column) => column.reduce((sum, entry, i) => sum + entry * wrench[i], 0));
 
 /**
- * Return the angle (rad) of the rotation from one frame to another.
- * @param {Frame} here @param {Frame} there
+ * Return the angle (rad) of the rotation between two frames.
+ * @param {Frame} from @param {Frame} to
  */
-export function rotationBetween(here, there) {
-  const [A, B] = [frameMatrix(here), frameMatrix(there)];
+export function rotationBetween(from, to) {
+  const [A, B] = [frameMatrix(from), frameMatrix(to)];
   const entry = (i, j) => A[0][i] * B[0][j] + A[1][i] * B[1][j] + A[2][i] * B[2][j];
   const R = [0, 1, 2].map((i) => [0, 1, 2].map((j) => entry(i, j)));
   const sine = norm([R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]]);

@@ -1,8 +1,8 @@
 // Linear algebra for small matrices.
 
 /**
- * Return the singular values of a matrix, falling, and its left singular vectors. One-sided Jacobi
- * on the rows is accurate for small singular values too.
+ * Return the singular values of a matrix, largest first, and its left singular vectors. One-sided
+ * Jacobi on the rows is accurate for small singular values too.
  * @param {number[][]} columns of the matrix
  * @param {number} [rows] number of rows used
  */
@@ -11,17 +11,19 @@ export function decomposeSingular(columns, rows = 6) {
   const u = Array.from({ length: rows }, (_, i) =>
     Array.from({ length: rows }, (_, j) => Number(i === j)),
   );
-  for (let sweep = 0, turned = true; turned && sweep < 30; sweep++) {
-    turned = false;
+  for (let sweep = 0, hasChanged = true; hasChanged && sweep < 30; sweep++) {
+    hasChanged = false;
     for (let i = 0; i < rows; i++)
-      for (let j = i + 1; j < rows; j++) turned = rotate(m, u, i, j) || turned;
+      for (let j = i + 1; j < rows; j++) hasChanged = orthogonalizeRows(m, u, i, j) || hasChanged;
   }
   const order = m.map((row, i) => [Math.hypot(...row), i]).sort((p, q) => q[0] - p[0]);
   return { values: order.map(([value]) => value), vectors: order.map(([, i]) => u[i]) };
 }
 
-function rotate(m, u, i, j) {
-  let [a, b, c] = [0, 0, 0];
+// Rotate rows i and j of m, and of u with them, until they are orthogonal in m. Return whether they
+// were not orthogonal before: their product exceeded round-off.
+function orthogonalizeRows(m, u, i, j) {
+  let [a, b, c] = [0, 0, 0]; // |m_i|², |m_j|², m_i · m_j
   for (let k = 0; k < m[i].length; k++) {
     a += m[i][k] * m[i][k];
     b += m[j][k] * m[j][k];
@@ -48,11 +50,11 @@ export function determinant(columns) {
   const m = columns.map((column) => [...column]);
   let det = 1;
   for (let k = 0; k < n; k++) {
-    const p = pivot(m, k, k);
+    const p = findPivot(m, k, k);
     if (m[p][k] === 0) return 0;
     if (p !== k) [m[p], m[k], det] = [m[k], m[p], -det];
     det *= m[k][k];
-    for (let i = k + 1; i < n; i++) reduce(m[i], m[k], k);
+    for (let i = k + 1; i < n; i++) eliminate(m[i], m[k], k);
   }
   return det;
 }
@@ -65,53 +67,57 @@ export function solveLinear(A, b) {
   const m = A.map((row, i) => [...row, b[i]]);
   const n = m.length;
   for (let k = 0; k < n; k++) {
-    const p = pivot(m, k, k);
+    const p = findPivot(m, k, k);
     [m[p], m[k]] = [m[k], m[p]];
-    for (let i = 0; i < n; i++) if (i !== k) reduce(m[i], m[k], k);
+    for (let i = 0; i < n; i++) if (i !== k) eliminate(m[i], m[k], k);
   }
   return m.map((row, i) => row[n] / row[i]);
 }
 
 /**
- * Return a basis of the same space with as many zeros as elimination gives, so that its directions
- * can be named.
- * @param {number[][]} vectors
+ * Return a basis of the same space with as many zeros as elimination gives. Its directions can then
+ * be named after coordinates.
+ * @param {number[][]} vectors of six components
  */
 export function simplifyBasis(vectors) {
   const m = vectors.map((v) => [...v]);
   let k = 0;
   for (let column = 0; column < 6 && k < m.length; column++) {
-    const p = pivot(m, k, column);
+    const p = findPivot(m, k, column);
     if (Math.abs(m[p][column]) < 1e-6) continue;
     [m[p], m[k]] = [m[k], m[p]];
-    for (let i = 0; i < m.length; i++) if (i !== k) reduce(m[i], m[k], column);
+    for (let i = 0; i < m.length; i++) if (i !== k) eliminate(m[i], m[k], column);
     k++;
   }
   return m.map((v) => v.map((x) => x / Math.hypot(...v)));
 }
 
-function pivot(m, from, column) {
-  let best = from;
-  for (let i = from; i < m.length; i++)
+// Return the row, from `firstRow` on, with the largest entry in a column.
+function findPivot(m, firstRow, column) {
+  let best = firstRow;
+  for (let i = firstRow; i < m.length; i++)
     if (Math.abs(m[i][column]) > Math.abs(m[best][column])) best = i;
   return best;
 }
 
-function reduce(row, by, column) {
-  const factor = row[column] / by[column];
-  for (let j = 0; j < row.length; j++) row[j] -= factor * by[j];
+// Subtract the multiple of the pivot row that makes the row's entry in a column 0.
+function eliminate(row, pivotRow, column) {
+  const factor = row[column] / pivotRow[column];
+  for (let j = 0; j < row.length; j++) row[j] -= factor * pivotRow[j];
 }
 
 /**
- * Return an orthonormal basis of a matrix's null space: joint rates that move nothing.
+ * Return an orthonormal basis of a matrix's null space. For a Jacobian these are the joint rates
+ * that leave the tip at rest.
  * @param {number[][]} columns
- * @param {number} [excluded] index of a joint that does not take part
+ * @param {number} [excluded] index of a joint that stays at rest
  */
 export function nullSpace(columns, excluded = -1) {
   const free = columns.map((_, k) => k).filter((k) => k !== excluded);
   if (!free.length) return [];
   const rows = columns[0].map((_, i) => free.map((k) => columns[k][i]));
   const { values, vectors } = decomposeSingular(rows, free.length);
+  // Singular values below 1e-5 of the largest count as 0, as for the page's self-motion.
   const tolerance = 1e-5 * Math.max(values[0], 1e-12);
   return vectors
     .filter((_, i) => values[i] <= tolerance)

@@ -1,9 +1,9 @@
-// An arm in the joint values of a student's table, which counts its joints otherwise.
+// Converts an arm to the joint values of a student's table, which counts the joints otherwise.
 
 import { findRowsFault } from "./arm.js";
 import { compareAxes, describeAxes } from "./axes.js";
 import { findJointMap } from "./joint_map.js";
-import { dot, linkFrames, minus, plus, scaled } from "./kinematics.js";
+import { dot, linkFrames, plus, pointInBase, pointInFrame, scaled } from "./kinematics.js";
 import { snapRows } from "./rows.js";
 
 /** @typedef {import("./arm.js").Arm} Arm */
@@ -19,7 +19,7 @@ export const toOwnJoints = ({ signs, offsets }, q) =>
   q.map((x, k) => signs[k] * (x - offsets[k]) + 0);
 
 /**
- * Return the reference arm with the student's rows; limits, home and bodies are converted.
+ * Return the reference arm with the student's rows and converted limits, home and bodies.
  * @param {Arm} reference
  * @param {{ rows: Row[] }} table the student's rows
  * @param {JointMap} map
@@ -53,9 +53,9 @@ function convertLimits({ lower, upper, speed, effort }, sign, offset) {
   return { lower: convert(first), upper: convert(last), speed, effort };
 }
 
-// Mass and centre of mass of each row of the student's table: a link of the reference goes to the
-// last row that moves with it. A link that is fixed to the base, for which there is no row, is left
-// out. Null if the reference has no bodies.
+// Return the mass and centre of mass of each row of the student's table. A link of the reference
+// goes to the last row that moves with it. A link that is fixed to the base has no row and is left
+// out. The result is null if the reference has no bodies.
 function convertBodies(reference, table, map) {
   if (!reference.rows.some(({ body }) => body)) return null;
   const frames = linkFrames(reference, map.offsets);
@@ -69,47 +69,41 @@ function convertBodies(reference, table, map) {
     const row = ownJoints.lastIndexOf(joint);
     if (row < 0) return;
     const [mass, ...centre] = reference.rows[i].body;
-    const point = toCoordinates(ownFrames[row + 1], fromCoordinates(frames[i + 1], centre));
+    const point = pointInFrame(ownFrames[row + 1], pointInBase(frames[i + 1], centre));
     totals[row].mass += mass;
     totals[row].moment = plus(totals[row].moment, scaled(mass, point));
   });
   return totals.map(({ mass, moment }) => [mass, ...(mass ? scaled(1 / mass, moment) : moment)]);
 }
 
-// For each row the number of joints that move its link.
+// Return for each row the number of joints that move its link.
 function countMovingRows(rows) {
   let count = 0;
   return rows.map(({ kind }) => (kind === "fixed" ? count : ++count));
 }
 
-const fromCoordinates = ({ x, y, z, o }, [u, v, w]) =>
-  plus(plus(plus(scaled(u, x), scaled(v, y)), scaled(w, z)), o);
-
-const toCoordinates = ({ x, y, z, o }, point) =>
-  [x, y, z].map((axis) => dot(axis, minus(point, o)));
-
 const LENGTH_TOLERANCE = 2e-3; // m: rows of a right table, typed to the millimetre
 const ANGLE_TOLERANCE = 5e-3; // rad: typed to two decimals or to half a degree
 
 /**
- * Return the reference arm in the joints of a student's table, ending in the reference's tool
- * frame; null if the table is that of another arm.
+ * Return the reference arm in the joints of a student's table. It ends in the reference's tool
+ * frame, and it is null if the table describes a different arm.
  * @param {Arm} reference
  * @param {Row[]} rows of the student's table
  * @param {string} name of the new arm
  * @returns {Arm | null}
  */
 export function findOwnArm(reference, rows, name) {
-  const [mine, ref] = [rows, reference.rows].map((table) => describeAxes(snapRows(table)));
-  const comparison = compareAxes(mine, ref, LENGTH_TOLERANCE, ANGLE_TOLERANCE);
+  const [own, ref] = [rows, reference.rows].map((table) => describeAxes(snapRows(table)));
+  const comparison = compareAxes(own, ref, LENGTH_TOLERANCE, ANGLE_TOLERANCE);
   if (comparison.differences.length) return null;
-  const map = findJointMap(mine, ref, comparison, LENGTH_TOLERANCE);
+  const map = findJointMap(own, ref, comparison, LENGTH_TOLERANCE);
   if (!map) return null;
-  const arm = expressInOwnJoints(reference, mine, map, name);
+  const arm = expressInOwnJoints(reference, own, map, name);
   return { ...arm, rows: [...arm.rows, ...makeToolRow(reference, arm, map)] };
 }
 
-// The fixed row from the student's last frame to the reference's; none if they are the same.
+// Return the fixed row from the student's last frame to the reference's, or none if they are equal.
 function makeToolRow(reference, arm, map) {
   const tool = linkFrames(reference, map.offsets).at(-1);
   const own = linkFrames(
@@ -136,7 +130,7 @@ export const formatRows = (rows) =>
     .join(", ");
 
 /**
- * Read rows from the text of a link or of the storage; null if it has none.
+ * Read rows from the text of a link or of the storage. The result is null if they make no arm.
  * @param {string} text
  * @returns {Row[] | null}
  */
@@ -144,7 +138,7 @@ export function parseRows(text) {
   const kinds = Object.entries(KIND_LETTERS);
   const rows = text.split(",").map((row) => {
     const [letter, ...entries] = row.trim().split(" ");
-    const kind = kinds.find(([, known]) => known === letter)?.[0];
+    const kind = kinds.find(([, kindLetter]) => kindLetter === letter)?.[0];
     const [a, alpha, d, theta] = entries.map(Number);
     return /** @type {Row} */ ({ kind, a, alpha, d, theta });
   });

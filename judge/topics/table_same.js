@@ -29,7 +29,7 @@ const MAX_MISTAKES = 3; // entries: a table with more of them chose other zeros 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
-/** @typedef {import("../geometry/axes.js").AxisWalk} AxisWalk */
+/** @typedef {import("../geometry/axes.js").TableAxes} TableAxes */
 /** @typedef {import("../geometry/joint_map.js").JointMap} JointMap */
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 /** @typedef {import("../verdict.js").Finding} Finding */
@@ -40,8 +40,8 @@ const MAX_MISTAKES = 3; // entries: a table with more of them chose other zeros 
  * @property {Arm} reference
  * @property {TableRow[]} rows
  * @property {TableRow[]} wanted
- * @property {AxisWalk} mine
- * @property {AxisWalk} ref
+ * @property {TableAxes} mine
+ * @property {TableAxes} ref
  */
 /**
  * Something that the question fixes and the table does not meet: a message without a full stop, the
@@ -71,7 +71,7 @@ export function judgeSameArm(sides, comparison, grade, tolerances) {
   const joints = listMappedJoints(map, listOwnNumbers(table, mine), ref);
   const names = { mine: table.name, reference: reference.name };
   const shared = { taken: table.assumptions, figures: { "same machine": true } };
-  const isToolReversed = angleDistance(...comparison.tilts) > 1;
+  const isToolReversed = angleDistance(...comparison.toolAngles) > 1;
   if (isIdentity(map, ref, grade) && !isToolReversed) {
     const headline = formatMessage(grade === RIGHT ? "table same" : "table rounded", names);
     return makeVerdict("table", reference, grade, headline, {
@@ -128,26 +128,26 @@ function findFault(sides, comparison, map, { length, startPose }) {
 
 /** Find a base frame that is elsewhere on axis 1, or upside down. @returns {Fault | null} */
 function findBaseFault({ table, mine }, { upsideDown, baseHigher }, map, length) {
-  const gap = mine.gaps.find(isBaseHeightGap)?.bunch.at(-1) ?? 0;
+  const gap = mine.gaps.find(isBaseHeightGap)?.parallelJoints.at(-1) ?? 0;
   const row = typedRowNumber(table, mine.joints[gap], "d");
   const where = `row ${row}, d`;
   if (upsideDown)
     return { message: formatMessage("base upside down"), where: "row 1, alpha", entry: "" };
   // If axis 1 leans from z_0, the height is measured along axis 1.
-  const higher = map && mine.foot[1] <= ANGLE_TOLERANCE ? map.base.o[2] : baseHigher;
+  const higher = map && mine.axis1Angle <= ANGLE_TOLERANCE ? map.base.o[2] : baseHigher;
   if (Math.abs(higher) <= length) return null;
   const height = formatNumber(roundTo(1000 * Math.abs(higher), 6), 4);
   const way = formatMessage(higher > 0 ? "higher" : "lower");
   return { message: formatMessage("base", { height, way, row }), where, entry: "d" };
 }
 
-// Find a last frame that leans otherwise. Which way its z axis points along the last joint axis is
-// the student's choice.
+// Find a last frame whose z axis is at a wrong angle to the last joint axis. The student may choose
+// the direction of z along that axis.
 /** @returns {Fault | null} */
-function findToolFault({ table, mine }, { tilts: [tilt, wanted] }) {
-  const off = Math.min(angleDistance(tilt, wanted), angleDistance(tilt, Math.PI - wanted));
-  if (off <= Math.max(ANGLE_TOLERANCE, 0.51 * table.angleUnit)) return null;
-  const [own, reference] = [tilt, wanted].map((x) => formatNumber(roundTo(x * DEG, 4), 4));
+function findToolFault({ table, mine }, { toolAngles: [angle, expected] }) {
+  const error = Math.min(angleDistance(angle, expected), angleDistance(angle, Math.PI - expected));
+  if (error <= Math.max(ANGLE_TOLERANCE, 0.51 * table.angleUnit)) return null;
+  const [own, reference] = [angle, expected].map((x) => formatNumber(roundTo(x * DEG, 4), 4));
   const row = typedRowNumber(table, mine.rows.length, "alpha");
   const message = formatMessage("tool", { mine: own, reference, row });
   return { message, where: `row ${row}, alpha`, entry: "alpha" };
