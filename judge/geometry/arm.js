@@ -1,10 +1,10 @@
-// The arm as plain data: its types, its limits, and arms made of tables that a reader types.
+// Defines an arm as plain data, and makes arms of the tables that a reader types.
 
 import { movingRows } from "./kinematics.js";
 
 /** @typedef {"revolute" | "prismatic" | "fixed"} Kind */
 /**
- * The part of a row that a table gives: the entries of Denavit and Hartenberg in rad and m.
+ * The part of a row that a table gives. Its Denavit-Hartenberg entries are in rad and m.
  * @typedef {object} TableRow
  * @property {Kind} kind
  * @property {number} a
@@ -13,7 +13,7 @@ import { movingRows } from "./kinematics.js";
  * @property {number} theta
  */
 /**
- * A row of an arm. A limit is null where none is known.
+ * The part of a row that no table gives. A limit is null if none is known.
  * @typedef {object} Limits
  * @property {number | null} [lower] rad or m
  * @property {number | null} [upper] rad or m
@@ -23,7 +23,7 @@ import { movingRows } from "./kinematics.js";
  */
 /** @typedef {TableRow & Limits} Row */
 /**
- * Whatever has the rows of a table, an arm for instance.
+ * An object with the rows of a table, such as an arm.
  * @typedef {{ rows: Row[] }} Rows
  */
 /**
@@ -51,9 +51,10 @@ import { movingRows } from "./kinematics.js";
 export const ROW_KINDS = ["revolute", "prismatic", "fixed"];
 export const MAX_ROWS = 16;
 export const MAX_LENGTH = 100; // m, of a length in a table
-export const MAX_ANGLE = 1000; // rad, of an angle in a table: a larger one is a typing error
+export const MAX_ANGLE = 1000; // rad, of an angle in a table; a larger angle is a typing error
 export const TYPED_ARM_NAME = "Your arm";
 
+// The entries of a row with their largest sizes.
 /** @type {[string, number][]} */
 const ENTRIES = [
   ["a", MAX_LENGTH],
@@ -63,7 +64,7 @@ const ENTRIES = [
 ];
 
 /**
- * Return what is wrong with rows from a link or a file, or null if they make an arm.
+ * Return the first fault of rows from a link or a file, or null if they make an arm.
  * @param {any} rows
  * @returns {string | null}
  */
@@ -83,7 +84,7 @@ export function findRowsFault(rows) {
 
 const NO_LIMITS = { lower: null, upper: null, speed: null, effort: null };
 
-// The entries of a row with the limits of another; a typed row has no masses.
+// Return the entries of a row with the limits of a second row. A typed row has no masses.
 const withLimits = (
   { kind, a, alpha, d, theta },
   /** @type {Limits} */ { lower, upper, speed, effort },
@@ -104,12 +105,12 @@ export const isSameRow = (p, q) =>
   p.kind === q.kind && ENTRIES.every(([key]) => Math.abs(p[key] - q[key]) < 1e-12);
 
 // Return whether two rows differ in lengths only, so that the joint keeps its zero and its sign.
-// The zero of a joint that slides is a length too.
+// The d of a prismatic joint must not differ, since it shifts the joint's zero.
 const differsInLengthsOnly = (row, other) =>
   other && isSameRow({ ...row, a: other.a, d: row.kind === "prismatic" ? row.d : other.d }, other);
 
-// Return how many fixed rows, such as a base, come before the rows of `base` in a table that
-// differs from it in lengths and in fixed rows before and behind only; -1 for another table.
+// Return how many fixed rows, such as a base, a table has before the rows of `base`. The result is
+// -1 if the table differs from `base` in more than lengths and fixed rows at its ends.
 function countRowsBefore(rows, base) {
   for (let before = 0; before <= rows.length - base.length; before++) {
     const isKept = (row, i) =>
@@ -120,8 +121,8 @@ function countRowsBefore(rows, base) {
 }
 
 /**
- * Return the arm that a typed table describes: `base` itself if no entry was changed. It keeps the
- * limits of `base` if only lengths were changed, and fixed rows added at the ends.
+ * Return the arm that a typed table describes. This is `base` itself if no entry was changed. The
+ * arm keeps the limits of `base` if only lengths were changed and fixed rows added at the ends.
  * @param {Row[]} rows
  * @param {Arm} base the arm whose table the reader began with
  * @returns {Arm}
@@ -140,8 +141,8 @@ export function makeTypedArm(rows, base) {
 }
 
 /**
- * Return the joint vector for an arm whose rows were changed: joints keep their values by row, new
- * joints start at 0.
+ * Return the joint vector for an arm whose rows were changed. Joints keep their values by row, and
+ * new joints start at 0.
  * @param {Arm} from
  * @param {number[]} q joint values of `from`
  * @param {Arm} to
@@ -167,7 +168,7 @@ export const isJointVector = (arm, q) =>
   Array.isArray(q) && q.length === movingRows(arm).length && q.every(Number.isFinite);
 
 /**
- * Return a joint's limits; half a turn or a metre either way where none are known.
+ * Return a joint's limits. An unknown limit is half a turn or a metre from zero.
  * @param {Row} row
  */
 export function jointRange(row) {
@@ -175,7 +176,7 @@ export function jointRange(row) {
   return [row.lower ?? -fallback, row.upper ?? fallback];
 }
 
-/** Return whether a joint value is past one of the row's limits. */
+/** Return whether a joint value is past a limit of its row by more than round-off. */
 export const isOutsideLimits = (row, value) =>
   value < (row.lower ?? -Infinity) - 1e-9 || value > (row.upper ?? Infinity) + 1e-9;
 
@@ -183,7 +184,10 @@ export const isOutsideLimits = (row, value) =>
 export const hasLimits = (arm) =>
   movingRows(arm).some((row) => arm.rows[row].lower !== null || arm.rows[row].upper !== null);
 
-/** Return how far the stretched arm reaches (m), a scale for drawings. @param {Rows} arm */
+/**
+ * Return about how far the stretched arm reaches (m), as a scale for drawings.
+ * @param {Rows} arm
+ */
 export const estimateReach = (arm) =>
   arm.rows.reduce(
     (sum, row) =>

@@ -1,19 +1,19 @@
-// All joint vectors that take the tip to a target, by the closed forms of helpers/inverse (elbow,
-// rod, stanford, spherical_wrist, ur, solutions). Free joints are at 0; sources are named there.
-// The chapters' forms stay beside inverse_structure.js: they give branches the chapters' names
-// (front, elbow up), and ur frees joint 6 where axes 4 and 6 are parallel. Solutions, free joints
-// and multiplicities of the others equal those by structure (tests/explorer/inverse.test.mjs).
+// Finds all joint vectors that take the tip to a target, by the closed forms of helpers/inverse,
+// which names the sources. Free joints are at 0. The chapters' forms stay beside
+// inverse_structure.js because they give branches the chapters' names, such as "front, elbow up".
+// Their solutions, free joints and multiplicities equal those by structure, except for joint 6 of
+// the form ur (tests/explorer/inverse.test.mjs).
 
 import { ArmError, formatNumber } from "../sentences.js";
 import { solveByStructure } from "./inverse_structure.js";
 import { solveUr } from "./inverse_ur.js";
-import { dot, linkFrames, minus } from "./kinematics.js";
+import { cross, dot, linkFrames, minus, vectorInFrame } from "./kinematics.js";
 import {
   collectBranches,
   solveShoulder,
-  ROUND_OFF,
+  VECTOR_ROUND_OFF,
   withTwist,
-  BOUNDARY,
+  BOUNDARY_DISTANCE,
   subtractOffset,
   SIDES,
   SINGULAR,
@@ -36,6 +36,7 @@ const RODS = ["rod out", "rod through"];
  * @property {number[]} q joint values (rad or m)
  * @property {boolean[]} free whether each joint may have any value here
  * @property {number} times how many branches coincide here: 1, 2, 4 or 8
+ * @property {number} [uncertainty] of the joint angles because of round-off (rad)
  */
 
 // Shoulders: the first three joints for a position
@@ -43,23 +44,26 @@ const RODS = ["rod out", "rod through"];
 /** @returns {Branch[]} */
 function solveElbow(arm, p) {
   const [first, second, third, tool] = arm.rows.map(withTwist);
-  const links = linksOf(second, third, tool?.d ?? 0);
+  const links = findLinks(second, third, tool?.d ?? 0);
   const plane = solveShoulder(first, links.offset, p);
   return collectBranches([SIDES, ELBOWS], (side, bend) => {
     const sign = first.sa * (side === bend ? -1 : 1);
-    const found = solveTwoLinks(links, [plane.x[side], plane.y], sign, second.theta);
-    if (!plane.exists || !found.exists) return null;
+    const elbow = solveTwoLinks(links, [plane.x[side], plane.y], sign, second.theta);
+    if (!plane.exists || !elbow.exists) return null;
     const q = [
       subtractOffset(plane.phi[side], first.theta),
-      subtractOffset(found.phi2, second.theta),
-      subtractOffset(second.ca * found.phi3, links.beta + third.theta),
+      subtractOffset(elbow.phi2, second.theta),
+      subtractOffset(second.ca * elbow.phi3, links.beta + third.theta),
     ];
-    const blur = plane.blur + found.blur;
-    return { q, free: [plane.free, found.free, false], merged: [plane.one, found.one], blur };
+    const free = [plane.free, elbow.free, false];
+    const uncertainty = plane.uncertainty + elbow.uncertainty;
+    return { q, free, merged: [plane.isDouble, elbow.isDouble], uncertainty };
   });
 }
 
-function linksOf(second, third, tool) {
+// Return the lengths of the two links, the angle `beta` of the second one from x_3 to its end, and
+// the offset of their plane from axis 1 (m, rad).
+function findLinks(second, third, tool) {
   const across = -tool * third.sa;
   return {
     upper: second.a,
@@ -78,37 +82,38 @@ function solveRod(arm, p) {
     const out = through ? -1 : 1;
     const length = out * Math.hypot(plane.x[side], plane.y);
     const lean = second.sa * out;
-    const central = Math.abs(length) < BOUNDARY;
+    const isAtCentre = Math.abs(length) < BOUNDARY_DISTANCE;
     const phi2 = Math.atan2(lean * plane.x[side], -lean * plane.y);
     const q = [
       subtractOffset(plane.phi[side], first.theta),
-      central ? 0 : subtractOffset(phi2, second.theta),
+      isAtCentre ? 0 : subtractOffset(phi2, second.theta),
       length - third.d - (tool?.d ?? 0),
     ];
-    const leaning = ROUND_OFF + Math.hypot(p[0], p[1]) * plane.blur;
-    const blur = plane.blur + (central ? 0 : leaning / Math.abs(length));
-    return { q, free: [plane.free, central, false], merged: [plane.one, central], blur };
+    const endUncertainty = VECTOR_ROUND_OFF + Math.hypot(p[0], p[1]) * plane.uncertainty; // m
+    const uncertainty = plane.uncertainty + (isAtCentre ? 0 : endUncertainty / Math.abs(length));
+    const free = [plane.free, isAtCentre, false];
+    return { q, free, merged: [plane.isDouble, isAtCentre], uncertainty };
   });
 }
 
 // A spherical wrist on a shoulder
 
-const toCentre = (arm) => ({
+const cutAtWristCentre = (arm) => ({
   ...arm,
   rows: [...arm.rows.slice(0, 3), { kind: "fixed", a: 0, alpha: 0, d: arm.rows[3].d, theta: 0 }],
 });
 
 /** @returns {Branch[]} */
-function solveDecoupled(solveShoulderFor, arm, target) {
+function solveDecoupled(solvePosition, arm, target) {
   const rows = arm.rows.map(withTwist);
   const tool = removeLastRow(rows[5], target);
-  const shoulder = toCentre(arm);
-  return solveShoulderFor(shoulder, tool.centre).flatMap(({ name, q, free, times, blur }) => {
+  const shoulder = cutAtWristCentre(arm);
+  return solvePosition(shoulder, tool.centre).flatMap(({ name, q, free, times, uncertainty }) => {
     const frame = linkFrames(shoulder, q).at(-1);
-    const seen = (v) => [dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)];
-    const { pairs, singular } = solveWrist(rows, seen(tool.x), seen(tool.z), blur);
-    return WRISTS.slice(0, singular ? 1 : 2).map((which, k) => ({
-      name: `${name}, ${which}`,
+    const [x, z] = [tool.x, tool.z].map((v) => vectorInFrame(frame, v));
+    const { pairs, singular } = solveWrist(rows, x, z, uncertainty);
+    return WRISTS.slice(0, singular ? 1 : 2).map((wrist, k) => ({
+      name: `${name}, ${wrist}`,
       times: singular ? 2 * times : times,
       q: [...q, ...pairs.map((pair, j) => wrapAngle(pair[k] - rows[3 + j].theta))],
       free: [...free, singular, false, false],
@@ -116,12 +121,12 @@ function solveDecoupled(solveShoulderFor, arm, target) {
   });
 }
 
-// Return both solutions of joints 4 to 6 from the tool's axes x and z in frame 3. Rounding may have
-// turned the first three joints by `blur` (rad).
-function solveWrist(rows, x, z, blur) {
+// Return both solutions of joints 4 to 6 from the tool's axes x and z in frame 3. Round-off may
+// have turned the first three joints by `uncertainty` (rad).
+function solveWrist(rows, x, z, uncertainty) {
   const [s4, s5] = [rows[3].sa, rows[4].sa];
   const cosine = -s4 * s5 * z[2];
-  const singular = Math.hypot(z[0], z[1]) < SINGULAR + blur;
+  const singular = Math.hypot(z[0], z[1]) < SINGULAR + uncertainty;
   const sine = singular ? 0 : Math.hypot(z[0], z[1]);
   const phi4 = singular ? rows[3].theta : Math.atan2(s5 * z[1], s5 * z[0]);
   const [c, s] = [Math.cos(phi4), Math.sin(phi4)];
@@ -141,49 +146,49 @@ function solveWrist(rows, x, z, blur) {
 
 // The closed form of an arm
 
-const kindsOf = (rows) => rows.map(({ kind }) => kind[0]).join("");
+const listKindLetters = (rows) => rows.map(({ kind }) => kind[0]).join("");
 
-function isElbow({ rows }) {
-  if (!["rrr", "rrrf"].includes(kindsOf(rows))) return false;
+function isElbowArm({ rows }) {
+  if (!["rrr", "rrrf"].includes(listKindLetters(rows))) return false;
   const [first, second, third, tool] = rows.map(withTwist);
-  const flat = first.a === 0 && first.ca === 0 && second.sa === 0 && second.a !== 0;
-  return flat && linksOf(second, third, tool?.d ?? 0).fore > 0 && !tool?.a;
+  const isPlanar = first.a === 0 && first.ca === 0 && second.sa === 0 && second.a !== 0;
+  return isPlanar && findLinks(second, third, tool?.d ?? 0).fore > 0 && !tool?.a;
 }
 
 function hasRod({ rows }) {
-  if (!["rrp", "rrpf"].includes(kindsOf(rows))) return false;
+  if (!["rrp", "rrpf"].includes(listKindLetters(rows))) return false;
   const [first, second, third] = rows.map(withTwist);
-  const square = first.ca === 0 && second.ca === 0 && third.sa === 0 && third.ca === 1;
-  return square && rows.every(({ a }) => a === 0);
+  const isRightAngled = first.ca === 0 && second.ca === 0 && third.sa === 0 && third.ca === 1;
+  return isRightAngled && rows.every(({ a }) => a === 0);
 }
 
-function hasWrist({ rows }) {
-  if (rows.length !== 6 || kindsOf(rows.slice(3)) !== "rrr") return false;
+function hasRightAngledWrist({ rows }) {
+  if (rows.length !== 6 || listKindLetters(rows.slice(3)) !== "rrr") return false;
   const [fourth, fifth] = rows.slice(3).map(withTwist);
   return fourth.a === 0 && fifth.a === 0 && fifth.d === 0 && fourth.ca === 0 && fifth.ca === 0;
 }
 
-function isUr({ rows }) {
-  if (kindsOf(rows) !== "rrrrrr") return false;
+function isUrArm({ rows }) {
+  if (listKindLetters(rows) !== "rrrrrr") return false;
   const [first, second, third, fourth, fifth] = rows.map(withTwist);
-  const meeting = [first, fourth, fifth].every(({ a, ca }) => a === 0 && ca === 0);
-  return meeting && second.sa === 0 && third.sa === 0 && second.a * third.a !== 0;
+  const areRightAngled = [first, fourth, fifth].every(({ a, ca }) => a === 0 && ca === 0);
+  return areRightAngled && second.sa === 0 && third.sa === 0 && second.a * third.a !== 0;
 }
 
 const FORMS = {
-  elbow: { fits: isElbow, solve: solveElbow, pose: false },
+  elbow: { fits: isElbowArm, solve: solveElbow, pose: false },
   rod: { fits: hasRod, solve: solveRod, pose: false },
   stanford: {
-    fits: (arm) => hasWrist(arm) && hasRod(toCentre(arm)),
+    fits: (arm) => hasRightAngledWrist(arm) && hasRod(cutAtWristCentre(arm)),
     solve: (arm, target) => solveDecoupled(solveRod, arm, target),
     pose: true,
   },
   spherical_wrist: {
-    fits: (arm) => hasWrist(arm) && isElbow(toCentre(arm)),
+    fits: (arm) => hasRightAngledWrist(arm) && isElbowArm(cutAtWristCentre(arm)),
     solve: (arm, target) => solveDecoupled(solveElbow, arm, target),
     pose: true,
   },
-  ur: { fits: isUr, solve: solveUr, pose: true },
+  ur: { fits: isUrArm, solve: solveUr, pose: true },
   solutions: { fits: (arm) => isSolvedForPoses(arm) === true, solve: solveByStructure, pose: true },
   positions: {
     fits: (arm) => isSolvedForPoses(arm) === false,
@@ -192,26 +197,26 @@ const FORMS = {
   },
 };
 
-// Return whether the structure of an arm is solved for poses, not for points; null without a
-// structure.
+// Return whether the structure of an arm is solved for poses, not for points. It is null for an arm
+// without a structure.
 function isSolvedForPoses(arm) {
   const structure = findStructure(arm);
   return structure && !["position", "two links"].includes(structure.kind);
 }
 
 /**
- * Return the name of the arm's closed form, which for taught arms is that in helpers.inverse; null
- * if it has none.
+ * Return the name of the arm's closed form, or null if it has none. For the arms of the chapters it
+ * is the name of the function in helpers.inverse.
  * @param {Arm} arm
  */
 export const findClosedForm = (arm) =>
   Object.keys(FORMS).find((name) => FORMS[name].fits(arm)) ?? null;
 
-/** Return whether a closed form takes poses as targets, not points. */
+/** Return whether the targets of a closed form are poses, not points. @param {string} form */
 export const needsPose = (form) => FORMS[form].pose;
 
 /**
- * Solve the inverse kinematics of one target.
+ * Find all branches of the inverse kinematics for a target.
  * @param {Arm} arm
  * @param {string} form name of the closed form
  * @param {any} target three coordinates (m), or a frame where the form needs a pose
@@ -222,11 +227,13 @@ export function solveInverse(arm, form, target) {
   return FORMS[form].solve(arm, target);
 }
 
+// As in helpers/poses.py.
+const LARGEST_ROTATION_ERROR = 1e-6;
+
 function checkRigid(arm, { x, y, z }) {
-  const third = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
-  const gaps = [...minus(third, z), ...[x, y, z].map((v) => dot(v, v) - 1)];
-  const error = Math.max(...gaps.map(Math.abs));
-  if (error > 1e-6) {
+  const errors = [...minus(cross(x, y), z), ...[x, y, z].map((v) => dot(v, v) - 1)];
+  const error = Math.max(...errors.map(Math.abs));
+  if (error > LARGEST_ROTATION_ERROR) {
     throw new ArmError(
       `${arm.name}: a target is no rigid transform, by ${formatNumber(error, 2)};` +
         " expected a rotation and a position over (0, 0, 0, 1)",

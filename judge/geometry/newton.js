@@ -3,23 +3,23 @@
 import { cross, dot, jacobianColumns, linkFrames, minus, plus } from "./kinematics.js";
 import { solveLinear } from "./linear.js";
 
-const VALID = 1e-9; // m and rad
+const VALID = 1e-9; // m and rad: largest pose error of a solution
 const FINISHED_FROM = 1e-6; // largest pose error (m, rad) to start from with an exact closed form
 const NEARLY_FINISHED_FROM = 1e-2; // the same for axes that meet or are parallel only nearly
 
 /**
- * Return joint values near q that reach the target to 1e-9; null if there are none.
+ * Return joint values near q that reach the target to 1e-9, or null if there are none.
  * @param {import("./arm.js").Arm} arm
  * @param {boolean} isExact
  * @param {any} target a point or a frame
  * @param {number[]} q
  */
 export function finishByNewton(arm, isExact, target, q) {
-  const near = isExact ? FINISHED_FROM : NEARLY_FINISHED_FROM;
+  const startLimit = isExact ? FINISHED_FROM : NEARLY_FINISHED_FROM;
   let [best, error] = [q, poseError(arm, target, q)];
   for (let k = 0; k < 4; k++) {
     const worst = largest(error);
-    if (worst < VALID / 1000 || worst >= near) break;
+    if (worst < VALID / 1000 || worst >= startLimit) break;
     const step = newtonStep(arm, best, error);
     if (largest(step) > 0.1) break;
     const trial = best.map((x, i) => x + step[i]);
@@ -32,7 +32,7 @@ export function finishByNewton(arm, isExact, target, q) {
 
 const largest = (v) => Math.max(...v.map(Math.abs));
 
-// J^T (J J^T + k I)^-1 error; k keeps the step finite next to a singular pose.
+// Return J^T (J J^T + k I)^-1 error. The small k keeps the step finite near a singular pose.
 function newtonStep(arm, q, error) {
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c) => c.slice(0, error.length));
   const normal = error.map((_, i) =>
@@ -42,8 +42,9 @@ function newtonStep(arm, q, error) {
   return columns.map((c) => c.reduce((sum, x, i) => sum + x * y[i], 0));
 }
 
-// Return the error from the tip to the target: m, then the rotation vector's sines. 1 is added to
-// these beyond 90 degrees, since the sine of half a turn is 0 too.
+// Return the error from the tip to the target. It holds the position's error (m) and, for a pose,
+// the rotation vector's sines. 1 is added to the sines beyond 90°, since the sine of half a turn is
+// 0.
 function poseError(arm, target, q) {
   const { x, y, z, o } = linkFrames(arm, q).at(-1);
   if (Array.isArray(target)) return minus(target, o);

@@ -1,4 +1,5 @@
-// Paths of the tip, as helpers/motion/paths.py makes them: position and velocity at any time.
+// Makes paths of the tip, as helpers/motion/paths.py does. A path has a position and a velocity at
+// any time.
 
 import { cross, linkFrames } from "./kinematics.js";
 
@@ -17,8 +18,9 @@ const UNIT = [
 ];
 
 /**
- * Make a path of samples from Python: time, position and velocity. It is NaN at all other times.
+ * Make a path of samples from Python. It is NaN at all times without a sample.
  * @param {{ times: number[], at: [number, number[], number[]][], normal: number[] }} samples
+ *   `at` has the time, the position and the velocity of each sample
  * @param {Set<number>} wanted collects the times that were asked for and have no sample
  * @returns {Path}
  */

@@ -1,16 +1,16 @@
-// The entries of a table's row: those that are angles, and the one that its joint changes.
+// Classifies the entries of a table's row and moves angles to the right angles nearby.
 
-// rad: angles are often typed with four decimals
+// rad: angles are often typed with four decimals.
 export const ANGLE_TOLERANCE = 1e-4;
 
-/** @param {string} column */
+/** Return whether the entries of a column are angles. @param {string} column */
 export const isAngleColumn = (column) => column === "alpha" || column === "theta";
 
-/** Return the entry that a joint of this kind changes; undefined for a fixed row. */
+/** Return the entry that a joint of this kind changes, or undefined for a fixed row. */
 export const jointColumn = (kind) => ({ revolute: "theta", prismatic: "d" })[kind];
 
 /**
- * Return the multiple of a right angle that an angle is close to, or else the angle itself.
+ * Return the multiple of a right angle near an angle, or the angle itself if none is near.
  * @param {number} angle rad
  * @param {number} [unit] of its last typed digit (rad)
  */

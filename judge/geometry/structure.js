@@ -1,64 +1,65 @@
-// The structure of an arm that gives its inverse kinematics a closed form: which joint axes, as
-// lines at a generic pose, meet in a point or are parallel. As helpers/inverse/structure.py, which
-// gives the sources; a test holds the two equal.
+// Finds which joint axes of an arm meet in a point or are parallel, which gives its inverse
+// kinematics a closed form. helpers/inverse/structure.py does the same and names the sources; a
+// test compares the two.
 
 import { cross, dot, linkFrames, minus, movingRows, norm, plus, scaled } from "./kinematics.js";
 import { decomposeSingular, solveLinear } from "./linear.js";
 
 /** @typedef {import("./arm.js").Arm} Arm */
-/** @typedef {number[]} Vector three components */
-/** @typedef {{ x: Vector, y: Vector, z: Vector, o: Vector }} Frame */
+/** @typedef {import("./kinematics.js").Frame} Frame */
+/** @typedef {import("./kinematics.js").Vector} Vector */
 /** @typedef {{ direction: Vector, point: Vector, turns: boolean }} Axis a joint's axis as a line */
 /**
  * @typedef {object} Structure
  * @property {"wrist" | "first three meet" | "parallel" | "planar" | "position" | "two links"} kind
  * @property {Axis[]} axes one for each joint, at the pose `reference`
- * @property {number} size the length of the arm from axis to axis, in m
+ * @property {number} size length of the arm from axis to axis (m)
  * @property {number[]} reference the generic pose
- * @property {Frame} tip the tip's frame there
+ * @property {Frame} tip the tip's frame at that pose
  * @property {Vector} [centre] the point where three axes meet
  * @property {number} [first] the index of the first of three parallel axes
- * @property {number} gap by how much the axes miss the structure (rad, or lengths over the size)
+ * @property {number} gap largest deviation of the axes from the structure (rad, or lengths divided
+ *   by the size)
  */
 
-const NEARLY = 1e-4; // rad, or lengths over the arm's size: as in Python
-export const EXACT = 1e-10; // below this the closed form needs no finishing by Newton's method
-// Any pose at which no two axes coincide by chance.
-const GENERIC = [0.86, 1.11, 0.99, 0.5, 0.57, 1.08];
+// rad, or lengths divided by the arm's size. Files round angles to four digits, and calibrated arms
+// deviate from their design by about as much.
+const STRUCTURE_TOLERANCE = 1e-4;
+// The largest gap that round-off leaves; the closed form then needs no steps of Newton's method.
+export const EXACT = 1e-10;
+// Joint values (rad or m) at which no two axes coincide by chance.
+const GENERIC_POSE = [0.86, 1.11, 0.99, 0.5, 0.57, 1.08];
 
 /** @type {WeakMap<Arm, Structure | null>} */
-const known = new WeakMap();
+const structures = new WeakMap();
 
-/**
- * The structure of an arm, or null where it has none.
- * @param {Arm} arm
- */
+/** Return the structure of an arm, or null if it has none. @param {Arm} arm */
 export function findStructure(arm) {
-  if (!known.has(arm)) known.set(arm, classifyAxes(axesAtGenericPose(arm)));
-  return known.get(arm) ?? null;
+  if (!structures.has(arm)) structures.set(arm, classifyAxes(axesAtGenericPose(arm)));
+  return structures.get(arm) ?? null;
 }
 
 /** @returns {Structure | null} */
-function classifyAxes(base) {
-  const { axes, size } = base;
+function classifyAxes(pose) {
+  const { axes, size } = pose;
   const turns = axes.map((axis) => axis.turns);
-  const isParallel = axes.length > 1 && parallelGap(axes) < NEARLY;
-  if (axes.length === 6) return classifySix(base);
+  const isParallel = axes.length > 1 && parallelGap(axes) < STRUCTURE_TOLERANCE;
+  if (axes.length === 6) return classifySix(pose);
   if (turns.filter(Boolean).length === 3 && axes.length < 5 && isParallel)
-    return { kind: "planar", ...base, gap: parallelGap(axes) };
+    return { kind: "planar", ...pose, gap: parallelGap(axes) };
   if (axes.length === 3) {
     const gap = crossingGap(axes, size);
-    return gap < NEARLY ? { kind: "position", ...base, gap } : null;
+    return gap < STRUCTURE_TOLERANCE ? { kind: "position", ...pose, gap } : null;
   }
   if (axes.length === 2 && turns.every(Boolean) && isParallel)
-    return { kind: "two links", ...base, gap: parallelGap(axes) };
+    return { kind: "two links", ...pose, gap: parallelGap(axes) };
   return null;
 }
 
 /** @returns {Structure | null} */
-function classifySix(base) {
-  const { axes, size } = base;
-  const spherical = [
+function classifySix(pose) {
+  const { axes, size } = pose;
+  const sphericalKinds = [
     { kind: /** @type {const} */ ("wrist"), three: axes.slice(3), placing: axes.slice(0, 3) },
     {
       kind: /** @type {const} */ ("first three meet"),
@@ -66,11 +67,11 @@ function classifySix(base) {
       placing: axes.slice(3).reverse(),
     },
   ];
-  for (const { kind, three, placing } of spherical) {
-    const met = meetingPoint(three, size);
+  for (const { kind, three, placing } of sphericalKinds) {
+    const centre = meetingPoint(three, size);
     const gap = crossingGap(placing, size);
-    if (met && gap < NEARLY)
-      return { kind, ...base, centre: met.point, gap: Math.max(met.gap, gap) };
+    if (centre && gap < STRUCTURE_TOLERANCE)
+      return { kind, ...pose, centre: centre.point, gap: Math.max(centre.gap, gap) };
   }
   if (!axes.every((axis) => axis.turns)) return null;
   for (let first = 0; first < 4; first++) {
@@ -80,20 +81,23 @@ function classifySix(base) {
       if (others[i + 1] !== others[i] + 1) return [];
       return meetingPoint([axes[others[i]], axes[others[i + 1]]], size)?.gap ?? [];
     });
-    if (gap < NEARLY && gaps.length)
-      return { kind: "parallel", ...base, first, gap: Math.max(gap, Math.min(...gaps)) };
+    if (gap < STRUCTURE_TOLERANCE && gaps.length)
+      return { kind: "parallel", ...pose, first, gap: Math.max(gap, Math.min(...gaps)) };
   }
   return null;
 }
 
-/** @param {Arm} arm */
+/**
+ * Return the joint axes as lines, the arm's size and its tip at the generic pose.
+ * @param {Arm} arm
+ */
 function axesAtGenericPose(arm) {
   const moving = movingRows(arm);
-  const reference = moving.map((_, k) => GENERIC[k % 6]);
+  const reference = moving.map((_, k) => GENERIC_POSE[k % 6]);
   const frames = linkFrames(arm, reference);
   let [last, size] = [frames[0].o, 0];
-  // The foot of the perpendicular from the point before: common normals of nearly parallel axes may
-  // lie far away.
+  // Each axis gets the point nearest to the previous axis's point, since common normals of nearly
+  // parallel axes may lie far away.
   const axes = moving.map((row) => {
     const { z, o } = frames[row];
     const point = plus(o, scaled(dot(z, minus(last, o)), z));
@@ -106,43 +110,50 @@ function axesAtGenericPose(arm) {
 }
 
 /**
- * Return the point where revolute axes meet, and their largest distance from it relative to the
- * arm's size; null if they do not meet.
+ * Return the point where revolute axes meet, or null if they do not meet.
  * @param {Axis[]} axes
+ * @param {number} size of the arm (m)
+ * @returns {{ point: Vector, gap: number } | null} gap: the axes' largest distance from the point,
+ *   divided by the size
  */
 export function meetingPoint(axes, size) {
   if (!axes.every((axis) => axis.turns)) return null;
   for (let k = 1; k < axes.length; k++)
-    if (norm(cross(axes[k - 1].direction, axes[k].direction)) < NEARLY) return null;
+    if (norm(cross(axes[k - 1].direction, axes[k].direction)) < STRUCTURE_TOLERANCE) return null;
   const normals = axes.map(({ direction: h }) =>
     h.map((x, i) => h.map((y, j) => Number(i === j) - x * y)),
   );
-  const sum = [0, 1, 2].map((i) => [0, 1, 2].map((j) => total(normals.map((P) => P[i][j]))));
-  const right = [0, 1, 2].map((i) => total(axes.map(({ point }, k) => dot(normals[k][i], point))));
-  const point = solveLinear(sum, right);
-  const misses = axes.map((axis) => norm(cross(axis.direction, minus(point, axis.point))));
-  const gap = Math.max(...misses) / size;
-  return gap < NEARLY ? { point, gap } : null;
+  const sum = [0, 1, 2].map((i) => [0, 1, 2].map((j) => addUp(normals.map((P) => P[i][j]))));
+  const rightSide = [0, 1, 2].map((i) =>
+    addUp(axes.map(({ point }, k) => dot(normals[k][i], point))),
+  );
+  const point = solveLinear(sum, rightSide);
+  const distances = axes.map((axis) => norm(cross(axis.direction, minus(point, axis.point))));
+  const gap = Math.max(...distances) / size;
+  return gap < STRUCTURE_TOLERANCE ? { point, gap } : null;
 }
 
-const total = (numbers) => numbers.reduce((sum, x) => sum + x, 0);
+const addUp = (numbers) => numbers.reduce((sum, x) => sum + x, 0);
 
+// Return the largest sine of the angle between neighbouring axes.
 /** @param {Axis[]} axes */
 const parallelGap = (axes) =>
   Math.max(...axes.slice(1).map((axis, k) => norm(cross(axes[k].direction, axis.direction))));
 
-// Measure how far the curves of joints 1 and 3 are from a closed form of their crossings: 0 if one
-// is a segment, or if both are parabolas or circles of one kind.
+// Measure how far the curves of joints 1 and 3 are from two curves whose crossings have a closed
+// form. It is 0 if either curve is a segment, or if both are parabolas or both are circles.
 function crossingGap([first, second, third], size) {
   if (!first.turns && !third.turns) return 0;
-  const widths = [first, third].map((axis) => flatnessOf(axis, second, size).width);
+  const widths = [first, third].map((axis) => findFlatness(axis, second, size).width);
   if (!second.turns && first.turns && third.turns) widths.push(parallelGap([first, third]));
   return Math.min(...widths);
 }
 
 /**
- * Return the curve on which a joint moves a point: centre + X cos q + Y sin q, or centre + X q.
- * @param {Axis} axis @param {Vector} point
+ * Return the curve on which a joint moves a point. A revolute joint moves it along
+ * centre + X cos q + Y sin q, a prismatic joint along centre + X q.
+ * @param {Axis} axis
+ * @param {Vector} point (m)
  */
 export function jointCurve(axis, point) {
   if (!axis.turns) return { centre: point, X: axis.direction, Y: [0, 0, 0], turns: false };
@@ -152,10 +163,13 @@ export function jointCurve(axis, point) {
 }
 
 /**
- * Return the two numbers that joint 2 does not change, as A (x, y) + b along a curve, where
- * (x, y) = (cos q, sin q) or (q, q^2). For a revolute joint 2 they are the height along its axis
- * and the squared distance from it over twice the arm's size; for a slide, two coordinates across.
- * @param {Axis} second
+ * Return the two numbers of a point on a curve that joint 2 does not change. Along the curve they
+ * are A (x, y) + b, where (x, y) = (cos q, sin q) for a revolute joint and (q, q^2) for a slide. If
+ * joint 2 is revolute, they are the height along its axis and the squared distance from it, divided
+ * by twice the arm's size. If it is a slide, they are the two coordinates across its axis.
+ * @param {Axis} second axis of joint 2
+ * @param {ReturnType<typeof jointCurve>} curve
+ * @param {number} size of the arm (m)
  */
 export function invariants(second, { centre, X, Y, turns }, size) {
   const h = second.direction;
@@ -174,7 +188,7 @@ export function invariants(second, { centre, X, Y, turns }, size) {
   return { A, b: [dot(h, r), square / (2 * size)], turns };
 }
 
-/** @param {Vector} direction */
+/** Return a unit vector at a right angle to a direction. @param {Vector} direction */
 export function unitAcross(direction) {
   const least = direction.map(Math.abs).indexOf(Math.min(...direction.map(Math.abs)));
   const e = cross(
@@ -185,16 +199,21 @@ export function unitAcross(direction) {
 }
 
 /**
- * Return the directions along and across a joint's curve in the plane of the two invariants, and
- * its width over its length, 0 for a segment. They depend on the two axes, not on the point.
- * @param {Axis} axis @param {Axis} second
+ * Return how flat a joint's curve is in the plane of the two invariants. This depends on the axes
+ * of the joint and of joint 2, not on the point that the joint moves.
+ * @param {Axis} axis of the joint
+ * @param {Axis} second axis of joint 2
+ * @param {number} size of the arm (m)
+ * @returns {{ along: number[], across: number[], width: number }} the directions of the curve's
+ *   length and width, and the width divided by the length: 0 for a segment
  */
-export function flatnessOf(axis, second, size) {
+export function findFlatness(axis, second, size) {
   const point = plus(axis.point, scaled(size, [0.3, -0.7, 0.5]));
   const { A } = invariants(second, jointCurve(axis, point), size);
   const columns = [0, 1].map((j) => [A[0][j], A[1][j]]);
   const { values, vectors } = decomposeSingular(columns, 2);
-  // Roots are named by their sign, so a direction must not depend on the library that found it.
+  // Solutions are named by the sign of a root, so the sign of a direction must not depend on the
+  // library that computed it.
   const [along, across] = [0, 1].map((k) => {
     const [x, y] = vectors[k];
     return (Math.abs(x) > 1e-6 ? x : y) < 0 ? [-x, -y] : [x, y];
@@ -202,4 +221,5 @@ export function flatnessOf(axis, second, size) {
   return { along, across, width: values[0] > 0 ? values[1] / values[0] : 0 };
 }
 
-export const isFlat = ({ width }) => width < NEARLY;
+/** Return whether a curve counts as a segment. */
+export const isFlat = ({ width }) => width < STRUCTURE_TOLERANCE;
