@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from helpers import kinematics, statics, symbolic
 from helpers.arm import Arm
-from helpers.formulas import short, short_names
+from helpers.formulas import abbreviate, short_names
 from helpers.inputs import ArmError, require_type
 from helpers.polynomials import is_long
 from helpers.stepwise import StepwiseFormulas, stepwise_formulas
@@ -164,8 +164,8 @@ class AnswerSheet:
         }
         pairs = [(symbol, function) for function, symbol in names.items()]
         definitions = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
-        definitions |= {step: short(formula) for step, formula in steps.items()}
-        return Answer(name, short(value), self.home_values[name], definitions)
+        definitions |= {step: abbreviate(formula) for step, formula in steps.items()}
+        return Answer(name, abbreviate(value), self.home_values[name], definitions)
 
     def _use_decimals(self, formula):
         """Replace decimal fractions by decimals, and z_1 of a centre of mass by z_c1."""

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
+from helpers.deprecated import deprecated_names
 from helpers.inputs import ArmError, shorten
 
 SortKey = tuple[int, int, str, str]  # an atom's kind, joint, index and name
@@ -56,7 +57,7 @@ class Factors(sp.Mul):
         return list(self.args)
 
 
-def short(expression):
+def abbreviate(expression):
     """Write an expression, or each entry of a matrix, as textbooks do.
 
     c_23 is cos(q_2 + q_3), s_1 is sin(q_1). Common factors such as d_6 + l_pen or c_1 are taken
@@ -74,7 +75,7 @@ def short(expression):
 
     Example:
         >>> q_1, q_2, q_3, a_2, a_3 = sp.symbols("q_1 q_2 q_3 a_2 a_3")
-        >>> short((a_2 * sp.cos(q_2) + a_3 * sp.cos(q_2 + q_3)) * sp.cos(q_1))
+        >>> abbreviate((a_2 * sp.cos(q_2) + a_3 * sp.cos(q_2 + q_3)) * sp.cos(q_1))
         c_1*(a_2*c_2 + a_3*c_23)
     """
     require_expression(expression)
@@ -376,3 +377,6 @@ def _make_sum_part(terms: Iterable[_Part]) -> _Part:
     formula = Terms._from_args([part.formula for part in terms])
     symbols = sum(part.symbols for part in terms)
     return _Part(_join_keys(terms), symbols, terms[0].has_minus, formula)
+
+
+__getattr__ = deprecated_names(__name__, short="abbreviate")

@@ -7,7 +7,7 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from helpers.deprecated import deprecated_names
-from helpers.formulas import break_lines, short
+from helpers.formulas import abbreviate, break_lines
 from helpers.inputs import finite_array, require_type
 
 __all__ = ["MarkdownOutput", "frames", "matrices"]
@@ -37,8 +37,8 @@ def matrices(named: Mapping[str, object]) -> MarkdownOutput:
 
     Args:
         named: For each name, in LaTeX, a matrix of SymPy or numbers of shape (m, n). Formulas are
-            written as `symbolic.short` does, long entries in several lines; numbers are rounded to
-            four decimals.
+            written as `symbolic.abbreviate` does, long entries in several lines. Numbers are
+            rounded to four decimals.
 
     Example:
         >>> print(matrices({"A_1": np.eye(2)}).text)
@@ -65,7 +65,7 @@ def frames(T: ArrayLike) -> MarkdownOutput:
 def _latex(value: object) -> str:
     """Write a matrix in LaTeX."""
     if isinstance(value, sp.MatrixBase):
-        entries = [list(map(_entry_latex, row)) for row in short(value).tolist()]
+        entries = [list(map(_entry_latex, row)) for row in abbreviate(value).tolist()]
     else:
         array = finite_array(
             value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None)

@@ -12,7 +12,8 @@ from sympy.polys.matrices import DomainMatrix
 from sympy.polys.rings import PolyElement
 
 from helpers.arm import Arm
-from helpers.formulas import require_expression, short
+from helpers.deprecated import deprecated_names
+from helpers.formulas import abbreviate, require_expression
 from helpers.inputs import ArmError, finite_number, require_type
 from helpers.polynomials import (
     Matrix,
@@ -26,6 +27,7 @@ from helpers.polynomials import (
 )
 
 __all__ = [
+    "abbreviate",
     "body_numbers",
     "determinant",
     "forward_kinematics",
@@ -36,7 +38,6 @@ __all__ = [
     "link_frames",
     "link_transforms",
     "potential_energy",
-    "short",
     "with_numbers",
 ]
 
@@ -58,7 +59,7 @@ def link_transforms(arm: Arm) -> list[Matrix]:
 
     Example:
         >>> from helpers.robots import ELBOW
-        >>> short(link_transforms(ELBOW)[2])
+        >>> abbreviate(link_transforms(ELBOW)[2])
         Matrix([
         [c_3, -s_3, 0, a_3*c_3],
         [s_3,  c_3, 0, a_3*s_3],
@@ -76,7 +77,7 @@ def link_frames(arm: Arm) -> list[Matrix]:
 
     Example:
         >>> from helpers.robots import ELBOW
-        >>> short(link_frames(ELBOW)[2][:3, 3])
+        >>> abbreviate(link_frames(ELBOW)[2][:3, 3])
         Matrix([
         [  a_2*c_1*c_2],
         [  a_2*s_1*c_2],
@@ -91,7 +92,7 @@ def forward_kinematics(arm: Arm) -> Matrix:
 
     Example:
         >>> from helpers.robots import ELBOW
-        >>> short(forward_kinematics(ELBOW)[2, 3])
+        >>> abbreviate(forward_kinematics(ELBOW)[2, 3])
         d_1 + a_2*s_2 + a_3*s_23
     """
     return link_frames(arm)[-1]
@@ -105,7 +106,7 @@ def jacobian(arm: Arm) -> Matrix:
 
     Example:
         >>> from helpers.robots import ELBOW
-        >>> short(jacobian(ELBOW)[2, :])
+        >>> abbreviate(jacobian(ELBOW)[2, :])
         Matrix([[0, a_2*c_2 + a_3*c_23, a_3*c_23]])
 
     Source: Spong, Hutchinson and Vidyasagar, section 4.6.
@@ -163,7 +164,7 @@ def determinant(arm: Arm) -> sp.Expr:
 
     Example:
         >>> from helpers.robots import ELBOW
-        >>> short(determinant(ELBOW))
+        >>> abbreviate(determinant(ELBOW))
         -a_2*a_3*s_3*(a_2*c_2 + a_3*c_23)
 
     Source: Spong, Hutchinson and Vidyasagar, section 4.9.
@@ -289,3 +290,6 @@ def _link_transform(arm: Arm, i: int) -> Matrix:
     return Matrix(
         [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
     )
+
+
+__getattr__ = deprecated_names(__name__, short="abbreviate")

@@ -16,6 +16,11 @@ RENAMED = [
     ("show", "Shown", "MarkdownOutput"),
     ("slips", "slips", "list_slips"),
     ("slips", "Slip", "TableSlip"),
+    ("symbolic", "short", "abbreviate"),
+    ("formulas", "short", "abbreviate"),
+    ("plotting", "seen", "project_points"),
+    ("plotting", "frames", "draw_frames"),
+    ("plotting", "torques", "plot_torques"),
 ]
 
 

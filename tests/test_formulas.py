@@ -8,7 +8,7 @@ import sympy as sp
 
 from helpers import kinematics, statics, symbolic
 from helpers.arm import ArmError
-from helpers.formulas import short
+from helpers.formulas import abbreviate
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 
 ARMS = {
@@ -55,15 +55,17 @@ def test_short_form_has_the_numeric_value(arm):
         det = np.linalg.det(kinematics.jacobian(arm, q)[: arm.dof])
         pairs.append((sp.Matrix([symbolic.determinant(arm)]), [[det]]))
     for formula, expected in pairs:
-        np.testing.assert_allclose(numbers(arm, short(formula), q), expected, rtol=0, atol=1e-10)
+        np.testing.assert_allclose(
+            numbers(arm, abbreviate(formula), q), expected, rtol=0, atol=1e-10
+        )
 
 
 @every_arm
 def test_short_form_is_shorter_and_equal(arm):
     J = symbolic.jacobian(arm)
-    named = J.xreplace({f: short(f) for f in J.atoms(sp.cos, sp.sin)})
-    assert sp.count_ops(short(J)) < sp.count_ops(named)
-    assert short(J).expand() == named.expand()
+    named = J.xreplace({f: abbreviate(f) for f in J.atoms(sp.cos, sp.sin)})
+    assert sp.count_ops(abbreviate(J)) < sp.count_ops(named)
+    assert abbreviate(J).expand() == named.expand()
 
 
 def test_short_form_of_random_polynomial_is_equal():
@@ -79,7 +81,7 @@ def test_short_form_of_random_polynomial_is_equal():
             for n, row in zip(numbers, powers, strict=True)
         )
         poly = sp.sympify(poly) / int(rng.integers(1, 4))
-        assert short(poly).expand() == poly.expand()
+        assert abbreviate(poly).expand() == poly.expand()
 
 
 @pytest.mark.parametrize(
@@ -103,31 +105,31 @@ def test_short_form_of_random_polynomial_is_equal():
     ],
 )
 def test_short_form_of_formula(given, shown):
-    assert str(short(sp.sympify(given))) == shown
+    assert str(abbreviate(sp.sympify(given))) == shown
 
 
 def test_short_form_is_ordinary_sympy():
     a, b, c_1 = sp.symbols("a b c_1")
-    formula = short((a + b) * sp.cos(sp.Symbol("q_1")))
+    formula = abbreviate((a + b) * sp.cos(sp.Symbol("q_1")))
     assert formula.subs(b, 2) == (a + 2) * c_1
     assert formula.diff(a) == c_1
     assert type(sp.expand(formula)) is sp.Add
-    assert short(formula) == formula
+    assert abbreviate(formula) == formula
 
 
 def test_short_form_keeps_matrix_type():
     x = sp.cos(sp.Symbol("q_1"))
-    assert isinstance(short(sp.Matrix([x])), sp.MutableDenseMatrix)
-    assert isinstance(short(sp.ImmutableMatrix([x])), sp.ImmutableMatrix)
+    assert isinstance(abbreviate(sp.Matrix([x])), sp.MutableDenseMatrix)
+    assert isinstance(abbreviate(sp.ImmutableMatrix([x])), sp.ImmutableMatrix)
 
 
 def test_ambiguous_joint_name_is_not_shortened():
     """c_12 is cos(q_1 + q_2), so cos(q_12) stays as it is."""
     q_1, q_2, q_12 = sp.symbols("q_1 q_2 q_12")
-    assert str(short(sp.cos(q_1 + q_2) * sp.cos(q_12))) == "c_12*cos(q_12)"
+    assert str(abbreviate(sp.cos(q_1 + q_2) * sp.cos(q_12))) == "c_12*cos(q_12)"
 
 
 @pytest.mark.parametrize("given", ["x", 3, None, np.eye(2)])
 def test_short_rejects_other_types(given):
     with pytest.raises(ArmError, match="expected one of SymPy, or a matrix of them"):
-        short(given)
+        abbreviate(given)

@@ -32,9 +32,9 @@ def test_arm_without_joints_is_refused(call):
 def test_drawings_refuse_other_kinds_of_arm():
     ax = Figure().add_subplot()
     with pytest.raises(ArmError, match="Elbow arm is no arm of the UR family; expected 6 turning"):
-        plotting.ur_triangle(ax, ELBOW, ELBOW.home)
+        plotting.draw_ur_triangle(ax, ELBOW, ELBOW.home)
     with pytest.raises(ArmError, match="Panda is no elbow arm; expected 3 turning joints"):
-        plotting.law_of_cosines(ax, PANDA, PANDA.home)
+        plotting.draw_law_of_cosines(ax, PANDA, PANDA.home)
 
 
 def test_solve_refuses_an_array_of_limits():

@@ -15,14 +15,14 @@ import pytest
 from helpers.kinematics import link_frames, skeleton
 from helpers.motion import circle, trace
 from helpers.plotting import (
-    arm_2d,
-    arm_drawing,
-    moving_picture,
-    regions,
-    wrist_triangles,
+    animate_trace,
+    draw_arm,
+    draw_wrist_triangles,
+    plot_arm,
+    plot_regions,
 )
-from helpers.plotting.drawing import seen
-from helpers.plotting.style import STYLE, svg
+from helpers.plotting.drawing import project_points
+from helpers.plotting.style import STYLE, format_svg
 from helpers.robots import ELBOW, PANDA_HOMEWORK
 from tests.laws import ALL_ARMS, arm_id, joint_vectors
 
@@ -68,7 +68,7 @@ def test_svg_views_cover_all_ink_once():
     bare.set_axis_off()
     bare.plot([0, 1], "o", clip_on=False)
     figure.legend(loc="outside upper center")
-    boxes = views(svg(figure))
+    boxes = views(format_svg(figure))
     assert len(boxes) == 5
     figure.set_layout_engine("none")  # keep the layout of the first drawing
     file = BytesIO()
@@ -88,7 +88,7 @@ def test_svg_views_cover_all_ink_once():
 @pytest.mark.parametrize("rows", [1, 7])
 def test_single_column_figure_has_no_views(rows):
     figure, _ = plt.subplots(rows, 1, figsize=(5.6, 7), sharex=True)
-    assert views(svg(figure)) == []
+    assert views(format_svg(figure)) == []
 
 
 # Flat figures, and what is drawn from numbers
@@ -114,7 +114,7 @@ def run_of(steps=8):
 @pytest.mark.parametrize(("plane", "columns"), [("xz", [0, 2]), ("yx", [1, 0])])
 def test_arm_2d_is_projection_of_arm(plane, columns):
     _, ax = plt.subplots()
-    arm_2d(ax, ELBOW, [0.3, 0.4, -0.9], plane)
+    plot_arm(ax, ELBOW, [0.3, 0.4, -0.9], plane)
     T = link_frames(ELBOW, [0.3, 0.4, -0.9])
     assert through(ax, T[:, columns, 3])
     assert ax.get_xlabel() == f"${plane[0]}$ (m)"
@@ -122,7 +122,7 @@ def test_arm_2d_is_projection_of_arm(plane, columns):
 
 def test_regions_differ_in_hatch():
     _, ax = plt.subplots()
-    regions(ax, [0, 1, 2], [0, 1, 2], np.eye(3), {0: "no", 1: "yes"}, colours=("#000", "#fff"))
+    plot_regions(ax, [0, 1, 2], [0, 1, 2], np.eye(3), {0: "no", 1: "yes"}, colours=("#000", "#fff"))
     key = ax.get_legend()
     assert [text.get_text() for text in key.get_texts()] == ["no", "yes"]
     assert len({patch.get_hatch() for patch in key.get_patches()}) == 2
@@ -146,7 +146,7 @@ def test_moving_picture_draws_only_while_tip_moves():
         q_dot=run.q[[0] * 6],
         poses=poses,
     )
-    picture = ET.fromstring(moving_picture(paused, ("yz", "xz"), frames=8))
+    picture = ET.fromstring(animate_trace(paused, ("yz", "xz"), frames=8))
     ink, _ = picture.findall(".//{*}animate[@attributeName='stroke-dashoffset']")
     rest = np.array(ink.get("values").split(";"), dtype=float)
     np.testing.assert_allclose(rest / rest[0], [1, 1, 1, 1, 1, 0.75, 0.5, 0.25, 0], atol=1e-3)
@@ -158,33 +158,35 @@ def test_moving_picture_draws_only_while_tip_moves():
 
 @pytest.mark.parametrize("view", ["xz", "yz", "xy", "zy", (30, 18), (-60, 90), (200, -40)])
 def test_view_is_a_rotation(view):
-    right, up, towards = seen(np.eye(3), view).T
-    np.testing.assert_allclose(np.stack([right, up, towards]) @ seen(np.eye(3), view), np.eye(3),
-                               atol=1e-15)  # fmt: skip
+    right, up, towards = project_points(np.eye(3), view).T
+    product = np.stack([right, up, towards]) @ project_points(np.eye(3), view)
+    np.testing.assert_allclose(product, np.eye(3), atol=1e-15)
     np.testing.assert_allclose(np.cross(right, up), towards, atol=1e-15)
 
 
 def test_view_direction_matches_azimuth_and_elevation():
     """From an azimuth of 0 one sees y to the right, from 90 degrees -x; high up is up."""
-    np.testing.assert_allclose(seen([0, 1, 0], (0, 20))[:2], [1, 0], atol=1e-15)
-    np.testing.assert_allclose(seen([1, 0, 0], (90, 20))[0], -1, atol=1e-15)
-    assert seen([0, 0, 1], (37, 20))[1] > 0
-    assert seen([1, 0, 0], (0, 20))[2] > 0
-    np.testing.assert_allclose(seen([1, 2, 3], "xz"), [1, 3, -2])
+    np.testing.assert_allclose(project_points([0, 1, 0], (0, 20))[:2], [1, 0], atol=1e-15)
+    np.testing.assert_allclose(project_points([1, 0, 0], (90, 20))[0], -1, atol=1e-15)
+    assert project_points([0, 0, 1], (37, 20))[1] > 0
+    assert project_points([1, 0, 0], (0, 20))[2] > 0
+    np.testing.assert_allclose(project_points([1, 2, 3], "xz"), [1, 3, -2])
 
 
 @every_arm
 def test_arm_drawing_follows_skeleton(arm):
     q, (_, ax) = joint_vectors(arm, ()), plt.subplots()
-    arm_drawing(ax, arm, q, (30, 18))
+    draw_arm(ax, arm, q, (30, 18))
     T = link_frames(arm, q)
-    np.testing.assert_allclose(ax.lines[0].get_xydata(), seen(skeleton(arm, T), (30, 18))[:, :2])
+    np.testing.assert_allclose(
+        ax.lines[0].get_xydata(), project_points(skeleton(arm, T), (30, 18))[:, :2]
+    )
     assert len(ax.patches) == 2 * arm.dof
 
 
 def test_wrist_triangles_have_the_twists_as_sides():
     _, ax = plt.subplots()
-    wrist_triangles(ax, (60, 50), 70)
+    draw_wrist_triangles(ax, (60, 50), 70)
     corners = [line.get_xydata()[0] for line in ax.lines if line.get_marker() == "o"]
     on_sphere = [np.append(p, np.sqrt(1 - p @ p)) for p in corners]
     fifth, mirrored, fourth, sixth = on_sphere

@@ -34,4 +34,4 @@ def test_each_arm_has_a_figure_of_its_frames():
     }
     drawn = [figures[name] for name in re.findall(r"#(fig-[\w-]+)\)", places)]
     assert len(drawn) == 4
-    assert not [source for source in drawn if "plotting.frames(" not in source]
+    assert not [source for source in drawn if "plotting.draw_frames(" not in source]

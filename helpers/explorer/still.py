@@ -19,9 +19,9 @@ def draw_still(arm: Arm, q: ArrayLike) -> str:
     from matplotlib.figure import Figure
 
     from helpers import plotting
-    from helpers.plotting.style import STYLE, svg
+    from helpers.plotting.style import STYLE, format_svg
 
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(3.6, 3.6))
-        plotting.arm_drawing(figure.subplots(), arm, np.asarray(q, dtype=float), ISOMETRIC)
-        return svg(figure)
+        plotting.draw_arm(figure.subplots(), arm, np.asarray(q, dtype=float), ISOMETRIC)
+        return format_svg(figure)

@@ -1,31 +1,33 @@
 """Draw arms, paths and torques with Matplotlib in the style of the book.
 
-Every function draws on the axes that it is given and returns None.
+Functions called `plot_...` label the axes with their units, functions called `draw_...` draw shapes
+in m. Both draw on the axes that they receive and return None.
 """
 
+from helpers.deprecated import deprecated_names
 from helpers.plotting.branches import (
-    law_of_cosines,
-    regions,
-    shoulder_triangles,
-    ur_triangle,
-    wrist_triangles,
+    draw_law_of_cosines,
+    draw_shoulder_triangles,
+    draw_ur_triangle,
+    draw_wrist_triangles,
+    plot_regions,
 )
-from helpers.plotting.dh import dh_numbers
+from helpers.plotting.dh import draw_dh_numbers
 from helpers.plotting.drawing import (
-    angle,
-    arm_drawing,
-    axis_lines,
-    dimension,
-    frames,
-    lengths,
-    postures,
-    row_drawing,
-    seen,
+    draw_angle,
+    draw_arm,
+    draw_dimension,
+    draw_frames,
+    draw_joint_axes,
+    draw_lengths,
+    draw_postures,
+    draw_row,
+    project_points,
 )
-from helpers.plotting.plane import arm_2d, arrow_2d
+from helpers.plotting.plane import draw_arrow, plot_arm
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
-from helpers.plotting.torques import torque_shares, torques
-from helpers.plotting.traces import joints, moving_picture, path_2d
+from helpers.plotting.torque_plots import plot_torque_shares, plot_torques
+from helpers.plotting.traces import animate_trace, plot_joints, plot_path
 
 __all__ = [
     "BLUE",
@@ -35,27 +37,52 @@ __all__ = [
     "PURPLE",
     "RED",
     "SKY",
-    "angle",
-    "arm_2d",
-    "arm_drawing",
-    "arrow_2d",
-    "axis_lines",
-    "dh_numbers",
-    "dimension",
-    "frames",
-    "joints",
-    "law_of_cosines",
-    "lengths",
-    "moving_picture",
-    "path_2d",
-    "postures",
-    "regions",
-    "row_drawing",
-    "seen",
-    "shoulder_triangles",
-    "torque_shares",
-    "torques",
-    "ur_triangle",
+    "animate_trace",
+    "draw_angle",
+    "draw_arm",
+    "draw_arrow",
+    "draw_dh_numbers",
+    "draw_dimension",
+    "draw_frames",
+    "draw_joint_axes",
+    "draw_law_of_cosines",
+    "draw_lengths",
+    "draw_postures",
+    "draw_row",
+    "draw_shoulder_triangles",
+    "draw_ur_triangle",
+    "draw_wrist_triangles",
+    "plot_arm",
+    "plot_joints",
+    "plot_path",
+    "plot_regions",
+    "plot_torque_shares",
+    "plot_torques",
+    "project_points",
     "use_book_style",
-    "wrist_triangles",
 ]
+
+__getattr__ = deprecated_names(
+    __name__,
+    angle="draw_angle",
+    arm_2d="plot_arm",
+    arm_drawing="draw_arm",
+    arrow_2d="draw_arrow",
+    axis_lines="draw_joint_axes",
+    dh_numbers="draw_dh_numbers",
+    dimension="draw_dimension",
+    frames="draw_frames",
+    joints="plot_joints",
+    law_of_cosines="draw_law_of_cosines",
+    lengths="draw_lengths",
+    moving_picture="animate_trace",
+    path_2d="plot_path",
+    postures="draw_postures",
+    regions="plot_regions",
+    row_drawing="draw_row",
+    seen="project_points",
+    shoulder_triangles="draw_shoulder_triangles",
+    torque_shares="plot_torque_shares",
+    torques="plot_torques",
+    ur_triangle="draw_ur_triangle",
+)

@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, finite_array, finite_number, require_type
 from helpers.kinematics import link_frames
-from helpers.plotting.drawing import angle
-from helpers.plotting.plane import arm_2d, compute_pose_frames
+from helpers.plotting.drawing import draw_angle
+from helpers.plotting.plane import compute_pose_frames, plot_arm
 from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED, SLATE
 
 Array = NDArray[np.float64]
 
 
-def shoulder_triangles(
+def draw_shoulder_triangles(
     ax: Axes, point: ArrayLike, offset: float, names: tuple[str, str], symbols: tuple[str, str]
 ) -> None:
     """Draw the two right triangles that give the first joint angle of a point, seen from above.
@@ -57,7 +57,7 @@ def shoulder_triangles(
     ax.set_aspect("equal")
 
 
-def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
+def draw_ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     """Draw a UR arm in its own plane, with the triangle of joints 2 and 3 and the step d_5.
 
     x_1 points right and z up. `arm` has the rows of the homework's table; q has shape (6,).
@@ -75,13 +75,13 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     _draw_triangle(ax, points[:3], 0.06, ("$r_4$", "$s_4$"))
     _write_beside(ax, end, wrist, "$d_5$", 0.06)
     lean, fore = _compute_direction(shoulder, elbow), _compute_direction(elbow, end)
-    angle(ax, shoulder, 0.2, (lean, 90), "$q_2$")
-    angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
+    draw_angle(ax, shoulder, 0.2, (lean, 90), "$q_2$")
+    draw_angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
     ax.text(wrist[0] + 0.05, wrist[1] + 0.03, "$o_5$", color=RED, ha="left")
     ax.set(xlabel="along $x_1$ (m)", ylabel="$z$ (m)", aspect="equal")
 
 
-def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
+def draw_law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     """Draw an elbow arm in its own plane, with the triangle that gives its joint angles.
 
     A second, right triangle shows the tip's foot on the line of the first link. The arm has no
@@ -90,7 +90,7 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     _require_rows(arm, 3, "an elbow arm")
     q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
     shoulder, elbow, tip = points = link_frames(arm, q)[1:4, [0, 2], 3]
-    arm_2d(ax, arm, q)
+    plot_arm(ax, arm, q)
     _draw_triangle(ax, points, 0.04, ("$r$", "$s$"))
     along = (elbow - shoulder) / np.linalg.norm(elbow - shoulder)
     foot = shoulder + along * ((tip - shoulder) @ along)
@@ -98,10 +98,12 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     _write_beside(ax, elbow, foot, r"$a_3\cos\theta_3$", 0.07)
     _write_beside(ax, foot, tip, r"$-a_3\sin\theta_3$", 0.07)
     lift, bend = np.degrees(q[1:3])
-    angle(ax, shoulder, 0.13, (0, lift), r"$\theta_2$")
-    angle(ax, shoulder, 0.21, (_compute_direction(shoulder, tip), lift), r"$\beta$", colour=ORANGE)
-    angle(ax, elbow, 0.09, (lift + bend, lift), r"$-\theta_3$")
-    angle(ax, elbow, 0.06, (lift + 180, lift + 360 + bend), r"$\varphi$", colour=ORANGE)
+    draw_angle(ax, shoulder, 0.13, (0, lift), r"$\theta_2$")
+    draw_angle(
+        ax, shoulder, 0.21, (_compute_direction(shoulder, tip), lift), r"$\beta$", colour=ORANGE
+    )
+    draw_angle(ax, elbow, 0.09, (lift + bend, lift), r"$-\theta_3$")
+    draw_angle(ax, elbow, 0.06, (lift + 180, lift + 360 + bend), r"$\varphi$", colour=ORANGE)
     ax.set(ylim=(shoulder[1] - 0.12, max(elbow[1], foot[1]) + 0.07))
 
 
@@ -144,7 +146,7 @@ def _compute_direction(start: Array, stop: Array) -> float:
     return float(np.degrees(np.arctan2(*(stop - start)[::-1])))
 
 
-def regions(
+def plot_regions(
     ax: Axes,
     x: ArrayLike,
     y: ArrayLike,
@@ -188,7 +190,7 @@ def _make_region_path(x: NDArray, y: NDArray, inside: NDArray) -> Path:
     return Path(corners.transpose(2, 0, 1).reshape(-1, 2), codes * len(rows))
 
 
-def wrist_triangles(ax: Axes, twists: tuple[float, float], apart: float) -> None:
+def draw_wrist_triangles(ax: Axes, twists: tuple[float, float], apart: float) -> None:
     """Draw the two spherical triangles of a wrist on the sphere of directions.
 
     The corners are the directions of axes 4, 5 and 6. Axes 4 and 6 are given, axis 5 lies at the

@@ -8,7 +8,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, revolute
 from helpers.kinematics import link_frames
-from helpers.plotting.drawing import draw_joint, draw_named_arrow, get_view_axes, hide_axes, seen
+from helpers.plotting.drawing import (
+    draw_joint,
+    draw_named_arrow,
+    get_view_axes,
+    hide_axes,
+    project_points,
+)
 from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED
 
 _COLOURS = {"theta": ORANGE, "d": BLUE, "a": RED, "alpha": PURPLE}
@@ -16,7 +22,7 @@ _VIEW = (-27.0, 22.0)
 _A, _ALPHA, _D, _THETA = 1.2, 0.7, 0.9, 0.75  # m and rad; no angle looks like 90°
 
 
-def dh_numbers(ax: Axes) -> None:
+def draw_dh_numbers(ax: Axes) -> None:
     """Draw two joint axes, their common normal, and the four numbers between frames i-1 and i."""
     first, second = link_frames(Arm("one link", [revolute(_A, _ALPHA, _D)]), [_THETA])
     foot = first.copy()
@@ -33,18 +39,18 @@ def dh_numbers(ax: Axes) -> None:
     _draw_angle(ax, tilted, 0.6, _ALPHA, "alpha")
     for frame, index, length in ((first, "i-1", 0.62), (second, "i", 0.75)):
         for name, axis in (("x", frame[:3, 0]), ("z", frame[:3, 2])):
-            ends = seen([frame[:3, 3], frame[:3, 3] + length * axis], _VIEW)[:, :2]
+            ends = project_points([frame[:3, 3], frame[:3, 3] + length * axis], _VIEW)[:, :2]
             side = 14 if name == "z" else 0
             draw_named_arrow(ax, (ends[0], ends[1]), "black", f"${name}_{{{index}}}$", side)
     hide_axes(ax)
 
 
 def _draw_line(ax: Axes, points: ArrayLike, **look: Any) -> None:
-    ax.plot(*seen(points, _VIEW)[:, :2].T, **look)
+    ax.plot(*project_points(points, _VIEW)[:, :2].T, **look)
 
 
 def _write_symbol(ax: Axes, position: NDArray[np.float64], name: str) -> None:
-    x, y = seen(position, _VIEW)[:2]
+    x, y = project_points(position, _VIEW)[:2]
     # Orange text is too pale to read.
     text_colour = "black" if name == "theta" else _COLOURS[name]
     symbol = name if len(name) == 1 else f"\\{name}"

@@ -37,7 +37,7 @@ View = str | tuple[float, float]
 _PALE = "#C9CDD3"
 
 
-def seen(points: ArrayLike, view: View) -> Array:
+def project_points(points: ArrayLike, view: View) -> Array:
     """Project points, shape (..., 3), to right, up and towards the viewer."""
     points = finite_array(points, "points", "points (..., 3), finite, in m", (3,), many=True)
     return np.asarray(points @ get_view_axes(view).T)
@@ -56,7 +56,7 @@ def get_view_axes(view: View) -> Array:
     return np.stack([right, up, np.cross(right, up)])
 
 
-def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1.0) -> None:
+def draw_arm(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1.0) -> None:
     """Draw an arm with a barrel for each revolute joint and a box for each prismatic joint.
 
     Args:
@@ -73,11 +73,13 @@ def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1
         * finite_number(size, "size", "a finite number > 0", above=0)
         * _measure_extent(points)
     )
-    ax.plot(*seen(points, view).T[:2], color=GREY, lw=4, solid_joinstyle="round", zorder=2)
+    ax.plot(
+        *project_points(points, view).T[:2], color=GREY, lw=4, solid_joinstyle="round", zorder=2
+    )
     for i in arm.joints:
         draw_joint(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
-    ax.plot(*seen(points[-1], view)[:2], "o", color="black", ms=4, zorder=5)
-    _draw_ground(ax, seen(T[0, :3, 3], view), 3 * radius)
+    ax.plot(*project_points(points[-1], view)[:2], "o", color="black", ms=4, zorder=5)
+    _draw_ground(ax, project_points(T[0, :3, 3], view), 3 * radius)
     hide_axes(ax)
 
 
@@ -127,7 +129,7 @@ _TURNS = np.linspace(0, 2 * np.pi, 181)
 _DIRECTIONS = np.stack([np.cos(_TURNS), np.sin(_TURNS)], axis=1)
 
 
-def lengths(
+def draw_lengths(
     ax: Axes, arm: Arm, q: ArrayLike, view: View, aside: dict[str, tuple[float, float]]
 ) -> None:
     """Draw dimension lines with lengths in mm for steps of the table.
@@ -148,9 +150,9 @@ def lengths(
             raise ArmError(f"aside names {shorten(name)}; expected steps such as 'd_1' or 'a_2'")
         i, kind = steps[name]
         first = 2 * i - (2 if kind == "d" else 1)
-        ends = seen(points[[first, first + 1]], view)[:, :2]
+        ends = project_points(points[[first, first + 1]], view)[:, :2]
         length = 1000 * float(np.linalg.norm(np.diff(points[[first, first + 1]], axis=0)))
-        dimension(
+        draw_dimension(
             ax,
             ends[0],
             ends[1],
@@ -166,7 +168,7 @@ def _format_step_symbol(arm: Arm, i: int, kind: str) -> str:
     return entry_latex(getattr(row, kind)).strip("-()")
 
 
-def dimension(
+def draw_dimension(
     ax: Axes, start: ArrayLike, end: ArrayLike, aside: tuple[float, float], text: str
 ) -> None:
     """Draw a dimension line between two points, moved aside (m), with a text at its middle."""
@@ -194,7 +196,7 @@ def _choose_alignment(component: float, negative: str, positive: str) -> str:
     return "center" if abs(component) < 0.35 else negative if component < 0 else positive
 
 
-def angle(
+def draw_angle(
     ax: Axes,
     centre: ArrayLike,
     radius: float,
@@ -215,7 +217,7 @@ def angle(
     ax.text(position[0], position[1], text, color=text_colour, ha="center", va="center")
 
 
-def axis_lines(ax: Axes, derivation: Derivation, view: View, length: float) -> None:
+def draw_joint_axes(ax: Axes, derivation: Derivation, view: View, length: float) -> None:
     """Draw the joint axes of a derivation as dash-dotted lines with arrows and names.
 
     Each line is `length` (m) longer than the part of the axis that the table uses. Axes on one line
@@ -232,12 +234,12 @@ def axis_lines(ax: Axes, derivation: Derivation, view: View, length: float) -> N
     last = derivation.steps[-1]
     if last.case == "coincident" and not last.opposite:
         next(reversed(shared.values())).append((last.number, []))
-    middle = seen([line.point for line in derivation.lines], view)[:, 0].mean()
+    middle = project_points([line.point for line in derivation.lines], view)[:, 0].mean()
     for foot_and_z, group in shared.items():
         foot, z = np.array(foot_and_z[:3]), np.array(foot_and_z[3:])
         used = [value for _, along in group for value in along]
         ends = [foot + (min(used) - length / 2) * z, foot + (max(used) + length / 2) * z]
-        start, end = seen(ends, view)[:, :2]
+        start, end = project_points(ends, view)[:, :2]
         ax.plot(*np.stack([start, end], axis=1), color=BLUE, lw=1, ls=_DASHED, zorder=4)
         name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
         outwards = 16 if end[0] < middle else -16
@@ -266,7 +268,7 @@ def draw_named_arrow(
     ax.update_datalim([start, end + 0.35 * step])
 
 
-def frames(
+def draw_frames(
     ax: Axes,
     arm: Arm,
     q: ArrayLike,
@@ -301,7 +303,7 @@ def frames(
             shared[name, *np.round([*T[i, :3, 3], *axis], 6) + 0.0].append(i)
     for (name, *start_and_axis), indices in shared.items():
         start, axis = np.array(start_and_axis[:3]), np.array(start_and_axis[3:])
-        ends = seen([start, start + length * axis], view)[:, :2]
+        ends = project_points([start, start + length * axis], view)[:, :2]
         text = f"${name}_{{{','.join(map(str, indices))}}}$"
         partner = T[indices[0], :3, 2 if name == "x" else 0]
         side = _choose_label_side(axis, partner, view, 10)
@@ -311,7 +313,7 @@ def frames(
 _INDICES = "numbers of frames"
 
 
-def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
+def draw_row(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
     """Draw how a row of a table is derived.
 
     The drawing shows both axes and their common normal, the frame before (grey), the frame that the
@@ -322,9 +324,11 @@ def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
         raise ArmError(f"row is {row}; expected one of 1 to {len(derivation.steps)}")
     step = derivation.steps[row - 1]
     before, foot, origin = step.before[:3, 3], *step.normal
-    middle, half, reach = _choose_window(derivation, seen([before, foot, origin], view)[:, :2])
+    middle, half, reach = _choose_window(
+        derivation, project_points([before, foot, origin], view)[:, :2]
+    )
     ax.plot(
-        *seen(_list_arm_corners(derivation), view).T[:2],
+        *project_points(_list_arm_corners(derivation), view).T[:2],
         color=_PALE,
         lw=5,
         solid_joinstyle="round",
@@ -333,14 +337,16 @@ def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
     for (name, start, end), indices in _list_frame_arrows(step, reach).items():
         text = f"${name}_{{{','.join(map(str, indices))}}}$"
         colour = "black" if row in indices else SLATE
-        ends = seen([start, end], view)[:, :2]
+        ends = project_points([start, end], view)[:, :2]
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
         frame = step.frame if row in indices else step.before
         side = _choose_label_side(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
         draw_named_arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
     for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
-        ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
-    ax.plot(*seen(origin, view)[:2], "o", color="black", ms=4, zorder=7)
+        ax.plot(
+            *project_points(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3
+        )
+    ax.plot(*project_points(origin, view)[:2], "o", color="black", ms=4, zorder=7)
     ax.set(xlim=middle[0] + half * _SPAN, ylim=middle[1] + half * _SPAN)
     ax.set_title(f"row {row}", fontsize=10)
     hide_axes(ax)
@@ -348,7 +354,7 @@ def row_drawing(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
 
 def _choose_label_side(axis: Array, other_axis: Array, view: View, side: float) -> float:
     """Return the offset that keeps the name of an axis off `other_axis`, in pt to the left."""
-    (x, y), (other_x, other_y) = seen([axis, other_axis], view)[:, :2]
+    (x, y), (other_x, other_y) = project_points([axis, other_axis], view)[:, :2]
     return -side if x * other_y > y * other_x else side
 
 
@@ -389,7 +395,7 @@ def _list_arm_corners(derivation: Derivation) -> Array:
     return skeleton(derivation.arm, derivation.frames)
 
 
-def postures(
+def draw_postures(
     axes: Iterable[Axes],
     arm: Arm,
     poses: ArrayLike,
@@ -411,7 +417,7 @@ def postures(
     require_type(arm, Arm, "arm")
     poses = finite_array(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
     T = [compute_pose_frames(arm, q) for q in poses]
-    lines = [seen(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
+    lines = [project_points(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
     low, high = np.vstack(lines).min(axis=0), np.vstack(lines).max(axis=0)
     finite_number(tool, "tool", "a finite length of 0 or more in m", least=0)
     rim = 0.12 * float((high - low).max()) + tool
@@ -420,11 +426,13 @@ def postures(
     for ax, q, pose, line, title in zip(axes, poses, T, lines, titles, strict=True):
         _draw_ground(ax, line[0], rim - tool)
         ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
-        ax.plot(*seen(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3)
+        ax.plot(
+            *project_points(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3
+        )
         middle = (line[:, 0].min() + line[:, 0].max()) / 2
         ax.set(xlim=(middle - half, middle + half), ylim=(low[1] - rim, high[1] + rim))
         if tool:  # a star would hide an arrow that points towards the viewer
-            frames(ax, arm, q, view, tool, which=[len(arm.rows)])
+            draw_frames(ax, arm, q, view, tool, which=[len(arm.rows)])
         else:
             ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)
         ax.set_title(title, fontsize=9)

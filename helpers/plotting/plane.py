@@ -16,7 +16,7 @@ def compute_pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
     return link_frames(arm, arm.joint_vector(q, many=False))
 
 
-def arm_2d(
+def plot_arm(
     ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
 ) -> None:
     """Draw an arm at q, shape (dof,), in a plane such as "xz", with lengths in m."""
@@ -37,7 +37,7 @@ def arm_2d(
     ax.set(xlabel=f"${plane[0]}$ (m)", ylabel=f"${plane[1]}$ (m)", aspect="equal")
 
 
-def arrow_2d(
+def draw_arrow(
     ax: Axes,
     start: ArrayLike,
     step: ArrayLike,

@@ -66,7 +66,7 @@ def use_book_style() -> None:
         from matplotlib_inline.backend_inline import set_matplotlib_formats  # comes with IPython
 
         set_matplotlib_formats("svg")
-        shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, svg)
+        shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, format_svg)
         np.set_printoptions(precision=4, suppress=True)
 
 
@@ -77,7 +77,7 @@ def label_time_axis(ax: Axes) -> None:
     ax.tick_params(labelbottom=True)
 
 
-def svg(figure: Figure) -> str:
+def format_svg(figure: Figure) -> str:
     """Return a figure as SVG text, with the same bytes on every machine.
 
     Numbers are rounded to 0.01 pt and ids are numbered. Each of several panels gets a view of its

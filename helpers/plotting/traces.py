@@ -16,7 +16,7 @@ from helpers.plotting.style import BLUE, GREEN, GREY, RED, label_time_axis
 Array = NDArray[np.floating]
 
 
-def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
+def plot_path(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
     """Draw the wanted path (dashed) and the traced path (solid) in their plane, in m."""
     require_type(run, Trace, "run")
     normal_axis = int(np.abs(run.path.normal).argmax())
@@ -31,7 +31,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
     ax.yaxis.set_major_locator(MaxNLocator(5))
 
 
-def joints(axes: NDArray[Any], run: Trace) -> None:
+def plot_joints(axes: NDArray[Any], run: Trace) -> None:
     """Draw each joint's angle (degrees) over time on its own axes, with its range shaded."""
     require_type(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
@@ -54,7 +54,7 @@ def _choose_plotted_steps(run: Trace) -> NDArray[np.intp]:
     return np.unique(np.linspace(0, len(run.t) - 1, 61).astype(int))
 
 
-def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
+def animate_trace(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
     """Return an animated SVG of the arm drawing its path, seen in two planes.
 
     The animation is part of the SVG and needs no script. It lasts as long as the trajectory.

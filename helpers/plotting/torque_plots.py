@@ -13,7 +13,9 @@ from helpers.inputs import finite_array, require_type
 from helpers.plotting.style import BLUE, GREEN, ORANGE, PURPLE, RED, label_time_axis
 
 
-def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object) -> None:
+def plot_torques(
+    axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object
+) -> None:
     """Draw each joint's torque (N m) over time in its own axes, in a column."""
     require_type(arm, Arm, "arm")
     t = finite_array(t, "t", "finite times (n,) in s", (None,))
@@ -34,7 +36,7 @@ def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: 
     label_time_axis(axes.flat[-1])
 
 
-def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
+def plot_torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
     """Draw the range of each joint's torque as a percentage of its limit.
 
     Args:
