@@ -2,7 +2,7 @@
 // rows and columns in the order that their labels say.
 
 import { blocksIn, isCalledOld, namesOtherQuantity, plainText } from "./blocks.js";
-import { foldBlanks, linesOf } from "./characters.js";
+import { foldCharacters, linesOf } from "./characters.js";
 import {
   countsJoints,
   isSeries,
@@ -56,7 +56,7 @@ export function findAnswer(text, question) {
   if (text.length > LONGEST)
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
-  const typed = foldBlanks(new SpannedText(text));
+  const typed = foldCharacters(new SpannedText(text));
   const pasted = unwrapFrames(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
   if (live && /\d/.test(live.text)) {

@@ -1,7 +1,7 @@
 // Every rectangular block of entries in a text, with the words beside it.
 
 import { RAD } from "../geometry/angles.js";
-import { foldBlanks, foldSymbols, plainCharacters } from "./characters.js";
+import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
@@ -35,7 +35,7 @@ const PARTINGS = [false, true].flatMap((gaps) =>
  * @param {import("./spans.js").SpannedText} pasted
  */
 export const plainText = (pasted) =>
-  plainCharacters(withoutDecorations(foldSymbols(foldBlanks(pasted))));
+  plainCharacters(withoutDecorations(foldNames(foldCharacters(pasted))));
 
 /**
  * Return a function for each way to part the text, which makes its blocks.

@@ -4,7 +4,7 @@
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, tryOrNull, quoteText } from "../sentences.js";
-import { foldCharacters, mapEach, withoutSpacing } from "./characters.js";
+import { foldCharacters, foldNames, mapEach, withoutSpacing } from "./characters.js";
 
 const LONGEST = 20_000; // characters of one formula
 const TEN = 10; // whose powers are meant, 10^0 too
@@ -40,22 +40,21 @@ function raised(left, right) {
 
 const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda theta".split(" ");
 /** @type {Map<string, string>} */
-const SAME = new Map([
-  ...mapEach("×⋅·∙∗", "*"),
+const SPELLINGS = new Map([
+  ...mapEach("×·∗", "*"),
   ...mapEach("÷∕⁄", "/"),
   ...mapEach("′", "'"),
   ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => mapEach(sign, `_${i}`)),
   ...[..."αβγδθϑφϕψωλΘ"].flatMap((sign, i) => mapEach(sign, ` ${GREEK[i]}`)),
   ...mapEach("π𝜋", " pi "),
-  ...mapEach("°º˚◦∘", " deg"),
+  ...mapEach("°◦∘", " deg"),
   ["√", " sqrt "],
 ]);
 /** @type {[RegExp, string][]} */
 const LATEX = [
   [/\\(?:math(?:rm|bf|it)|text(?:bf|it|rm)?|boldsymbol)\s*\{([^{}]*)\}/g, "$1"],
-  [/\^\s*\{?\s*\\circ\s*\}?|\\degree(?![A-Za-z])/g, " deg"],
+  [/\^\s*\{?\s*°\s*\}?/g, "°"],
   [/(?<=[\d.)]\s*)deg(?:rees?|s|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
-  [/\\(?:cdot|times)(?![A-Za-z])/g, "*"],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
 ];
 /** @type {[RegExp, string][]} */
@@ -63,8 +62,6 @@ const INNERMOST = [
   [/\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g, "(($1)/($2))"],
   [/(\\(?:sqrt|sin|cos|tan)|\^)\s*\{([^{}]*)\}/g, "$1($2)"],
 ];
-const POWERS = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹";
-const RAISED = new RegExp(`[${POWERS}]+`, "g");
 const COUNTED = /(?<![A-Za-z_])(q|theta) *[[(] *([0-9]{1,2}) *[\])]/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
@@ -83,14 +80,10 @@ export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 // Write a text in plain characters: Unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
   if (isNumber(text)) return text;
-  text = withoutSpacing(foldCharacters(text));
+  text = withoutSpacing(foldNames(foldCharacters(text)));
   text = text.replace(/([₀-₉])(?=[A-Za-zα-ω])/g, "$1*"); // a product without a sign
-  text = text.replace(
-    RAISED,
-    (powers) => `^${[...powers].map((sign) => "+-0123456789"[POWERS.indexOf(sign)]).join("")}`,
-  );
-  text = [...text].map((sign) => SAME.get(sign) ?? sign).join("");
-  for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
+  for (const [pattern, replacement] of LATEX) text = text.replace(pattern, replacement);
+  text = [...text].map((character) => SPELLINGS.get(character) ?? character).join("");
   for (let before = ""; before !== text;) {
     before = text;
     for (const [innermost, opened] of INNERMOST) text = text.replace(innermost, opened);

@@ -1,6 +1,6 @@
 // The order that labels give to a block's rows and columns.
 
-import { plainCharacters } from "./characters.js";
+import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { labelIn } from "./labels.js";
 import { SpannedText } from "./spans.js";
 import { formatMessage } from "../sentences.js";
@@ -63,7 +63,8 @@ export function inListedOrder(block, { by, turned, columns }, text) {
 
 // The numbers of so many joints whose names stand beside each other, null where none do.
 function listedJoints(text, size) {
-  const words = plainCharacters(new SpannedText(text)).text.split(/[\s,;:=[\]{}"-]+/);
+  const plain = plainCharacters(foldNames(foldCharacters(new SpannedText(text))));
+  const words = plain.text.split(/[\s,;:=[\]{}"-]+/);
   const labels = words.map((word) => (/\p{L}/u.test(word) ? labelIn([{ text: word }]) : null));
   const joints = [];
   for (const label of [...labels, null]) {

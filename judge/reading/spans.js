@@ -138,6 +138,6 @@ function keptPart(match, text) {
   if (whole >= 0) return { at: 0, from: whole, length: text.length };
   for (const group of match.slice(1))
     if (group && text.includes(group))
-      return { at: text.indexOf(group), from: match[0].indexOf(group), length: group.length };
+      return { at: text.indexOf(group), from: match[0].lastIndexOf(group), length: group.length };
   return { at: 0, from: 0, length: 0 };
 }
