@@ -93,7 +93,7 @@ class Arm:
 
     def __post_init__(self) -> None:
         require_type(self.name, str, "an arm's name")
-        self._set(
+        self._set_fields(
             rows=tuple_of_items(self.rows, f"{self.name}: rows", "one Row or more"),
             bodies=tuple_of_items(self.bodies, f"{self.name}: bodies", "one Body for each row"),
             values=Values(self.values, self.name),
@@ -104,15 +104,15 @@ class Arm:
             self.home, f"{self.name}: the values of home", f"{self.dof} joint values"
         )
         home = tuple(real_number(x, f"{self.name}: home") for x in home)
-        self._set(home=JointValues(home or (0.0,) * self.dof))
+        self._set_fields(home=JointValues(home or (0.0,) * self.dof))
         self._check_bodies()
         self._check_symbols()
-        for formula in self._entries():
+        for formula in self._list_entries():
             self._check_finite(formula)
         self._check_masses()
         self.joint_vector(self.home)
 
-    def _set(self, **fields: object) -> None:
+    def _set_fields(self, **fields: object) -> None:
         for name, value in fields.items():
             object.__setattr__(self, name, value)
 
@@ -135,7 +135,7 @@ class Arm:
                 )
 
     def _check_symbols(self) -> None:
-        used = {name for formula in self._entries() for name in symbol_names(formula)}
+        used = {name for formula in self._list_entries() for name in symbol_names(formula)}
         if variables := sorted(used & set(self.variables)):
             raise ArmError(
                 f"{self.name}: {variables[0]} is the variable of a joint; leave it out,"
@@ -161,7 +161,7 @@ class Arm:
                 f"{self.name}: {formula} divides by zero or is too large; give it other values"
             )
 
-    def _entries(self) -> list[Entry]:
+    def _list_entries(self) -> list[Entry]:
         """Return all entries of the rows and bodies."""
         table = [e for row in self.rows for e in row.entries]
         return table + [e for body in self.bodies for e in (body.mass, *body.com)]
@@ -318,7 +318,7 @@ class Arm:
             (0, '-pi/2', 0, 0)
         """
         row_numbers = tuple(range(1, len(self.rows) + 1))
-        row = self._row(number, row_numbers, "number is {}; expected one of its rows,")
+        row = self._require_row(number, row_numbers, "number is {}; expected one of its rows,")
         mass = ("mass",) if self.bodies else ()
         known = ("a", "alpha", "d", "theta", "limits", "speed", "effort", *mass)
         if unknown := sorted(set(changes) - set(known)):
@@ -431,7 +431,9 @@ class Arm:
             >>> PANDA.lock(3).variables
             ('q_1', 'q_2', 'q_4', 'q_5', 'q_6', 'q_7')
         """
-        row = self._row(joint, self.joints, "joint {} cannot be locked; its free joints are")
+        row = self._require_row(
+            joint, self.joints, "joint {} cannot be locked; its free joints are"
+        )
         at = check_entry(at, "at")
         evaluate_entry(at, self.values)  # raises ArmError for a symbol without a value
         column = "theta" if row.joint.kind == "revolute" else "d"
@@ -441,7 +443,7 @@ class Arm:
         rows = (*self.rows[: joint - 1], locked, *self.rows[joint:])
         return replace(self, rows=rows, home=tuple(keep))
 
-    def _row(self, number: object, allowed: Sequence[int], message: str) -> Row:
+    def _require_row(self, number: object, allowed: Sequence[int], message: str) -> Row:
         """Return a row by its number, counted from 1; raise ArmError if that is not allowed."""
         if isinstance(number, int | np.integer) and number in allowed and number is not True:
             return self.rows[int(number) - 1]

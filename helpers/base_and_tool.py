@@ -68,8 +68,8 @@ def split_pose(pose: ArrayLike, name: str) -> PoseRows:
     row_y = np.cross(z, x)
     last_theta = np.arctan2(T[:3, 0] @ row_y, T[:3, 0] @ x)
     return PoseRows(
-        _length(p @ x), _angle(alpha), _length(d), _angle(theta), _length(last_d),
-        _angle(last_theta),
+        _clean_length(p @ x), _clean_angle(alpha), _clean_length(d), _clean_angle(theta),
+        _clean_length(last_d), _clean_angle(last_theta),
     )  # fmt: skip
 
 
@@ -81,11 +81,11 @@ def _read_pose(pose: ArrayLike, name: str) -> Array:
         raise ArmError(f"{name} is {shorten(pose)}; expected {_EXPECTED}") from None
     if entries.shape == (6,):
         numbers = [evaluate_entry(check_entry(entry, name), {}) for entry in entries]
-        return _transform(finite_array(numbers, name, _EXPECTED, (6,)))
+        return _make_transform(finite_array(numbers, name, _EXPECTED, (6,)))
     return rigid_poses(pose, name, _EXPECTED)
 
 
-def _transform(numbers: Array) -> Array:
+def _make_transform(numbers: Array) -> Array:
     (cr, sr), (cp, sp), (cy, sy) = (cos_sin(float(angle)) for angle in numbers[3:])
     T = np.eye(4)
     T[:3, :3] = [
@@ -97,11 +97,11 @@ def _transform(numbers: Array) -> Array:
     return T
 
 
-def _length(x: float) -> Entry:
+def _clean_length(x: float) -> Entry:
     return 0 if abs(x) < _ROUND_OFF else float(x)
 
 
-def _angle(angle: float) -> Entry:
+def _clean_angle(angle: float) -> Entry:
     """Return an angle as a formula where it is a multiple of a right angle, so that it is exact."""
     turns = quarter_turns(float(angle))
     if turns is None:

@@ -108,7 +108,7 @@ def _link_wrenches(
         lever = R @ np.array([arm.number(c) for c in body.com])
         force = arm.number(body.mass) * (a + _relative_acceleration(omega, alpha, lever))
         tensor = R @ tensors[k] @ np.swapaxes(R, -1, -2)
-        spin = _apply(tensor, alpha) + np.cross(omega, _apply(tensor, omega))
+        spin = _apply_tensors(tensor, alpha) + np.cross(omega, _apply_tensors(tensor, omega))
         wrenches.append((force, np.cross(origin + lever, force) + spin))
     return wrenches
 
@@ -133,5 +133,5 @@ def _relative_acceleration(omega: Array, alpha: Array, r: Array) -> Array:
     return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
 
 
-def _apply(tensor: Array, vector: Array) -> Array:
+def _apply_tensors(tensor: Array, vector: Array) -> Array:
     return np.einsum("...ij,...j->...i", tensor, vector)

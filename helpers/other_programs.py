@@ -1,8 +1,8 @@
 """Write an arm as code of other programs, so that the same numbers can be computed there.
 
-`code` gives the Robotics Toolbox (Python and MATLAB), Modern Robotics, Pinocchio and SymPy; `urdf`
-gives a robot description. Each text ends with the calls that give the pose and the Jacobians, and
-says which function of `helpers` gives the same numbers.
+`write_code` writes for the Robotics Toolbox (Python and MATLAB), Modern Robotics, Pinocchio and
+SymPy, `write_urdf` writes a robot description. Code ends with the calls that give the pose and the
+Jacobians, and says which function of `helpers` gives the same numbers.
 """
 
 from collections.abc import Callable
@@ -14,10 +14,10 @@ from helpers.arm import Arm, Row, require_joints
 from helpers.inputs import require_choice
 from helpers.kinematics import forward_kinematics, link_frames
 
-__all__ = ["PROGRAMS", "code", "urdf"]
+__all__ = ["PROGRAMS", "write_code", "write_urdf"]
 
 
-def code(arm: Arm, program: str) -> str:
+def write_code(arm: Arm, program: str) -> str:
     """Write an arm as code of another program.
 
     Args:
@@ -30,14 +30,14 @@ def code(arm: Arm, program: str) -> str:
 
     Example:
         >>> from helpers.robots import ELBOW
-        >>> print(code(ELBOW, "matlab").splitlines()[0])
+        >>> print(write_code(ELBOW, "matlab").splitlines()[0])
         L(1) = Revolute('d', 0.5, 'a', 0, 'alpha', pi/2, 'offset', 0);
     """
     require_joints(arm)
     return _WRITERS[require_choice(program, "program", PROGRAMS)](arm)
 
 
-def urdf(arm: Arm) -> str:
+def write_urdf(arm: Arm) -> str:
     """Write an arm as a robot description (URDF).
 
     Each row is a joint q_i and a link link_i; the last fixed joint leads to the link "tool". Masses
@@ -46,7 +46,7 @@ def urdf(arm: Arm) -> str:
     Example:
         >>> from helpers.robots import ELBOW
         >>> from helpers.urdf import from_urdf
-        >>> from_urdf(urdf(ELBOW))
+        >>> from_urdf(write_urdf(ELBOW))
         <Arm Elbow arm: 3 rows, RRR>
     """
     require_joints(arm)
@@ -54,39 +54,39 @@ def urdf(arm: Arm) -> str:
     for i, row in enumerate(arm.rows, 1):
         parent = f"link_{i - 1}" if i > 1 else "base"
         a, alpha, d, theta = map(arm.number, row.entries)
-        origin_text, origin = _origin(origin), (a, alpha, d, theta)
+        origin_text, origin = _write_origin(origin), (a, alpha, d, theta)
         parts.append(
-            f'<joint name="q_{i}" type="{_joint_type(row)}"><parent link="{parent}"/>'
-            f'<child link="link_{i}"/>{origin_text}<axis xyz="0 0 1"/>{_limit(row)}</joint>'
+            f'<joint name="q_{i}" type="{_choose_joint_type(row)}"><parent link="{parent}"/>'
+            f'<child link="link_{i}"/>{origin_text}<axis xyz="0 0 1"/>{_write_limit(row)}</joint>'
         )
-        parts.append(f'<link name="link_{i}">{_inertial(arm, i)}</link>')
+        parts.append(f'<link name="link_{i}">{_write_inertial(arm, i)}</link>')
     parts.append(
         f'<joint name="flange" type="fixed"><parent link="link_{len(arm.rows)}"/>'
-        f'<child link="tool"/>{_origin(origin)}</joint><link name="tool"/>'
+        f'<child link="tool"/>{_write_origin(origin)}</joint><link name="tool"/>'
     )
     body = "\n  ".join(parts)
     return f'<?xml version="1.0"?>\n<robot name={quoteattr(arm.name)}>\n  {body}\n</robot>\n'
 
 
-def _origin(numbers: tuple[float, float, float, float]) -> str:
+def _write_origin(numbers: tuple[float, float, float, float]) -> str:
     """Write Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) as an element <origin>."""
     a, alpha, d, theta = numbers
-    x, y, z = (_clean(v) for v in (a * np.cos(theta), a * np.sin(theta), d))
+    x, y, z = (_remove_round_off(v) for v in (a * np.cos(theta), a * np.sin(theta), d))
     return f'<origin xyz="{x!r} {y!r} {z!r}" rpy="{alpha!r} 0 {theta!r}"/>'
 
 
-def _clean(value: float) -> float:
+def _remove_round_off(value: float) -> float:
     """Return a length (m) without round-off around 0."""
     return float(value) if abs(value) > 1e-15 else 0.0
 
 
-def _joint_type(row: Row) -> str:
+def _choose_joint_type(row: Row) -> str:
     if row.joint.kind == "revolute" and np.isinf([row.joint.lower, row.joint.upper]).any():
         return "continuous"
     return row.joint.kind
 
 
-def _limit(row: Row) -> str:
+def _write_limit(row: Row) -> str:
     """Write the limits that are finite; URDF wants effort and velocity, and 0 is unknown there."""
     joint = row.joint
     if joint.kind == "fixed":
@@ -98,7 +98,7 @@ def _limit(row: Row) -> str:
     return f"<limit {' '.join(texts)}/>"
 
 
-def _inertial(arm: Arm, i: int) -> str:
+def _write_inertial(arm: Arm, i: int) -> str:
     """Write the mass of row i; its link's frame comes before the row's own lengths and angles."""
     if not arm.bodies or not arm.number(arm.bodies[i - 1].mass):
         return ""
@@ -116,21 +116,21 @@ def _inertial(arm: Arm, i: int) -> str:
 # Code
 
 
-def _entry(arm: Arm, entry: float | str) -> str:
+def _write_entry(arm: Arm, entry: float | str) -> str:
     """Write an angle such as pi/2 as that, and any other entry as a number."""
     if isinstance(entry, str) and not entry.replace("pi", "").strip("-+0123456789*/ ."):
         return entry
     return repr(arm.number(entry)).removesuffix(".0")
 
 
-def _dh_numbers(arm: Arm, row: Row) -> list[str]:
-    return [_entry(arm, entry) for entry in row.entries]
+def _write_dh_numbers(arm: Arm, row: Row) -> list[str]:
+    return [_write_entry(arm, entry) for entry in row.entries]
 
 
-def _robotics_toolbox(arm: Arm) -> str:
+def _write_robotics_toolbox(arm: Arm) -> str:
     lines = []
     for i, row in enumerate(arm.rows, 1):
-        a, alpha, d, theta = _dh_numbers(arm, row)
+        a, alpha, d, theta = _write_dh_numbers(arm, row)
         note = f"  # row {i} does not move: leave its q at 0" if row.joint.kind == "fixed" else ""
         if row.joint.kind == "prismatic":
             lines.append(f"    PrismaticDH(theta={theta}, a={a}, alpha={alpha}, offset={d}),")
@@ -155,10 +155,10 @@ def _robotics_toolbox(arm: Arm) -> str:
     ])  # fmt: skip
 
 
-def _matlab(arm: Arm) -> str:
+def _write_matlab(arm: Arm) -> str:
     lines = []
     for i, row in enumerate(arm.rows, 1):
-        a, alpha, d, theta = _dh_numbers(arm, row)
+        a, alpha, d, theta = _write_dh_numbers(arm, row)
         if row.joint.kind == "prismatic":
             fields = f"'theta', {theta}, 'a', {a}, 'alpha', {alpha}, 'offset', {d}"
             lines.append(f"L({i}) = Prismatic({fields});")
@@ -181,13 +181,13 @@ def _matlab(arm: Arm) -> str:
     ])  # fmt: skip
 
 
-def _array_text(array: np.ndarray) -> str:
+def _write_array(array: np.ndarray) -> str:
     """Write a matrix, its numbers rounded to 12 decimals so that round-off does not show."""
     rows = (", ".join(repr(float(x)) for x in row) for row in array.round(12) + 0.0)
     return "[" + ",\n    ".join(f"[{row}]" for row in rows) + "]"
 
 
-def _screws(arm: Arm) -> np.ndarray:
+def _compute_screws(arm: Arm) -> np.ndarray:
     """Compute the screw axes (w, v) of the joints at q = 0 in the base frame, shape (6, dof)."""
     frames, columns = link_frames(arm, np.zeros(arm.dof)), []
     for i, is_revolute in zip(arm.joints, arm.turning, strict=True):
@@ -196,13 +196,13 @@ def _screws(arm: Arm) -> np.ndarray:
     return np.array(columns).T
 
 
-def _modern_robotics(arm: Arm) -> str:
+def _write_modern_robotics(arm: Arm) -> str:
     return "\n".join([
         "import numpy as np",
         "import modern_robotics as mr",
         "",
-        f"M = np.array({_array_text(forward_kinematics(arm, np.zeros(arm.dof)))})",
-        f"Slist = np.array({_array_text(_screws(arm))})",
+        f"M = np.array({_write_array(forward_kinematics(arm, np.zeros(arm.dof)))})",
+        f"Slist = np.array({_write_array(_compute_screws(arm))})",
         f"q = np.zeros({arm.dof})",
         "T = mr.FKinSpace(M, Slist, q)  # kinematics.forward_kinematics(arm, q)",
         "J_space = mr.JacobianSpace(Slist, q)  # w above v, v of the point at the base's origin",
@@ -215,12 +215,12 @@ def _modern_robotics(arm: Arm) -> str:
     ])  # fmt: skip
 
 
-def _pinocchio(arm: Arm) -> str:
+def _write_pinocchio(arm: Arm) -> str:
     return "\n".join([
         "import numpy as np",
         "import pinocchio as pin",
         "",
-        f"URDF = '''{urdf(arm)}'''",
+        f"URDF = '''{write_urdf(arm)}'''",
         "model = pin.buildModelFromXML(URDF)",
         "data = model.createData()",
         f"q = np.zeros({arm.dof})",
@@ -246,7 +246,7 @@ def _pinocchio(arm: Arm) -> str:
     ])  # fmt: skip
 
 
-def _sympy(arm: Arm) -> str:
+def _write_sympy(arm: Arm) -> str:
     rows = []
     for i, row in enumerate(arm.rows, 1):
         a, alpha, d, theta = (str(entry) for entry in row.entries)
@@ -291,10 +291,10 @@ def _sympy(arm: Arm) -> str:
 
 
 _WRITERS: dict[str, Callable[[Arm], str]] = {
-    "robotics toolbox": _robotics_toolbox,
-    "matlab": _matlab,
-    "modern robotics": _modern_robotics,
-    "pinocchio": _pinocchio,
-    "sympy": _sympy,
+    "robotics toolbox": _write_robotics_toolbox,
+    "matlab": _write_matlab,
+    "modern robotics": _write_modern_robotics,
+    "pinocchio": _write_pinocchio,
+    "sympy": _write_sympy,
 }
 PROGRAMS = tuple(_WRITERS)

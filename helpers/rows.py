@@ -126,7 +126,7 @@ def revolute(
         ('a_3', '-pi/2', 0, 0)
     """
     warn_of_units(a, alpha, d, theta)
-    return Row(a, alpha, d, theta, _joint("revolute", limits, speed, effort))
+    return Row(a, alpha, d, theta, _make_joint("revolute", limits, speed, effort))
 
 
 def prismatic(
@@ -158,10 +158,10 @@ def prismatic(
         1.0
     """
     warn_of_units(a, alpha, d, theta)
-    return Row(a, alpha, d, theta, _joint("prismatic", limits, speed, effort))
+    return Row(a, alpha, d, theta, _make_joint("prismatic", limits, speed, effort))
 
 
-def _joint(kind: Kind, limits: Sequence[float], speed: float, effort: float) -> Joint:
+def _make_joint(kind: Kind, limits: Sequence[float], speed: float, effort: float) -> Joint:
     return change_joint(Joint(kind), {"limits": limits, "speed": speed, "effort": effort})
 
 

@@ -45,7 +45,7 @@ def matrices(named: Mapping[str, object]) -> MarkdownOutput:
         ${A_1 = \\left[\\begin{matrix}1 & 0\\\\0 & 1\\end{matrix}\\right]\\quad}$
     """
     require_type(named, Mapping, "named")
-    formulas = [rf"${{{name} = {_latex(value)}\quad}}$" for name, value in named.items()]
+    formulas = [rf"${{{name} = {_write_latex(value)}\quad}}$" for name, value in named.items()]
     return MarkdownOutput("\n".join(formulas))
 
 
@@ -62,7 +62,7 @@ def frames(T: ArrayLike) -> MarkdownOutput:
     return MarkdownOutput(header + "\n".join(table).replace("-", "−"))
 
 
-def _latex(value: object) -> str:
+def _write_latex(value: object) -> str:
     """Write a matrix in LaTeX."""
     if isinstance(value, sp.MatrixBase):
         entries = [list(map(_entry_latex, row)) for row in abbreviate(value).tolist()]

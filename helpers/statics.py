@@ -58,7 +58,7 @@ def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Ar
         >>> float(potential_energy(UR10E, UR10E.home).round(3))
         176.165
     """
-    return run_recursion(arm, q, _energy, (), _upward_vector(arm, gravity))[()]
+    return run_recursion(arm, q, _compute_energy, (), _upward_vector(arm, gravity))[()]
 
 
 def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
@@ -81,7 +81,7 @@ def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Arra
         array([   0.  , -121.29,  -39.3 ])
     """
     up = _upward_vector(arm, gravity)
-    return run_recursion(arm, q, _torques, (arm.dof,), up)
+    return run_recursion(arm, q, _compute_torques, (arm.dof,), up)
 
 
 def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
@@ -187,7 +187,7 @@ def require_bodies(arm: Arm) -> None:
 # Recursions over the links, as `helpers.program` records them; `up` is -gravity in base axes
 
 
-def _energy(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
+def _compute_energy(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
     """Sum m (up . c) over the links, c being the centre of mass in base axes."""
     total = 0.0
     _, *frames = frame_columns(motions)
@@ -198,7 +198,7 @@ def _energy(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Valu
     return [total]
 
 
-def _torques(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
+def _compute_torques(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
     """Carry mass and first moment (x, y, z) from the tip to the base, and take each torque."""
     mass, (x, y, z), torques = 0.0, (0.0, 0.0, 0.0), []
     links = zip(motions, _upward_in_rows(motions, up), *_masses_and_centres(arm), strict=True)

@@ -214,13 +214,13 @@ def potential_energy(arm: Arm) -> sp.Expr:
         ArmError: The arm has no masses.
     """
     ring = Ring(arm, extra=_body_symbols(arm))
-    return ring.expression(_energy(arm, ring))
+    return ring.expression(_compute_energy(arm, ring))
 
 
 def gravity_torque(arm: Arm) -> Matrix:
     """Compute g(q) = dP/dq, dof x 1, in the symbols of `potential_energy`."""
     ring = Ring(arm, extra=_body_symbols(arm))
-    energy = _energy(arm, ring)
+    energy = _compute_energy(arm, ring)
     return ring.matrix([[ring.derivative(energy, i)] for i in arm.joints])
 
 
@@ -242,7 +242,7 @@ def _body_symbols(arm: Arm) -> list[sp.Symbol]:
     return list(body_numbers(arm))
 
 
-def _energy(arm: Arm, ring: Ring) -> PolyElement:
+def _compute_energy(arm: Arm, ring: Ring) -> PolyElement:
     """Compute g sum m_i (o_z + x_i x_z + y_i y_z + z_i z_z) in a ring with these symbols.
 
     x_z, y_z, z_z and o_z are the third components of the columns of link frame i.

@@ -86,7 +86,7 @@ def from_urdf(
         tip = tree.require_single(tree.ends_from(base), f"at the end beyond {base}")
     tip = tree.require_link(tip, "tip")
     start, chain = tree.chain(base, tip)
-    axes, pose, loads = _walk(start, chain, tree.loads_with_branches(chain))
+    axes, pose, loads = _walk_chain(start, chain, tree.loads_with_branches(chain))
     if not axes:
         raise ArmError(
             f"{tree.name}: nothing moves from {base} to {tip}; expected a joint that does"
@@ -167,7 +167,7 @@ class _FileJoint:
         return Joint(_KINDS[self.kind], lower, upper, speed, effort)
 
 
-def _walk(
+def _walk_chain(
     start: Array, chain: Sequence[_FileJoint], loads: dict[str, Array]
 ) -> tuple[list[Axis], Array, Array]:
     """Follow the chain at q = 0, in base axes.

@@ -5,7 +5,7 @@ import pytest
 
 from helpers.arm import Arm, fixed, prismatic, revolute
 from helpers.kinematics import forward_kinematics, jacobian, jacobian_in_frame
-from helpers.other_programs import PROGRAMS, code, urdf
+from helpers.other_programs import PROGRAMS, write_code, write_urdf
 from helpers.robots import ARMS, ELBOW, PANDA, STANFORD
 from helpers.statics import gravity_torque
 from helpers.urdf import from_urdf
@@ -33,7 +33,7 @@ def joint_values(arm):
 def run(arm, program):
     """Run the code at other joint values than its zeros, and return its variables."""
     q = joint_values(arm)
-    text = code(arm, program)
+    text = write_code(arm, program)
     zeros = f"q = np.zeros({arm.dof})"
     assert program == "sympy" or zeros in text
     variables = {}
@@ -43,7 +43,7 @@ def run(arm, program):
 
 @EVERY_ARM
 def test_urdf_is_read_back_as_the_same_arm(arm):
-    q, back = joint_values(arm), from_urdf(urdf(arm), angle_tolerance=0)
+    q, back = joint_values(arm), from_urdf(write_urdf(arm), angle_tolerance=0)
     np.testing.assert_allclose(forward_kinematics(back, q), forward_kinematics(arm, q), atol=1e-10)
     np.testing.assert_allclose(jacobian(back, q), jacobian(arm, q), atol=1e-10)
     if arm.bodies:
@@ -91,11 +91,11 @@ def test_pinocchio_code_gives_pose_jacobians_and_torques(arm):
 
 def test_toolbox_code_writes_each_row():
     """The toolbox adds q to theta of a turning joint and to d of a sliding one, as offset."""
-    text = code(MIXED, "robotics toolbox")
+    text = write_code(MIXED, "robotics toolbox")
     assert "RevoluteDH(d=0.2, a=0, alpha=0.3, offset=0),  # row 1 does not move" in text
     assert "PrismaticDH(theta=0.7, a=-0.2, alpha=-pi/2, offset=0.1)," in text
     assert "moving = [1, 2, 4]" in text
-    assert "L(3) = Prismatic('theta', 0, 'a', 0, 'alpha', 0, 'offset', 0);" in code(
+    assert "L(3) = Prismatic('theta', 0, 'a', 0, 'alpha', 0, 'offset', 0);" in write_code(
         STANFORD, "matlab"
     )
 
@@ -106,7 +106,7 @@ def test_robotics_toolbox_code_gives_pose_and_jacobians(arm):
     q = joint_values(arm)
     full = np.zeros(len(arm.rows))
     full[np.array(arm.joints) - 1] = q
-    text = code(arm, "robotics toolbox")
+    text = write_code(arm, "robotics toolbox")
     zeros = f"q = np.zeros({len(arm.rows)})"
     assert zeros in text
     variables = {}
@@ -119,5 +119,5 @@ def test_robotics_toolbox_code_gives_pose_and_jacobians(arm):
 
 def test_every_program_is_written_for_an_arm_without_symbols():
     arm = Arm("plain", [revolute(a=0.4), revolute(a=0.3)])
-    assert not [program for program in PROGRAMS if not code(arm, program)]
-    assert code(ELBOW, "matlab").startswith("L(1) = Revolute('d', 0.5, 'a', 0, 'alpha', pi/2")
+    assert not [program for program in PROGRAMS if not write_code(arm, program)]
+    assert write_code(ELBOW, "matlab").startswith("L(1) = Revolute('d', 0.5, 'a', 0, 'alpha', pi/2")

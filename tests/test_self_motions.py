@@ -8,7 +8,7 @@ import pytest
 from helpers.arm import Arm, ArmError, revolute
 from helpers.kinematics import jacobian
 from helpers.motion import self_motion, self_motion_directions
-from helpers.motion.self_motions import _acceleration
+from helpers.motion.self_motions import _compute_acceleration
 from helpers.robots import ARMS, ELBOW, PANDA, UR10E_HOMEWORK
 from tests.laws import slow_frames
 
@@ -27,7 +27,7 @@ def test_acceleration_matches_finite_differences(arm):
     q, rates = rng.uniform(-1, 1, (2, arm.dof))
     h = 1e-5
     ahead, behind = jacobian(arm, q + h * rates) @ rates, jacobian(arm, q - h * rates) @ rates
-    assert _acceleration(jacobian(arm, q), rates) == pytest.approx(
+    assert _compute_acceleration(jacobian(arm, q), rates) == pytest.approx(
         (ahead - behind) / (2 * h), abs=1e-8
     )
 

@@ -75,7 +75,7 @@ def derive(
     axes = _check_axes(axes)
     pose = _tip_pose(tip, axes[-1])
     tolerance = finite_number(tolerance, "tolerance", "a number above 0, as 1e-9", above=0)
-    lines = _lines(axes, pose[:3, 3])
+    lines = _find_lines(axes, pose[:3, 3])
     goal = _Goal(pose, free=np.ndim(tip) == 1)
     choices = _Choices(bool(negative), tolerance)
     steps = _derive_steps([axis.joint for axis in axes], lines, goal, choices)
@@ -148,7 +148,7 @@ def _tip_pose(tip: ArrayLike, last: Axis) -> Array:
     return pose
 
 
-def _lines(axes: tuple[Axis, ...], tip: Array) -> list[Line]:
+def _find_lines(axes: tuple[Axis, ...], tip: Array) -> list[Line]:
     """Return the axes' lines; a slide without a point runs through the next turning axis or tip."""
     lines, next_point = [], tip
     for axis in reversed(axes):
@@ -201,13 +201,13 @@ def _derive_step(i: int, frame: Array, target: _Target, choices: _Choices) -> De
     wish = x if goal is None or goal.free else goal.pose[:3, 0]
     crossed = np.linalg.norm(np.cross(z, line.z)) >= choices.tolerance
     case, along = (_nonparallel_case if crossed else _parallel_case)(frame, line, wish, choices)
-    theta = _angle(float(np.cross(x, along) @ z), float(x @ along), choices)
+    theta = _compute_angle(float(np.cross(x, along) @ z), float(x @ along), choices)
     alpha = math.pi if z @ line.z < 0 else 0.0
     if crossed:
-        alpha = _angle(float(np.cross(z, line.z) @ along), float(z @ line.z), choices)
+        alpha = _compute_angle(float(np.cross(z, line.z) @ along), float(z @ line.z), choices)
     # a and d are measured in the axes that the rounded angles give, so that they make up for the
     # rounding.
-    x_i, y_i, z_i, _ = (frame @ _link(0, alpha, 0, theta))[:3].T
+    x_i, y_i, z_i, _ = (frame @ _make_link_transform(0, alpha, 0, theta))[:3].T
     if crossed:
         out = line.point - o
         a, d = out @ x_i, out @ y_i / math.sin(alpha)
@@ -218,7 +218,7 @@ def _derive_step(i: int, frame: Array, target: _Target, choices: _Choices) -> De
     a, d = clean_length(a * (case in ("skew", "parallel"))), clean_length(d, choices.tolerance)
     start = o + d * z
     opposite = not crossed and alpha != 0
-    reached = frame @ _link(a, alpha, d, theta)
+    reached = frame @ _make_link_transform(a, alpha, d, theta)
     feet = np.array([start, start + a * x_i])
     return DerivationStep(i, joint, case, opposite, feet, frame, reached, a, alpha, d, theta)
 
@@ -229,9 +229,9 @@ def _last_step(i: int, frame: Array, goal: _Goal, choices: _Choices) -> Derivati
     wish = x if goal.free else goal.pose[:3, 0]
     d, theta = (
         clean_length((goal.pose[:3, 3] - o) @ z),
-        _angle(np.cross(x, wish) @ z, x @ wish, choices),
+        _compute_angle(np.cross(x, wish) @ z, x @ wish, choices),
     )
-    reached = frame @ _link(0, 0, d, theta)
+    reached = frame @ _make_link_transform(0, 0, d, theta)
     feet = np.array([reached[:3, 3]] * 2)
     return DerivationStep(
         i, Joint("fixed"), "coincident", False, feet, frame, reached, 0.0, 0.0, d, theta
@@ -248,7 +248,7 @@ def _parallel_case(frame: Array, line: Line, wish: Array, choices: _Choices) -> 
         along = wish - (wish @ z) * z
         return "coincident", along / np.linalg.norm(along)
     along = across / away
-    return "parallel", _nearer(along, wish, choices) if choices.negative else along
+    return "parallel", _choose_nearer(along, wish, choices) if choices.negative else along
 
 
 def _nonparallel_case(
@@ -261,17 +261,17 @@ def _nonparallel_case(
     along = along / np.linalg.norm(along)
     gap = (line.point - o) @ along
     if abs(gap) < choices.tolerance:
-        return "intersecting", _nearer(along, wish, choices)
+        return "intersecting", _choose_nearer(along, wish, choices)
     out = math.copysign(1, gap) * along
-    return "skew", _nearer(out, wish, choices) if choices.negative else out
+    return "skew", _choose_nearer(out, wish, choices) if choices.negative else out
 
 
-def _nearer(along: Array, wish: Array, choices: _Choices) -> Array:
+def _choose_nearer(along: Array, wish: Array, choices: _Choices) -> Array:
     """Return the direction or its opposite, whichever turns less from `wish`."""
     return -along if along @ wish < -choices.tolerance else along
 
 
-def _link(a: float, alpha: float, d: float, theta: float) -> Array:
+def _make_link_transform(a: float, alpha: float, d: float, theta: float) -> Array:
     """Compute A_i at q_i = 0."""
     (ca, sa), (c, s) = cos_sin(alpha), cos_sin(theta)
     return np.array(
@@ -279,7 +279,7 @@ def _link(a: float, alpha: float, d: float, theta: float) -> Array:
     )
 
 
-def _angle(sine: float, cosine: float, choices: _Choices) -> float:
+def _compute_angle(sine: float, cosine: float, choices: _Choices) -> float:
     """Return the angle in (-pi, pi]; near a multiple of a right angle, exactly that."""
     angle = math.atan2(sine, cosine)
     turns = round(angle / (math.pi / 2))

@@ -45,7 +45,7 @@ class Axis:
         if joint.kind == "fixed":
             raise ArmError("an axis's joint is fixed; expected revolute or prismatic")
         object.__setattr__(self, "joint", joint)
-        object.__setattr__(self, "direction", _unit(self.direction))
+        object.__setattr__(self, "direction", _normalize(self.direction))
         if self.point is not None:
             point = finite_array(self.point, "an axis's point", POINT, (3,))
             object.__setattr__(self, "point", tuple(map(float, point)))
@@ -53,7 +53,7 @@ class Axis:
             raise ArmError(f"the point of an axis that turns is None; expected {POINT}")
 
 
-def _unit(direction: ArrayLike) -> tuple[float, ...]:
+def _normalize(direction: ArrayLike) -> tuple[float, ...]:
     """Return the direction with length 1; scaled first, so that large numbers do not overflow."""
     expected = "a vector of three finite numbers, not all 0"
     vector = finite_array(direction, "an axis's direction", expected, (3,))

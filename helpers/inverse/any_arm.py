@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import require_type
-from helpers.inverse.by_structure import candidates
+from helpers.inverse.by_structure import find_candidates
 from helpers.inverse.reach import distance_of_targets
 from helpers.inverse.shoulder import elbow, has_rod, is_elbow_arm, rod
 from helpers.inverse.solutions import (
@@ -86,8 +86,8 @@ def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None
 
     def kernel(arm: Arm, columns: Array, start: Array) -> BranchArrays:
         if is_position:
-            return _solve(arm, structure, columns, start)
-        return _solve(arm, structure, columns.reshape(4, 4, -1), start)
+            return _solve_by_structure(arm, structure, columns, start)
+        return _solve_by_structure(arm, structure, columns.reshape(4, 4, -1), start)
 
     found = each_branch(arm, columns, start, choices, kernel)
     if structure.kind in (PLANAR_3R, SCARA):
@@ -119,10 +119,12 @@ _OWN_FORMS = (
 def _choice_names(structure: Structure) -> list[str]:
     """Return the names of the choices that a structure leaves, in their order."""
     target = structure.tip if structure.kind not in (POSITION, PLANAR_2R) else structure.tip[:3, 3]
-    return candidates(structure, target[..., None], np.zeros((len(structure.axes), 1))).choices
+    return find_candidates(structure, target[..., None], np.zeros((len(structure.axes), 1))).choices
 
 
-def _solve(arm: Arm, structure: Structure, targets: Array, start: Array) -> BranchArrays:
+def _solve_by_structure(
+    arm: Arm, structure: Structure, targets: Array, start: Array
+) -> BranchArrays:
     """Return all branches for poses (4, 4, batch) or positions (3, batch)."""
     found = _solve_once(arm, structure, targets, start)
     if structure.kind != PARALLEL:
@@ -163,7 +165,7 @@ def _replace_columns(
 def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) -> BranchArrays:
     """Return all branches, with free joints at `start`, (dof, batch)."""
     reference = structure.reference[:, None]
-    tried = candidates(structure, targets, start - reference)
+    tried = find_candidates(structure, targets, start - reference)
     count, batch = len(tried.choices), targets.shape[-1]
     branches = 2**count
     q = (
@@ -173,7 +175,7 @@ def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) ->
     q = np.where(np.isfinite(q), q, 0.0)
     turning = arm.turning[:, None, None]
     q = np.where(turning, q - 2 * np.pi * np.rint(q / (2 * np.pi)), q)
-    q, valid = _finish(arm, structure, np.moveaxis(targets, -1, 0), q.transpose(2, 1, 0))
+    q, valid = _refine_branches(arm, structure, np.moveaxis(targets, -1, 0), q.transpose(2, 1, 0))
     shape = (2,) * count
     equal = [
         np.broadcast_to(one, (2**k, batch)).reshape((2,) * k + (1,) * (count - k) + (batch,))
@@ -193,7 +195,7 @@ def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) ->
     )
 
 
-def _finish(
+def _refine_branches(
     arm: Arm, structure: Structure, targets: Array, q: Array
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Finish branches q (batch, branches, dof) by Newton's method; return them and which are valid.

@@ -34,7 +34,7 @@ from helpers.inverse.axes import (
     transform_point,
     unit_across,
 )
-from helpers.inverse.curves import Flatness, find_flatness, invariants, joint_curve
+from helpers.inverse.curves import Flatness, compute_invariants, find_flatness, joint_curve
 from helpers.inverse.equations import (
     Roots,
     angle_between,
@@ -74,7 +74,7 @@ class Candidates:
     free: dict[int, Mask] = field(default_factory=dict)
 
 
-def candidates(structure: Structure, targets: Array, start: Array) -> Candidates:
+def find_candidates(structure: Structure, targets: Array, start: Array) -> Candidates:
     """Return every combination of roots for a batch of targets.
 
     Args:
@@ -88,12 +88,12 @@ def candidates(structure: Structure, targets: Array, start: Array) -> Candidates
     inverse_tip = np.linalg.inv(structure.tip)
     G = np.einsum("ijn,jk->ikn", targets, inverse_tip)
     if structure.kind == WRIST:
-        return _wrist(structure, structure.axes, G, start)
+        return _find_wrist_candidates(structure, structure.axes, G, start)
     if structure.kind == FIRST_THREE_MEET:
-        return _reversed_wrist(structure, G, start)
+        return _find_reversed_wrist_candidates(structure, G, start)
     if structure.kind == PARALLEL:
-        return _parallel(structure, G, start)
-    return _planar(structure, G, start)
+        return _find_parallel_candidates(structure, G, start)
+    return _find_planar_candidates(structure, G, start)
 
 
 def _solve_along(
@@ -125,8 +125,8 @@ def _place_point(
     """
     first, second, third = axes
     flat_1, flat_3 = find_flatness(first, second, size), find_flatness(third, second, size)
-    A_1, b_1 = invariants(second, joint_curve(first, p), size)  # of joint 1 undone, by -q_1
-    A_3, b_3 = invariants(second, joint_curve(third, w), size)
+    A_1, b_1 = compute_invariants(second, joint_curve(first, p), size)  # of joint 1 undone, by -q_1
+    A_3, b_3 = compute_invariants(second, joint_curve(third, w), size)
     if flat_3.width < NEARLY:
         shoulder, elbow = _cross_segment(
             flat_3, (A_3, b_3, third.turns), (A_1, b_1, first.turns), size, (start[2], -start[0])
@@ -173,14 +173,17 @@ def _cross_segment(
 
     Args:
         flat: the directions along and across the segment.
-        segment, conic: A (2, 2, ...) and b (2, ...) of `invariants`, and whether the joint turns.
+        segment, conic: A (2, 2, ...) and b (2, ...) of `compute_invariants`, and whether the joint
+            turns.
         start: motions that the segment's and the conic's joint take where they are free.
     """
     (A_s, b_s, turns_s), (A_c, b_c, turns_c) = segment, conic
     along, across = flat.directions.T
-    first = _solve_along(across, (A_c, turns_c), _product(across, b_s - b_c), size, start[1])
+    first = _solve_along(
+        across, (A_c, turns_c), _multiply_by_normal(across, b_s - b_c), size, start[1]
+    )
     offset = _invariants_at(A_c, first.values, turns_c) + b_c - b_s
-    second = _solve_along(along, (A_s, turns_s), _product(along, offset), size, start[0])
+    second = _solve_along(along, (A_s, turns_s), _multiply_by_normal(along, offset), size, start[0])
     return first, second
 
 
@@ -206,7 +209,7 @@ def _cross_alike(
     return roots, np.arctan2(y, x) if turns else x
 
 
-def _product(n: Array, b: Array) -> Array:
+def _multiply_by_normal(n: Array, b: Array) -> Array:
     """Return the product of a constant direction of the plane with the invariants b (2, ...)."""
     return n[0] * b[0] + n[1] * b[1]
 
@@ -217,7 +220,9 @@ def _place_tip(structure: Structure, p: Array, start: Array) -> Candidates:
     return _place_point(structure.axes, tip, p, structure.size, start)
 
 
-def _wrist(structure: Structure, axes: tuple[JointAxis, ...], G: Array, start: Array) -> Candidates:
+def _find_wrist_candidates(
+    structure: Structure, axes: tuple[JointAxis, ...], G: Array, start: Array
+) -> Candidates:
     """Return the motions of an arm whose last three axes meet: first three place their point."""
     w = structure.centre
     assert w is not None
@@ -247,15 +252,17 @@ def _wrist(structure: Structure, axes: tuple[JointAxis, ...], G: Array, start: A
     )
 
 
-def _reversed_wrist(structure: Structure, G: Array, start: Array) -> Candidates:
+def _find_reversed_wrist_candidates(structure: Structure, G: Array, start: Array) -> Candidates:
     """Return the motions of an arm whose first three axes meet: a wrist, counted from the tip."""
-    found = _wrist(structure, structure.axes[::-1], invert_transform(G), -start[::-1])
+    found = _find_wrist_candidates(
+        structure, structure.axes[::-1], invert_transform(G), -start[::-1]
+    )
     motions = [-motion for motion in found.motions[::-1]]
     free = {5 - joint: where for joint, where in found.free.items()}
     return Candidates(motions, found.choices, found.equal, free)
 
 
-def _parallel(structure: Structure, G: Array, start: Array) -> Candidates:
+def _find_parallel_candidates(structure: Structure, G: Array, start: Array) -> Candidates:
     """Return the motions of an arm with three parallel axes.
 
     The other three joints a, b, c follow the parallel ones in the loop that base and target close.
@@ -286,7 +293,7 @@ def _parallel(structure: Structure, G: Array, start: Array) -> Candidates:
             x = move_point(axis, -q, x)
         return transform_point(G, x)
 
-    triangle = _triangle(three, planar, structure.size, start[first : first + 3])
+    triangle = _find_triangle_candidates(three, planar, structure.size, start[first : first + 3])
     motions = {first + i: motion for i, motion in enumerate(triangle.motions)}
     motions |= {joint: double(q) for joint, q in zip(others, rest.motions, strict=True)}
     free = {first + i: where for i, where in triangle.free.items()}
@@ -360,7 +367,7 @@ def _moved_axis(T: Array, axis: JointAxis) -> JointAxis:
     )
 
 
-def _triangle(
+def _find_triangle_candidates(
     three: tuple[JointAxis, ...], planar: Callable[[Array], Array], size: float, start: Array
 ) -> Candidates:
     """Return the motions of three parallel joints that move points as `planar` does."""
@@ -383,11 +390,11 @@ def _triangle(
     return Candidates([q_1, q_2, q_3], ["elbow"], [root.equal], {0: free_1, 1: double(root.free)})
 
 
-def _planar(structure: Structure, G: Array, start: Array) -> Candidates:
+def _find_planar_candidates(structure: Structure, G: Array, start: Array) -> Candidates:
     """Return the motions of a planar three-link arm or a SCARA arm."""
     axes = structure.axes
     turning = [i for i, axis in enumerate(axes) if axis.turns]
-    found = _triangle(
+    found = _find_triangle_candidates(
         tuple(axes[i] for i in turning),
         lambda x: transform_point(G, x),
         structure.size,
@@ -406,5 +413,7 @@ def _two_links(structure: Structure, p: Array, start: Array) -> Candidates:
     tip = structure.tip[:3, 3][:, None, None]
     end = JointAxis(structure.axes[0].direction, tip, True)
     start = np.concatenate([start, start[:1]])
-    found = _triangle((*structure.axes, end), lambda x: p + 0 * x, structure.size, start)
+    found = _find_triangle_candidates(
+        (*structure.axes, end), lambda x: p + 0 * x, structure.size, start
+    )
     return Candidates(found.motions[:2], found.choices, found.equal, found.free)

@@ -30,7 +30,7 @@ def joint_curve(axis: JointAxis, x: Array) -> Curve:
     return Curve(x - radius, radius, cross(axis.direction, radius), True)
 
 
-def invariants(second: JointAxis, curve: Curve, size: float) -> tuple[Array, Array]:
+def compute_invariants(second: JointAxis, curve: Curve, size: float) -> tuple[Array, Array]:
     """Return the two numbers that joint 2 leaves alone along a curve: A (x, y) + b, in m.
 
     For a revolute joint 2 they are the height along its axis and the squared distance from a point
@@ -64,7 +64,7 @@ class Flatness(NamedTuple):
 def find_flatness(axis: JointAxis, second: JointAxis, size: float) -> Flatness:
     """Return how flat the curve of a joint is beside a second joint."""
     x = axis.point + size * np.array([0.3, -0.7, 0.5])[:, None, None]
-    A, _ = invariants(second, joint_curve(axis, x), size)
+    A, _ = compute_invariants(second, joint_curve(axis, x), size)
     U, sizes, _ = np.linalg.svd(A[:, :, 0, 0])
     # Roots are named by their sign, so a direction must not depend on the library that found it.
     U = U * np.where(np.where(np.abs(U[0]) > 1e-6, U[0], U[1]) < 0, -1.0, 1.0)

@@ -114,23 +114,23 @@ def turns_to_angle(direction: Array, x: Array, y: Array, target: Array) -> Roots
         direction, x, y, target: unit vectors, (3, branches, batch).
     """
     side_y, side_x, opposite = np.broadcast_arrays(
-        _angle(direction, y), _angle(direction, x), _angle(y, target)
+        _compute_angle(direction, y), _compute_angle(direction, x), _compute_angle(y, target)
     )
     half_sum = (side_y + side_x + opposite) / 2
-    above = _sine(half_sum - side_y) * _sine(half_sum - side_x)
-    below = _sine(half_sum) * _sine(half_sum - opposite)
+    above = _compute_sine(half_sum - side_y) * _compute_sine(half_sum - side_x)
+    below = _compute_sine(half_sum) * _compute_sine(half_sum - opposite)
     corner = 2 * np.arctan2(np.sqrt(np.maximum(above, 0.0)), np.sqrt(np.maximum(below, 0.0)))
     start, _ = angle_between(direction, x, y, 1.0, np.zeros(()))
     equal = (above <= 0.0) | (below <= 0.0)
     return Roots(interleave(start + corner, start - corner), equal, np.zeros(equal.shape, bool))
 
 
-def _angle(u: Array, v: Array) -> Array:
+def _compute_angle(u: Array, v: Array) -> Array:
     """Return the angle between vectors, precise near 0 and pi too."""
     return np.arctan2(norm(cross(u, v)), dot(u, v))
 
 
-def _sine(angle: Array) -> Array:
+def _compute_sine(angle: Array) -> Array:
     """Return the sine of an angle, exactly 0 at the boundary."""
     off_boundary = np.abs(angle) > BOUNDARY
     return np.where(off_boundary & (np.abs(np.pi - angle) > BOUNDARY), np.sin(angle), 0.0)

@@ -57,7 +57,7 @@ def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutio
 def elbow_kernel(arm: Arm, p: Array, start: Array) -> BranchArrays:
     """Both shoulders with both elbows, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
-    shape = _shape(second, third, tool[0].d if tool else 0.0)
+    shape = _read_shape(second, third, tool[0].d if tool else 0.0)
     plane = turn_plane_to_target(first, shape.offset, p, start[0] + first.theta)
     up = first.sin_alpha * np.array([[[-1.0], [1.0]], [[1.0], [-1.0]]])
     end = plane.x[:, None], plane.y[:, None]
@@ -102,7 +102,7 @@ class Shape(NamedTuple):
     offset: float
 
 
-def _shape(second, third, tool: float) -> Shape:
+def _read_shape(second, third, tool: float) -> Shape:
     across = -tool * third.sin_alpha
     fore, beta = float(np.hypot(third.a, across)), float(np.arctan2(across, third.a))
     offset = second.d + second.cos_alpha * (third.d + tool * third.cos_alpha)
@@ -133,7 +133,7 @@ def is_elbow_arm(arm: Arm) -> bool:
     return kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
         rows[0].a == rows[0].cos_alpha == rows[1].sin_alpha == 0.0
         and rows[1].a != 0.0
-        and _shape(rows[1], rows[2], 0.0 if len(rows) == 3 else rows[3].d).links.fore > 0.0
+        and _read_shape(rows[1], rows[2], 0.0 if len(rows) == 3 else rows[3].d).links.fore > 0.0
         and (len(rows) == 3 or rows[3].a == 0.0)
     )
 

@@ -94,7 +94,7 @@ class Solutions:
             return f"{self.arm.name}: {reached.sum()} of {reached.size} targets within reach"
         if not self.by_name:
             return f"{self.arm.name}: no solution, {self._reason_of_failure()}"
-        lines = [f"  {', '.join(cells)}" for cells in self._cells()]
+        lines = [f"  {', '.join(cells)}" for cells in self._list_cells()]
         return "\n".join(
             [f"{self.arm.name}, {', '.join(('solution', *self.arm.variables))}:", *lines]
         )
@@ -114,10 +114,10 @@ class Solutions:
         if self.q.ndim != 2 or not self.by_name:
             return repr(self)
         heads = ("solution", *(f"${name}$" for name in self.arm.variables))
-        rows = [heads, (":--", *["--:"] * self.arm.dof), *self._cells()]
+        rows = [heads, (":--", *["--:"] * self.arm.dof), *self._list_cells()]
         return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
-    def _cells(self) -> list[tuple[str, ...]]:
+    def _list_cells(self) -> list[tuple[str, ...]]:
         """Return a table row for each branch: its name and joint values, "any" for a free joint."""
         shown = [[f"{x:.4f}" for x in q.round(4) + 0.0] for q in self.by_name.values()]
         loose = self.free[self.valid]
@@ -227,7 +227,7 @@ def each_branch(
     shape = broadcast_shape("targets and start", targets.shape[:-1], start.shape[:-1])
     choices = tuple(map(len, branches))
     count, many, dof = math.prod(shape), math.prod(choices), arm.dof
-    targets, start = _columns(targets, shape), _columns(start, shape)
+    targets, start = _arrange_columns(targets, shape), _arrange_columns(start, shape)
     q, free = np.empty((*choices, dof, count)), np.zeros((*choices, dof, count), bool)
     valid, distance = np.empty((*choices, count), bool), np.empty(count)
     merged = np.empty((*choices, len(choices), count), bool)
@@ -272,7 +272,7 @@ def _list_merged_once(
     return listed, merged
 
 
-def _columns(values: Array, shape: tuple[int, ...]) -> Array:
+def _arrange_columns(values: Array, shape: tuple[int, ...]) -> Array:
     """Arrange vectors (..., k) as columns (k, batch), repeated to the shape of the batch."""
     if values.ndim == 1:
         return np.broadcast_to(values[:, None], (len(values), math.prod(shape)))

@@ -135,7 +135,7 @@ def pseudo_inverse(cutoff: float = 1e-9) -> Rates:
     Source: Whitney (1969).
     """
     _require_nonnegative(cutoff=cutoff)
-    return lambda J, twist, q: _pseudo(J, twist, cutoff)
+    return lambda J, twist, q: _apply_pseudoinverse(J, twist, cutoff)
 
 
 def damped(damping: float) -> Rates:
@@ -152,7 +152,7 @@ def damped(damping: float) -> Rates:
     Source: Nakamura and Hanafusa (1986).
     """
     _require_nonnegative(damping=damping)
-    return lambda J, twist, q: _damped(J, twist, damping**2)
+    return lambda J, twist, q: _apply_damped_inverse(J, twist, damping**2)
 
 
 def levenberg(scale: float = 0.1) -> Rates:
@@ -167,7 +167,7 @@ def levenberg(scale: float = 0.1) -> Rates:
     Source: Nocedal and Wright, Numerical Optimization, 10.3.
     """
     _require_nonnegative(scale=scale)
-    return lambda J, twist, q: _damped(J, twist, scale * float(np.linalg.norm(twist)))
+    return lambda J, twist, q: _apply_damped_inverse(J, twist, scale * float(np.linalg.norm(twist)))
 
 
 def format_size(value: float) -> str:
@@ -180,14 +180,14 @@ def _require_nonnegative(**numbers: float) -> None:
         finite_number(value, name, "a finite number of 0 or more", least=0)
 
 
-def _pseudo(J: Array, twist: Array, cutoff: float) -> Array:
+def _apply_pseudoinverse(J: Array, twist: Array, cutoff: float) -> Array:
     """Compute J^+ xi from the singular values, without the matrix J^+ itself."""
     U, sizes, V = np.linalg.svd(J, full_matrices=False)
     is_nonzero = sizes > cutoff * sizes[0]
     return (np.divide(twist @ U, sizes, out=np.zeros_like(sizes), where=is_nonzero)) @ V
 
 
-def _damped(J: Array, twist: Array, squared: float) -> Array:
+def _apply_damped_inverse(J: Array, twist: Array, squared: float) -> Array:
     try:
         return J.T @ np.linalg.solve(J @ J.T + squared * np.eye(len(J)), twist)
     except np.linalg.LinAlgError:

@@ -141,7 +141,7 @@ def report_trace(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> 
         largest_condition=float((sizes[:, 0] / np.maximum(sizes[:, -1], 1e-300)).max()),
         largest_speed=float(speed.max()),
         speed_share=float((speed / arm.speed_limits).max()),
-        largest_acceleration=float(_accelerations(path, q_dot).max(initial=0.0)),
+        largest_acceleration=float(_compute_accelerations(path, q_dot).max(initial=0.0)),
         speed_from_rest=float(np.abs(q_dot[[0, -1]]).max()),
         beyond_limits=_positive_excess(arm, beyond),
         beyond_speed=_positive_excess(arm, speed - arm.speed_limits),
@@ -169,7 +169,7 @@ def _angles_between(axes: Array, axis: Array) -> Array:
     return np.arctan2(np.linalg.norm(np.cross(axes, axis), axis=-1), axes @ axis)
 
 
-def _accelerations(path: Path, q_dot: Array) -> Array:
+def _compute_accelerations(path: Path, q_dot: Array) -> Array:
     """Compute accelerations from step to step; the last rate repeats the one before."""
     return np.abs(np.diff(q_dot[:-1], axis=0)) / np.diff(path.times)[:-1, None]
 

@@ -55,7 +55,7 @@ def self_motion(
     step = finite_number(step, "step", "a finite length > 0 in joint space", above=0)
     speed = finite_number(speed, "speed", "a finite joint speed > 0", above=0)
     pose, steps = forward_kinematics(arm, start), max(1, round(length / step))
-    ahead = _tangent(arm, start, direction)
+    ahead = _find_tangent(arm, start, direction)
     q: list[Array] = [start]
     for _ in range(steps):
         moved = _bring_back(arm, q[-1] + length / steps * ahead, pose)
@@ -65,7 +65,7 @@ def self_motion(
             )
         if not _within_limits(arm, moved):
             break
-        ahead = _tangent(arm, moved, ahead)
+        ahead = _find_tangent(arm, moved, ahead)
         q.append(moved)
     if len(q) == 1:  # no room: it stands still
         q.append(start)
@@ -104,9 +104,9 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
             "expected one null direction, or two at a pose of lost rank"
         )
     if len(null) == 2:
-        forms = np.array([[lost @ _bilinear(J, u, v) for u in null] for v in null])
+        forms = np.array([[lost @ _compute_bilinear_form(J, u, v) for u in null] for v in null])
         null = _common_zeros(forms, f"q = {np.asarray(q)}") @ null
-    keeps_tip = [np.abs(lost @ _acceleration(J, v)).max(initial=0) < _CUTOFF for v in null]
+    keeps_tip = [np.abs(lost @ _compute_acceleration(J, v)).max(initial=0) < _CUTOFF for v in null]
     directions = null[np.array(keeps_tip, dtype=bool)]
     directions = directions[np.lexsort(-np.abs(directions.T[::-1]))]
     forwards = [v * np.sign(v[np.abs(v) > 1e-6][0]) for v in directions]
@@ -129,11 +129,11 @@ def _common_zeros(forms: Array, place: str) -> Array:
     return np.sqrt([high, -low] / (high - low)) * [[1, 1], [1, -1]] @ axes.T
 
 
-def _bilinear(J: Array, u: Array, v: Array) -> Array:
-    return (_acceleration(J, u + v) - _acceleration(J, u - v)) / 4
+def _compute_bilinear_form(J: Array, u: Array, v: Array) -> Array:
+    return (_compute_acceleration(J, u + v) - _compute_acceleration(J, u - v)) / 4
 
 
-def _acceleration(J: Array, rates: Array) -> Array:
+def _compute_acceleration(J: Array, rates: Array) -> Array:
     """Compute the tip's acceleration (dJ/dt) rates, shape (6,), from the columns of J alone."""
     v, w = (J * rates)[:3].T, (J * rates)[3:].T
     axis_rates = np.cumsum(w, axis=0) - w  # angular velocity of each joint's axis
@@ -141,7 +141,7 @@ def _acceleration(J: Array, rates: Array) -> Array:
     return np.concatenate([linear, np.cross(axis_rates, w).sum(axis=0)])
 
 
-def _tangent(arm: Arm, q: Array, ahead: Array) -> Array:
+def _find_tangent(arm: Arm, q: Array, ahead: Array) -> Array:
     """Return the part of `ahead` that does not move the tip, with length 1."""
     _, sizes, right = np.linalg.svd(jacobian(arm, q))
     null = right[int((sizes > _CUTOFF * sizes[0]).sum()) :]

@@ -42,28 +42,28 @@ def sample_path(path: Path, method: str, rotation: Array) -> PathSamples:
     """Sample a path for all steps, so that its functions are called once and not at every step."""
     h = np.diff(path.times)
     at = {f: path.times[:-1] + f * h for f in FRACTIONS[method]}
-    velocities = {f: _sample(path.velocity, times) for f, times in at.items()}
+    velocities = {f: _sample_at_times(path.velocity, times) for f, times in at.items()}
     return PathSamples(
         times=path.times,
         h=h[:, None],
         twists={f: np.hstack([v, np.zeros_like(v)]) for f, v in velocities.items()},
-        positions={f: _sample(path.position, times) for f, times in at.items()},
+        positions={f: _sample_at_times(path.position, times) for f, times in at.items()},
         rotation=rotation,
     )
 
 
-def _sample(function: Callable[[Array], Array], times: Array) -> Array:
+def _sample_at_times(function: Callable[[Array], Array], times: Array) -> Array:
     """Evaluate a function at all times, (steps, 3); one by one where it takes no batch."""
     values = np.array(function(times.copy()), dtype=float)
     return values if values.shape == (len(times), 3) else np.array([function(t) for t in times])
 
 
-def euler(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
+def take_euler_step(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
     """Take one step of Euler's rule from q; `rate` are the joint rates there."""
     return q + h * rate
 
 
-def rk4(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
+def take_rk4_step(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
     """Take one step of the classical Runge-Kutta rule of fourth order from q."""
     k_2 = slope(0.5, q + h / 2 * rate)
     k_3 = slope(0.5, q + h / 2 * k_2)
@@ -71,7 +71,7 @@ def rk4(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
     return q + h / 6 * (rate + 2 * k_2 + 2 * k_3 + k_4)
 
 
-RULES = {"euler": euler, "rk4": rk4}
+RULES = {"euler": take_euler_step, "rk4": take_rk4_step}
 
 
 def tip_error(pose: Array, position: Array, rotation: Array) -> Array:
