@@ -6,11 +6,11 @@ import { hasTaskOrientation } from "../../judge/geometry/task_rows.js";
 import { syncWithAddress } from "./link.js";
 import { FIGURES } from "./more/kinds.js";
 import { buildPanel } from "./panel.js";
-import { inUse, loseContext } from "./renderer.js";
+import { getUsage, getContextLoser } from "./renderer.js";
 import { makeInitialState, Store } from "./state.js";
 
 // Used by the tests.
-export { inUse, loseContext };
+export { getUsage, getContextLoser };
 
 // Return a branch set for branches that Python or a page lists; their pose is that of the first.
 function makeBranchSet(arm, branches) {

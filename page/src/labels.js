@@ -1,4 +1,4 @@
-// Names of axes over a picture, moved off the links and off each other.
+// Names of axes over a picture. They avoid the links and each placedWidth.
 
 import { updateAttribute, h, setText } from "./dom.js";
 import { measureGap } from "./picking.js";
@@ -15,29 +15,29 @@ const DIRECTIONS = [
   [0.8, 0.8],
   [-0.8, -0.8],
 ];
-// Offsets of a label from the end of its axis, in px, nearest first.
+// Offsets of a label from the end of its axis in px, nearest first.
 const OFFSETS = [
   [0, 0],
-  ...[15, 22, 30].flatMap((far) => DIRECTIONS.map(([x, y]) => [far * x, far * y])),
+  ...[15, 22, 30].flatMap((distance) => DIRECTIONS.map(([x, y]) => [distance * x, distance * y])),
 ];
 
 /**
- * Find a spot for a label near the end of its axis: off the links if there is one, at least off the
- * labels that stand already; null if there is none.
+ * Find a spot for a label near the end of its axis. A spot beside the links is preferred.
  * @param {number[]} end pixel of the end of the axis
  * @param {number} width of the label in pixels
- * @param {{ spot: number[], width: number }[]} labels those that stand already
+ * @param {{ spot: number[], width: number }[]} labels that have their spots
  * @param {{ from: number[], to: number[] }[]} links their ends in pixels
- * @param {number} thickness half of a link's, in pixels
+ * @param {number} radius of a link, in pixels
+ * @returns {number[] | null} null if every spot overlaps a label
  */
-export function findLabelSpot([x, y], width, labels, links, thickness) {
+export function findLabelSpot([x, y], width, labels, links, radius) {
   const isOffLabels = ([u, v]) =>
     labels.every(
-      ({ spot, width: other }) =>
-        Math.abs(spot[0] - u) > (width + other) / 2 || Math.abs(spot[1] - v) > LABEL_SIZE[1],
+      ({ spot, width: placedWidth }) =>
+        Math.abs(spot[0] - u) > (width + placedWidth) / 2 || Math.abs(spot[1] - v) > LABEL_SIZE[1],
     );
   const isOffLinks = (spot) =>
-    links.every(({ from, to }) => measureGap(spot, from, to) > thickness + LABEL_RADIUS);
+    links.every(({ from, to }) => measureGap(spot, from, to) > radius + LABEL_RADIUS);
   const spots = OFFSETS.map(([dx, dy]) => [x + dx, y + dy]).filter(isOffLabels);
   return spots.find(isOffLinks) ?? spots[0] ?? null;
 }
@@ -45,18 +45,19 @@ export function findLabelSpot([x, y], width, labels, links, thickness) {
 export class AxisLabels {
   constructor(host) {
     this.host = host;
-    this.tags = [];
+    this.labels = [];
   }
 
   /**
    * Set the labels to draw.
-   * @param {{ tip: number[], letter: string, index: string }[]} tags the most important first
+   * @param {{ end: number[], letter: string, index: string }[]} labels most important first; `end`
+   *   is the end of the axis
    */
-  set(tags) {
-    this.tags = tags;
-    while (this.host.children.length < tags.length)
+  setLabels(labels) {
+    this.labels = labels;
+    while (this.host.children.length < labels.length)
       this.host.append(h("span", {}, h("i"), h("sub")));
-    tags.forEach(({ letter, index }, i) => {
+    labels.forEach(({ letter, index }, i) => {
       const span = this.host.children[i];
       updateAttribute(span, "class", `axis-${letter}`);
       setText(span.children[0], letter);
@@ -65,21 +66,21 @@ export class AxisLabels {
   }
 
   /**
-   * Place the labels. One without room beside the others is hidden.
-   * @param {(point: number[]) => number[]} pixel
+   * Place the labels, and hide those without room.
+   * @param {(point: number[]) => number[]} toPixel
    * @param {{ width: number, height: number }} size of the picture
    * @param {{ from: number[], to: number[] }[]} links their ends in pixels
-   * @param {number} thickness half of a link's, in pixels
+   * @param {number} radius of a link, in pixels
    */
-  place(pixel, { width, height }, links, thickness) {
+  placeLabels(toPixel, { width, height }, links, radius) {
     const placed = [];
-    const transforms = this.tags.map(({ tip, index }) => {
-      const [x, y] = pixel(tip);
+    const transforms = this.labels.map(({ end, index }) => {
+      const [x, y] = toPixel(end);
       const isInside = x > -20 && y > -20 && x < width + 20 && y < height + 20;
-      const room = LABEL_SIZE[0] + 4 * Math.max(0, index.length - 1);
-      const spot = isInside && findLabelSpot([x, y], room, placed, links, thickness);
+      const labelWidth = LABEL_SIZE[0] + 4 * Math.max(0, index.length - 1);
+      const spot = isInside && findLabelSpot([x, y], labelWidth, placed, links, radius);
       if (!spot) return null;
-      placed.push({ spot, width: room });
+      placed.push({ spot, width: labelWidth });
       const [left, top] = spot.map((v) => v.toFixed(1));
       return `translate(${left}px, ${top}px) translate(-50%, -50%)`;
     });

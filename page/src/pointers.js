@@ -11,7 +11,7 @@ import {
   norm,
 } from "../../judge/geometry/kinematics.js";
 import { movableLinearRows } from "../../judge/geometry/task_rows.js";
-import { beforeDrawing, cancelStep } from "./renderer.js";
+import { runBeforeDrawing, cancelStep } from "./renderer.js";
 import {
   dragLink,
   dragTip,
@@ -38,16 +38,16 @@ export function enableGrabbing(picture, store, { grip, goTo }) {
   const { figure } = picture;
   const { canvas } = figure;
   const handleDown = (event) => grabber.handlePointerDown(event);
-  figure.listen(canvas, "pointerdown", handleDown, { capture: true });
-  figure.listen(grip, "pointerdown", (event) => {
+  figure.addListener(canvas, "pointerdown", handleDown, { capture: true });
+  figure.addListener(grip, "pointerdown", (event) => {
     if (!event.button) grabber.startDrag(event, { kind: "tip" });
   });
   for (const target of [canvas, grip]) {
-    figure.listen(target, "pointermove", (event) => grabber.handlePointerMove(event));
-    figure.listen(target, "pointerup", (event) => grabber.handlePointerUp(event));
-    figure.listen(target, "pointercancel", (event) => grabber.handlePointerUp(event));
+    figure.addListener(target, "pointermove", (event) => grabber.handlePointerMove(event));
+    figure.addListener(target, "pointerup", (event) => grabber.handlePointerUp(event));
+    figure.addListener(target, "pointercancel", (event) => grabber.handlePointerUp(event));
   }
-  figure.listen(canvas, "pointerleave", () => grabber.drag || grabber.highlight(null));
+  figure.addListener(canvas, "pointerleave", () => grabber.drag || grabber.highlightPart(null));
   // A touch on a part that can be grabbed drags it in every direction; elsewhere a touch may scroll
   // the page.
   const handleTouch = (event) => {
@@ -56,7 +56,7 @@ export function enableGrabbing(picture, store, { grip, goTo }) {
     if (isSingle && grabber.findPartUnder({ clientX, clientY, pointerType: "touch" }))
       event.preventDefault();
   };
-  figure.listen(canvas, "touchstart", handleTouch, { passive: false });
+  figure.addListener(canvas, "touchstart", handleTouch, { passive: false });
   figure.signal.addEventListener("abort", () => cancelStep(grabber.step));
 }
 
@@ -97,14 +97,14 @@ class Grabber {
     /** @type {{ x: number, y: number, part: Part | null } | null} position and part of a press */
     this.press = null;
     this.step = () => {
-      if (this.drag && !this.dragOneFrame()) beforeDrawing(this.step);
+      if (this.drag && !this.dragOneFrame()) runBeforeDrawing(this.step);
     };
   }
 
   isOnForceBall(pixel) {
-    const { handle } = this.picture;
-    if (!handle?.visible) return false;
-    const [x, y] = this.figure.pixel(handle.position.toArray());
+    const { forceBall } = this.picture;
+    if (!forceBall?.visible) return false;
+    const [x, y] = this.figure.projectToPixel(forceBall.position.toArray());
     return Math.hypot(x - pixel[0], y - pixel[1]) < FORCE_BALL_RADIUS;
   }
 
@@ -115,13 +115,13 @@ class Grabber {
    */
   findPartUnder(event) {
     const { picture, store } = this;
-    const pixel = this.figure.place(event);
+    const pixel = this.figure.getPointerPixel(event);
     const { state, derived } = store;
     if (this.isOnForceBall(pixel)) return { kind: "force" };
     const branch = state.view === "branches" ? picture.findBranchAt(pixel) : null;
     if (branch !== null) return { kind: "branch", branch };
     const radius = GRAB_RADIUS[event.pointerType] ?? GRAB_RADIUS.touch;
-    const hit = picture.findLinkAt(pixel, radius, picture.grips());
+    const hit = picture.findLinkAt(pixel, radius, picture.listGrabbableSegments());
     if (!hit) return null;
     const { frames } = derived;
     const grabbed = { row: hit.row, local: toFrame(frames[hit.row + 1], hit.point) };
@@ -154,7 +154,8 @@ class Grabber {
       rest: store.state.q,
       tip,
     };
-    if (part.kind === "tip") this.drag.from = figure.onFacingPlane(figure.place(event), tip.o);
+    if (part.kind === "tip")
+      this.drag.from = figure.projectToFacingPlane(figure.getPointerPixel(event), tip.o);
     event.target.setPointerCapture(event.pointerId);
     const { highlightedRow } = part;
     const highlight = highlightedRow === undefined ? {} : { highlightedRow };
@@ -166,7 +167,7 @@ class Grabber {
   // rests.
   dragOneFrame() {
     const { drag, store } = this;
-    drag.pixel = this.figure.place(drag.event);
+    drag.pixel = this.figure.getPointerPixel(drag.event);
     if (drag.kind === "tip") return this.dragTip(store.state);
     if (drag.kind === "force") this.dragForce();
     if (drag.kind === "link") this.dragLink(store.state);
@@ -176,22 +177,22 @@ class Grabber {
 
   dragForce() {
     const { picture, figure, store, drag } = this;
-    const point = figure.onFacingPlane(drag.pixel, picture.handle.position.toArray());
-    const wrench = point && [...picture.forceFrom(point), ...store.state.wrench.slice(3)];
+    const point = figure.projectToFacingPlane(drag.pixel, picture.forceBall.position.toArray());
+    const wrench = point && [...picture.computeForceFrom(point), ...store.state.wrench.slice(3)];
     if (wrench) store.dispatch({ type: "setWrench", wrench, gesture: drag.gesture });
   }
 
   dragLink({ arm, q }) {
     const { row, local, pixel: to, highlightedRow, gesture } = this.drag;
     const joint = movingRows(arm).indexOf(highlightedRow);
-    const pixel = (point) => this.figure.pixel(point);
+    const pixel = (point) => this.figure.projectToPixel(point);
     const next = dragLink(arm, q, { row, local, to, joint, pixel });
     this.store.dispatch({ type: "moveJoints", q: next, gesture });
   }
 
   dragElbow({ arm, q, hold }) {
     const { row, local, pixel: to, gesture } = this.drag;
-    const grab = { row, local, to, pixel: (point) => this.figure.pixel(point) };
+    const grab = { row, local, to, pixel: (point) => this.figure.projectToPixel(point) };
     const { q: next, free } = swingElbow(arm, q, grab, hold.pinned, { turns: hold.turns });
     this.store.dispatch({ type: "moveJoints", q: next, hold: { ...hold, free }, gesture });
   }
@@ -199,7 +200,7 @@ class Grabber {
   // Move the tip towards the pointer. Returns false while it is on its way.
   dragTip(state) {
     const { pixel, from, tip, rest, gesture } = this.drag;
-    const point = this.figure.onFacingPlane(pixel, tip.o);
+    const point = this.figure.projectToFacingPlane(pixel, tip.o);
     if (!point) return true;
     const o = tip.o.map((v, i) => v + point[i] - from[i]);
     return followTip(this.store, state, { ...tip, o }, { rest, gesture });
@@ -209,14 +210,14 @@ class Grabber {
     const { drag, figure } = this;
     if (drag && event.pointerId === drag.id) {
       drag.event = event;
-      beforeDrawing(this.step);
+      runBeforeDrawing(this.step);
     } else if (!drag && event.buttons === 0 && event.target === figure.canvas) {
-      this.highlight(this.findPartUnder(event));
+      this.highlightPart(this.findPartUnder(event));
     }
   }
 
   /** @param {Part | null} part */
-  highlight(part) {
+  highlightPart(part) {
     const { store } = this;
     this.figure.canvas.style.cursor = part ? "pointer" : "grab";
     const highlightedRow = part?.kind === "link" ? part.highlightedRow : null;
@@ -307,7 +308,7 @@ export function moveTipByKey(picture, store, event) {
   event.preventDefault();
   event.stopPropagation();
   const step = TIP_STEP * (event.shiftKey ? 0.1 : 1);
-  const axes = picture.cameraAxes();
+  const axes = picture.getCameraAxes();
   const { o } = store.derived.frames.at(-1);
   moveTip(
     store,

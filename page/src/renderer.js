@@ -13,12 +13,12 @@ import {
 } from "three";
 import { Box3, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { isShared } from "./shapes.js";
+import { isSharedGeometry } from "./shapes.js";
 import { waitForReader } from "./start.js";
 
 let sharedRenderer = null;
 let frameRequest = null;
-let isDrawing = false; // whether the pictures are drawn; their still pictures stand until then
+let isDrawing = false; // false while the still pictures are shown
 const figures = new Set();
 
 // Return the renderer. Throws if the browser has no WebGL.
@@ -34,19 +34,20 @@ function getRenderer() {
   sharedRenderer.shadowMap.enabled = true;
   sharedRenderer.shadowMap.type = PCFShadowMap;
   sharedRenderer.domElement.addEventListener("webglcontextlost", () =>
-    figures.forEach((figure) => figure.onLost(true)),
+    figures.forEach((figure) => figure.onContextChange(true)),
   );
   sharedRenderer.domElement.addEventListener("webglcontextrestored", () => {
     figures.forEach((figure) => {
-      figure.onLost(false);
-      figure.request();
+      figure.onContextChange(false);
+      figure.requestDrawing();
     });
   });
   return sharedRenderer;
 }
 
-// Return the renderer once drawing has begun; null without WebGL, which every figure is told.
-function findRenderer() {
+// Return the renderer, or null before drawing begins. Without WebGL, notify every figure and return
+// null.
+function getRendererIfDrawing() {
   if (!isDrawing) return null;
   try {
     return getRenderer();
@@ -60,96 +61,96 @@ function findRenderer() {
 export function startDrawing() {
   if (isDrawing) return;
   isDrawing = true;
-  for (const figure of figures) figure.request();
+  for (const figure of figures) figure.requestDrawing();
 }
 
-// Return the GPU memory in use, the draw calls of the last picture and the number of figures; for
-// tests.
-export const inUse = () => ({
+/** Return GPU memory, draw calls of the last picture and number of figures, for tests. */
+export const getUsage = () => ({
   ...sharedRenderer?.info.memory,
   calls: sharedRenderer?.info.render.calls,
   programs: sharedRenderer?.info.programs?.length,
   figures: figures.size,
 });
 
-/** Lose the WebGL context, as a busy GPU may; for tests. */
-export const loseContext = () => sharedRenderer?.getContext().getExtension("WEBGL_lose_context");
+/** Return the extension that loses the WebGL context, as a busy GPU may, for tests. */
+export const getContextLoser = () =>
+  sharedRenderer?.getContext().getExtension("WEBGL_lose_context");
 
 const pendingSteps = new Set();
 
 /**
- * Run a step once, right before the next pictures are drawn, so that a motion is drawn in the frame
- * in which it was computed.
- * @param {() => void} act
+ * Run a step once before the next drawing. A motion is then drawn in the frame that computed it.
+ * @param {() => void} step
  */
-export function beforeDrawing(act) {
-  pendingSteps.add(act);
-  frameRequest ??= requestAnimationFrame(drawDirty);
+export function runBeforeDrawing(step) {
+  pendingSteps.add(step);
+  frameRequest ??= requestAnimationFrame(drawChangedFigures);
 }
 
 // Cancel a pending step. Returns whether it was pending.
-export const cancelStep = (act) => pendingSteps.delete(act);
+export const cancelStep = (step) => pendingSteps.delete(step);
 
-function drawDirty() {
-  const now = [...pendingSteps];
+function drawChangedFigures() {
+  const steps = [...pendingSteps];
   pendingSteps.clear();
   try {
-    now.forEach((act) => act());
-    const renderer = findRenderer();
+    steps.forEach((step) => step());
+    const renderer = getRendererIfDrawing();
     if (!renderer || renderer.getContext().isContextLost()) return;
     for (const figure of figures)
-      if (figure.dirty && figure.visible && figure.width) figure.draw(renderer);
+      if (figure.needsDrawing && figure.isNearWindow && figure.width) figure.render(renderer);
   } finally {
-    frameRequest = pendingSteps.size ? requestAnimationFrame(drawDirty) : null;
+    frameRequest = pendingSteps.size ? requestAnimationFrame(drawChangedFigures) : null;
   }
 }
 
-// Only pictures near the window are drawn; the others follow when they come near.
+// Only pictures near the window are drawn.
 const visibilityObserver =
   typeof IntersectionObserver === "undefined"
     ? null
     : new IntersectionObserver(
-        (seen) => {
-          for (const { target, isIntersecting } of seen) {
+        (entries) => {
+          for (const { target, isIntersecting } of entries) {
             const figure = target.figure;
             if (!figure) continue;
-            figure.visible = isIntersecting;
-            if (isIntersecting) figure.request();
+            figure.isNearWindow = isIntersecting;
+            if (isIntersecting) figure.requestDrawing();
           }
         },
         { rootMargin: "200px" },
       );
 
-// Reused in every frame, so that none is allocated.
+// These two are reused, so that no frame allocates objects.
 const scratchVector = new Vector3();
 const raycaster = new Raycaster();
 
-// Direction of the camera from an arm; the still picture uses the same.
+/** Direction from an arm to the camera, in the still picture too. */
 export const INITIAL_VIEW = [0.687, -0.639, 0.344];
 
 /**
- * A 3D picture in a host element: scene, lights, camera and pointer positions in pixels.
- * `onDraw(figure)` is called after each drawing, `onResize` after each change of size before the
- * first drawing, and `onUnavailable` if the browser turns out to have no WebGL. Throws if that is
- * known at once.
+ * A 3D picture in a host element, with its scene, lights and camera.
+ *
+ * It calls `onDraw(figure)` after each drawing, `onResize()` after each change of size before the
+ * first drawing, `onContextChange(isLost)` when the WebGL context is lost or restored, and
+ * `onUnavailable()` if WebGL turns out to be missing. It throws if that is known at once.
  */
 export class Figure {
-  constructor(host, { onDraw, onResize, onLost = (_) => {}, onUnavailable = () => {} }) {
+  constructor(host, { onDraw, onResize, onContextChange = (_) => {}, onUnavailable = () => {} }) {
     if (typeof WebGL2RenderingContext === "undefined") throw new Error("no WebGL");
     this.host = host;
-    this.size = 1;
+    this.size = 1; // of the objects, in m
     this.onDraw = onDraw;
     this.onResize = onResize;
-    this.onLost = onLost;
+    this.onContextChange = onContextChange;
     this.onUnavailable = onUnavailable;
-    this.dirty = true;
-    this.visible = true;
-    this.abort = new AbortController();
-    this.points = null;
-    this.view = INITIAL_VIEW;
+    this.needsDrawing = true;
+    this.isNearWindow = true;
+    this.abortController = new AbortController();
+    this.fittedPoints = null;
+    this.viewDirection = INITIAL_VIEW;
     this.width = 0; // size of the host, stored because reading it forces a layout
     this.height = 0;
-    this.foot = () => 0; // height in CSS pixels of the buttons at the bottom of the picture
+    this.getFootHeight = () => 0; // CSS pixels that buttons cover at the bottom
     this.canvas = document.createElement("canvas");
     this.canvas.figure = this;
     this.context = this.canvas.getContext("2d");
@@ -158,30 +159,31 @@ export class Figure {
     this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener("change", () => this.request());
+    this.controls.addEventListener("change", () => this.requestDrawing());
     // Zooming waits until the picture has the focus, so that the page can scroll past it.
     this.controls.enableZoom = false;
     this.controls.enablePan = false;
     this.canvas.style.touchAction = "pan-y"; // set after OrbitControls, which sets "none"
-    this.listen(host, "focusin", () => (this.controls.enableZoom = true));
-    this.listen(host, "focusout", () => (this.controls.enableZoom = false));
-    this.lights();
+    this.addListener(host, "focusin", () => (this.controls.enableZoom = true));
+    this.addListener(host, "focusout", () => (this.controls.enableZoom = false));
+    this.addLights();
     figures.add(this);
     visibilityObserver?.observe(this.canvas);
-    waitForReader(host, () => this.visible, startDrawing, this.signal);
-    this.resizes = new ResizeObserver(() => this.resize());
-    this.resizes.observe(host);
+    waitForReader(host, () => this.isNearWindow, startDrawing, this.signal);
+    this.resizeObserver = new ResizeObserver(() => this.fitCanvasToHost());
+    this.resizeObserver.observe(host);
   }
 
   get signal() {
-    return this.abort.signal;
+    return this.abortController.signal;
   }
 
-  listen(target, type, act, options = {}) {
-    target.addEventListener(type, act, { ...options, signal: this.signal });
+  // Listen to an event until the figure is disposed.
+  addListener(target, type, handler, options = {}) {
+    target.addEventListener(type, handler, { ...options, signal: this.signal });
   }
 
-  lights() {
+  addLights() {
     this.sky = new HemisphereLight("#ffffff", "#8d95a1", 2);
     this.sky.position.set(0, 0, 1);
     this.sun = new DirectionalLight("#ffffff", 2);
@@ -211,58 +213,60 @@ export class Figure {
     camera.updateProjectionMatrix();
   }
 
-  request() {
-    this.dirty = true;
-    frameRequest ??= requestAnimationFrame(drawDirty);
+  requestDrawing() {
+    this.needsDrawing = true;
+    frameRequest ??= requestAnimationFrame(drawChangedFigures);
   }
 
-  resize() {
+  // Give the canvas the size of its host.
+  fitCanvasToHost() {
     const { clientWidth: width, clientHeight: height } = this.host;
     Object.assign(this, { width, height });
     if (!width || !height) return;
     const ratio = Math.min(devicePixelRatio, 2);
-    const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (this.canvas.width === wide && this.canvas.height === high) return;
-    Object.assign(this.canvas, { width: wide, height: high });
+    const [canvasWidth, canvasHeight] = [Math.round(width * ratio), Math.round(height * ratio)];
+    if (this.canvas.width === canvasWidth && this.canvas.height === canvasHeight) return;
+    Object.assign(this.canvas, { width: canvasWidth, height: canvasHeight });
     Object.assign(this.canvas.style, { width: `${width}px`, height: `${height}px` });
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.points && !(Math.abs(this.fitted - this.camera.aspect) < 0.01)) this.fit(this.points);
-    this.dirty = true;
+    if (this.fittedPoints && !(Math.abs(this.fittedAspect - this.camera.aspect) < 0.01))
+      this.fitView(this.fittedPoints);
+    this.needsDrawing = true;
     // Draw at once, because a resized canvas is blank.
-    if (sharedRenderer && !sharedRenderer.getContext().isContextLost()) this.draw(sharedRenderer);
-    else this.request();
+    if (sharedRenderer && !sharedRenderer.getContext().isContextLost()) this.render(sharedRenderer);
+    else this.requestDrawing();
     if (!isDrawing) this.onResize();
   }
 
   // Render the scene and copy the image to this figure's canvas.
-  draw(gl) {
+  render(renderer) {
     const { width, height } = this.canvas;
-    const size = gl.getSize(new Vector2());
+    const size = renderer.getSize(new Vector2());
     if (width > size.x || height > size.y)
-      gl.setSize(Math.max(width, size.x), Math.max(height, size.y), false);
-    gl.setViewport(0, 0, width, height);
-    gl.setScissor(0, 0, width, height);
-    gl.render(this.scene, this.camera);
-    this.dirty = false;
+      renderer.setSize(Math.max(width, size.x), Math.max(height, size.y), false);
+    renderer.setViewport(0, 0, width, height);
+    renderer.setScissor(0, 0, width, height);
+    renderer.render(this.scene, this.camera);
+    this.needsDrawing = false;
     this.context.clearRect(0, 0, width, height);
-    const top = gl.domElement.height - height;
-    this.context.drawImage(gl.domElement, 0, top, width, height, 0, 0, width, height);
+    const top = renderer.domElement.height - height;
+    this.context.drawImage(renderer.domElement, 0, top, width, height, 0, 0, width, height);
     this.onDraw(this);
   }
 
-  // Move the camera until all points are in view, above the buttons at the bottom. `view` is the
-  // direction from the arm to the camera.
-  fit(points, view = this.view) {
-    this.points = points;
-    this.view = view;
+  // Move the camera until all points are in view, above the buttons at the bottom. `direction`
+  // points from the arm to the camera.
+  fitView(points, direction = this.viewDirection) {
+    this.fittedPoints = points;
+    this.viewDirection = direction;
     if (!this.height) return; // the host has no size yet
     const { camera, controls, size } = this;
-    this.fitted = camera.aspect;
-    const foot = Math.min(0.3, this.foot() / this.height);
+    this.fittedAspect = camera.aspect;
+    const foot = Math.min(0.3, this.getFootHeight() / this.height);
     const vectors = points.map((p) => new Vector3(...p));
     new Box3().setFromPoints(vectors).getCenter(controls.target);
-    camera.position.copy(controls.target).addScaledVector(new Vector3(...view), 3 * size);
+    camera.position.copy(controls.target).addScaledVector(new Vector3(...direction), 3 * size);
     Object.assign(camera, { near: size / 50, far: size * 40 });
     camera.updateProjectionMatrix();
     for (let step = 0; step < 4; step++) {
@@ -277,32 +281,32 @@ export class Figure {
       );
       controls.target.addScaledVector(right, ((min.x + max.x) / 2) * half * camera.aspect);
       controls.target.addScaledVector(up, ((min.y + max.y) / 2 - lift) * half);
-      const [wide, high] = [
+      const [widthShare, heightShare] = [
         (max.x - min.x) / 2 / 0.81,
         (max.y - min.y) / 2 / Math.min(0.81, 0.96 - foot),
       ];
-      away.multiplyScalar(Math.max(wide, high));
+      away.multiplyScalar(Math.max(widthShare, heightShare));
       camera.position.copy(controls.target).add(away);
     }
     controls.update();
     camera.updateMatrixWorld(); // for points that are projected before the next drawing
-    this.request();
+    this.requestDrawing();
   }
 
   // Turn the camera by angles (rad) and move it nearer by a factor.
-  orbit(turn, tilt, nearer = 1) {
+  turnView(turn, tilt, nearer = 1) {
     this.controls.rotateLeft(-turn);
     this.controls.rotateUp(-tilt);
     this.controls.dollyIn(nearer);
   }
 
-  // Return the CSS pixels of a point, from the picture's top left corner.
-  pixel(point) {
+  // Project a point to CSS pixels from the picture's top left corner.
+  projectToPixel(point) {
     const p = scratchVector.fromArray(point).project(this.camera);
     return [((p.x + 1) * this.width) / 2, ((1 - p.y) * this.height) / 2];
   }
 
-  // Return how many pixels a length in metres has at a point.
+  // Return the size in pixels of a length (m) at a point.
   measurePixels(length, point) {
     const distance = this.camera.position.distanceTo(scratchVector.fromArray(point));
     const half = distance * Math.tan((this.camera.fov * Math.PI) / 360);
@@ -310,27 +314,27 @@ export class Figure {
   }
 
   /**
-   * Return the position of a pointer in the same pixels.
+   * Return the position of a pointer in CSS pixels from the picture's top left corner.
    * @returns {[number, number]}
    */
-  place({ clientX, clientY }) {
+  getPointerPixel({ clientX, clientY }) {
     const box = this.canvas.getBoundingClientRect();
     return [clientX - box.left, clientY - box.top];
   }
 
-  // Return the point under a pixel on the plane through `through` that faces the camera.
-  onFacingPlane([x, y], through) {
-    const place = new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
-    raycaster.setFromCamera(place, this.camera);
+  // Project a pixel onto the plane through a point that faces the camera.
+  projectToFacingPlane([x, y], point) {
+    const position = new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
+    raycaster.setFromCamera(position, this.camera);
     const normal = this.camera.getWorldDirection(new Vector3());
-    const plane = new Plane().setFromNormalAndCoplanarPoint(normal, new Vector3(...through));
+    const plane = new Plane().setFromNormalAndCoplanarPoint(normal, new Vector3(...point));
     return raycaster.ray.intersectPlane(plane, new Vector3())?.toArray() ?? null;
   }
 
   dispose() {
-    this.abort.abort();
+    this.abortController.abort();
     visibilityObserver?.unobserve(this.canvas);
-    this.resizes.disconnect();
+    this.resizeObserver.disconnect();
     this.controls.dispose();
     removeAndDispose(this.scene);
     this.sun.dispose();
@@ -347,12 +351,12 @@ export class Figure {
   }
 }
 
-// Remove an object from its scene and dispose its materials and geometries, except shared ones.
+/** Remove an object from its scene and dispose its materials and unshared geometries. */
 export function removeAndDispose(object) {
   object.traverse((part) => {
     part.material?.dispose();
     if (part.isInstancedMesh) part.dispose();
-    if (part.geometry && !isShared(part.geometry)) part.geometry.dispose();
+    if (part.geometry && !isSharedGeometry(part.geometry)) part.geometry.dispose();
   });
   object.removeFromParent();
 }

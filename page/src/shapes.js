@@ -48,8 +48,8 @@ const RING = new BufferGeometry().setFromPoints(
 );
 const SHARED = new Set([ROD, BARREL, BALL, BOX, CONE, SQUARE, RING]);
 
-// Return whether a geometry is shared by all figures; shared ones must not be disposed.
-export const isShared = (geometry) => SHARED.has(geometry);
+/** Return whether all figures share a geometry, which must not be disposed then. */
+export const isSharedGeometry = (geometry) => SHARED.has(geometry);
 
 export const makeBall = (material) => new Mesh(BALL, material);
 export const makeRod = (material) => new Mesh(BARREL, material);
@@ -75,8 +75,7 @@ const ORIGIN = [0, 0, 0];
 const WHITE = new Color(1, 1, 1);
 
 /**
- * Many solids of one shape and material, drawn in one call. Solids are placed by index; one of size
- * 0 is invisible.
+ * Solids of the same shape and material, drawn in a single call. Size 0 hides a solid.
  */
 class InstancedSolids extends InstancedMesh {
   constructor(geometry, material, count) {
@@ -87,21 +86,23 @@ class InstancedSolids extends InstancedMesh {
   }
 
   // Place a solid by its scaled x, y and z axes and its middle.
-  put(i, x, y, z, middle) {
+  placeByAxes(i, x, y, z, middle) {
     [x, y, z, middle].forEach((column, k) => this.instanceMatrix.array.set(column, 16 * i + 4 * k));
     this.instanceMatrix.array[16 * i + 15] = 1;
     this.instanceMatrix.needsUpdate = true;
   }
 
-  // Place a solid between two points. Its x axis points along `side` if that is given.
-  between(i, start, end, radius, side = null) {
+  // Place a solid between two points, with its x axis along `side`. Returns whether it is visible.
+  placeBetween(i, start, end, radius, side = null) {
     const direction = minus(end, start);
     const length = norm(direction);
-    const seen = length > 1e-6;
-    if (!seen) return (this.hide(i), false);
+    if (length <= 1e-6) {
+      this.hide(i);
+      return false;
+    }
     const x = side ?? findPerpendicular(direction, length);
     const size = radius / norm(x);
-    this.put(
+    this.placeByAxes(
       i,
       scaled(size, x),
       direction,
@@ -111,17 +112,17 @@ class InstancedSolids extends InstancedMesh {
     return true;
   }
 
-  ball(i, middle, radius) {
-    this.put(i, [radius, 0, 0], [0, radius, 0], [0, 0, radius], middle);
+  placeBall(i, middle, radius) {
+    this.placeByAxes(i, [radius, 0, 0], [0, radius, 0], [0, 0, radius], middle);
   }
 
   hide(i) {
-    this.ball(i, ORIGIN, 0);
+    this.placeBall(i, ORIGIN, 0);
   }
 
-  /** @param {(i: number) => Color} pick */
-  colour(pick) {
-    for (let i = 0; i < this.count; i++) this.setColorAt(i, pick(i));
+  /** @param {(i: number) => Color} getColour */
+  setColours(getColour) {
+    for (let i = 0; i < this.count; i++) this.setColorAt(i, getColour(i));
     this.instanceColor.needsUpdate = true;
   }
 }
@@ -145,17 +146,18 @@ export function placeRod(mesh, start, end, radius) {
 export const LINK_RADIUS = 0.021; // of the first link, as a share of the arm's reach
 
 /**
- * An arm: capsules along d and a of each row, a barrel at each revolute joint, a box at each
- * prismatic one. If `hue` is given, joints have it as their colour and can be tinted one by one;
- * their material must be white.
+ * An arm made of capsules along d and a of each row, and of a barrel or box at each joint.
+ *
+ * Revolute joints are barrels, prismatic joints boxes. With `jointColour` joints can be tinted
+ * singly; their material must be white then.
  */
 export class ArmShape extends Group {
-  constructor(arm, { link, joint, ghost = false, hue = null }) {
+  constructor(arm, { link, joint, ghost = false, jointColour = null }) {
     super();
     this.arm = arm;
     this.size = estimateReach(arm);
     this.ghost = ghost;
-    this.hue = hue;
+    this.jointColour = jointColour;
     const n = arm.rows.length;
     const add = (geometry, material, count) => {
       const solids = new InstancedSolids(geometry, material, count);
@@ -168,57 +170,61 @@ export class ArmShape extends Group {
     this.barrels = add(BARREL, joint, n + 1); // the last barrel is the pedestal
     this.boxes = arm.rows.some((row) => row.kind === "prismatic") ? add(BOX, joint, n) : null;
     if (!ghost)
-      this.barrels.between(
+      this.barrels.placeBetween(
         n,
         [0, 0, -0.004 * this.size],
         [0, 0, 0.012 * this.size],
         0.05 * this.size,
       );
-    if (!hue) return;
+    if (!jointColour) return;
     // Colours are set from the start; adding them later would compile another shadow program.
-    for (const solids of [this.rods, this.balls]) solids.colour(() => WHITE);
-    this.tint(() => null);
+    for (const solids of [this.rods, this.balls]) solids.setColours(() => WHITE);
+    this.tintJoints(() => null);
   }
 
-  // Colour each joint with `pick(row)`, or with its own colour if that returns null.
-  tint(pick) {
-    const colour = (i) => pick(i) ?? this.hue;
-    this.barrels.colour(colour);
-    this.boxes?.colour(colour);
+  // Tint each joint with `getTint(row)`, or not at all where that is null.
+  tintJoints(getTint) {
+    const getColour = (i) => getTint(i) ?? this.jointColour;
+    this.barrels.setColours(getColour);
+    this.boxes?.setColours(getColour);
   }
 
-  // Place the arm at frames. A ghost is slightly thinner, so that the arm hides it where both
-  // coincide.
-  pose(frames, girth = this.ghost ? 0.97 : 1) {
-    this.girth = girth * this.size;
+  // Place the links at frames. A ghost is thinner, so that an arm at the same pose hides it.
+  placeAtFrames(frames, thickness = this.ghost ? 0.97 : 1) {
+    this.radiusScale = thickness * this.size;
     this.arm.rows.forEach((row, i) => {
       const [before, after] = [frames[i], frames[i + 1]];
       const corner = minus(after.o, scaled(row.a, after.x));
-      const radius = this.radius(i);
-      const slides = row.kind === "prismatic";
-      const rises = this.rods.between(2 * i, before.o, corner, slides ? 0.6 * radius : radius);
-      const reaches = this.rods.between(2 * i + 1, corner, after.o, radius);
+      const radius = this.getLinkRadius(i);
+      const isPrismatic = row.kind === "prismatic";
+      const hasOffset = this.rods.placeBetween(
+        2 * i,
+        before.o,
+        corner,
+        isPrismatic ? 0.6 * radius : radius,
+      );
+      const hasLength = this.rods.placeBetween(2 * i + 1, corner, after.o, radius);
       const ends = [corner, after.o];
-      const widths = [slides ? 0.6 : 1, i === this.arm.rows.length - 1 ? 0.8 : 1];
+      const widths = [isPrismatic ? 0.6 : 1, i === this.arm.rows.length - 1 ? 0.8 : 1];
       ends.forEach((end, k) => {
-        if (rises || reaches) this.balls.ball(2 * i + k, end, widths[k] * radius);
+        if (hasOffset || hasLength) this.balls.placeBall(2 * i + k, end, widths[k] * radius);
         else this.balls.hide(2 * i + k);
       });
-      if (row.kind !== "fixed") this.joint(i, before, radius, slides);
+      if (row.kind !== "fixed") this.placeJoint(i, before, radius, isPrismatic);
     });
   }
 
-  joint(i, { o, x, z }, radius, slides) {
-    const half = scaled(slides ? 2.2 * radius : 1.45 * radius, z);
+  placeJoint(i, { o, x, z }, radius, isPrismatic) {
+    const half = scaled(isPrismatic ? 2.2 * radius : 1.45 * radius, z);
     const [from, to] = [minus(o, half), plus(o, half)];
-    if (slides) this.boxes.between(i, from, to, 2 * radius, x);
-    else this.barrels.between(i, from, to, 1.28 * radius);
+    if (isPrismatic) this.boxes.placeBetween(i, from, to, 2 * radius, x);
+    else this.barrels.placeBetween(i, from, to, 1.28 * radius);
   }
 
-  // Links grow thinner towards the tip; the last one is a pen.
-  radius(i) {
+  // Links grow thinner towards the tip, and the last link is a pen.
+  getLinkRadius(i) {
     const n = this.arm.rows.length;
-    return this.girth * (i === n - 1 ? 0.008 : LINK_RADIUS - (0.008 * i) / n);
+    return this.radiusScale * (i === n - 1 ? 0.008 : LINK_RADIUS - (0.008 * i) / n);
   }
 }
 
@@ -231,16 +237,16 @@ export class Arrow extends Group {
     this.add(this.shaft, this.head);
   }
 
-  point(start, direction, thickness) {
-    const length = norm(direction);
+  placeAlong(start, vector, thickness) {
+    const length = norm(vector);
     this.visible = length > 1e-9;
     if (!this.visible) return;
     const neck = Math.max(0, length - 5 * thickness);
-    placeRod(this.shaft, start, plus(start, scaled(neck / length, direction)), thickness);
+    placeRod(this.shaft, start, plus(start, scaled(neck / length, vector)), thickness);
     placeRod(
       this.head,
-      plus(start, scaled(neck / length, direction)),
-      plus(start, direction),
+      plus(start, scaled(neck / length, vector)),
+      plus(start, vector),
       2.4 * thickness,
     );
   }
@@ -256,23 +262,23 @@ export class Triads extends Group {
     const colours = Object.values(dark ? AXES_DARK : AXES).map((colour) => new Color(colour));
     this.shafts = new InstancedSolids(BARREL, new MeshBasicMaterial(), 3 * count);
     this.heads = new InstancedSolids(CONE, new MeshBasicMaterial(), 3 * count);
-    for (const solids of [this.shafts, this.heads]) solids.colour((i) => colours[i % 3]);
+    for (const solids of [this.shafts, this.heads]) solids.setColours((i) => colours[i % 3]);
     this.add(this.shafts, this.heads);
   }
 
-  /** @param {boolean[]} drawn whether each frame is drawn */
-  pose(frames, length, drawn) {
+  /** @param {boolean[]} isDrawn whether each frame is drawn */
+  placeAtFrames(frames, length, isDrawn) {
     const thickness = 0.022 * length;
     frames.forEach((frame, i) =>
       ["x", "y", "z"].forEach((axis, k) => {
-        const [neck, tip] = [length - 5 * thickness, length].map((far) =>
-          plus(frame.o, scaled(far, frame[axis])),
+        const [neck, tip] = [length - 5 * thickness, length].map((distance) =>
+          plus(frame.o, scaled(distance, frame[axis])),
         );
         for (const [solids, from, to, radius] of [
           [this.shafts, frame.o, neck, thickness],
           [this.heads, neck, tip, 2.4 * thickness],
         ]) {
-          if (drawn[i]) solids.between(3 * i + k, from, to, radius);
+          if (isDrawn[i]) solids.placeBetween(3 * i + k, from, to, radius);
           else solids.hide(3 * i + k);
         }
       }),
@@ -300,10 +306,11 @@ export class Ellipsoid extends Group {
     this.matrixAutoUpdate = false;
   }
 
-  // Set the half axes to `scale` times the singular values, but at least `least` so that they stay
-  // visible.
-  pose(centre, { values, vectors }, scale, least) {
-    const columns = vectors.map((v, i) => toVector(scaled(Math.max(scale * values[i], least), v)));
+  // Set the half axes to `scale` times the singular values, or to `shortest`, which is visible.
+  placeAt(centre, { values, vectors }, scale, shortest) {
+    const columns = vectors.map((v, i) =>
+      toVector(scaled(Math.max(scale * values[i], shortest), v)),
+    );
     const [u, v, w] = columns;
     this.matrix.makeBasis(u, v, w).premultiply(new Matrix4().makeTranslation(toVector(centre)));
   }
@@ -337,8 +344,8 @@ export function makeWall(points, material) {
   return mesh;
 }
 
-// Make a floor of grid lines that fade out towards the edge.
-export function floor(size, colour, strength) {
+// Make a floor of grid lines that fade out towards its edge.
+export function makeFloor(size, colour, strength) {
   const step = size > 1.2 ? 0.2 : size > 0.4 ? 0.1 : 0.05;
   const material = new ShaderMaterial({
     transparent: true,
@@ -377,3 +384,7 @@ export function makeGhostMaterial(colour, opacity) {
     roughness: 0.7,
   });
 }
+
+// Make the material of a transparent pane.
+export const makePaneMaterial = (color, opacity) =>
+  new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false });

@@ -1,4 +1,4 @@
-// Keep the tip in view: find out whether another arm or a motion took it out of the picture.
+// Keep the tip in view after a change of the arm or a motion.
 
 import { movingRows } from "../../judge/geometry/kinematics.js";
 
@@ -9,14 +9,14 @@ export class TipView {
   constructor(picture) {
     this.picture = picture;
     this.isResting = false;
-    this.wasInView = true; // whether the tip was in view when the arm last stood still
+    this.wasInView = true; // when the arm last stood still
     this.timer = /** @type {any} */ (0);
   }
 
   isInView() {
     const { frames, figure } = this.picture;
     if (!frames || !figure.width || !figure.height) return true;
-    const [x, y] = figure.pixel(frames.at(-1).o);
+    const [x, y] = figure.projectToPixel(frames.at(-1).o);
     return x >= 0 && x <= figure.width && y >= 0 && y <= figure.height;
   }
 
@@ -26,10 +26,10 @@ export class TipView {
     this.isResting = false;
   }
 
-  // Return whether the view must be fitted to an arm that replaces another one.
-  needsFitAfter(before) {
+  // Return whether the view must be fitted to an arm that replaces `previousArm`.
+  needsFitAfter(previousArm) {
     const { arm } = this.picture;
-    return movingRows(before).length !== movingRows(arm).length || !this.isInView();
+    return movingRows(previousArm).length !== movingRows(arm).length || !this.isInView();
   }
 
   // Wait until the arm stands still, and fit the view if its tip has left it.
@@ -37,7 +37,7 @@ export class TipView {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       if (store.state.dragging || store.state.playing) return this.waitForRest(store);
-      if (!this.isResting && this.wasInView && !this.isInView()) this.picture.fit();
+      if (!this.isResting && this.wasInView && !this.isInView()) this.picture.fitView();
       this.isResting = true;
     }, REST_TIME);
   }

@@ -109,7 +109,7 @@ def test_links_and_tip_can_be_dragged(reader):
         canvas = f"{ROOT}.querySelector('.stage canvas')"
         reader.at(canvas)
         x, y = reader.ask(
-            f"((c, box) => c.figure.pixel({INSTRUMENT}.explorer.store.derived.frames.at({frame}).o)"
+            f"((c, box) => c.figure.projectToPixel({INSTRUMENT}.explorer.store.derived.frames.at({frame}).o)"
             f".map((v, k) => v + [box.left, box.top][k]))({canvas}, {canvas}.getBoundingClientRect())"
         )
         reader.drag((x, y), (x + 30, y + 15))

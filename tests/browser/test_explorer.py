@@ -509,7 +509,7 @@ def test_live_figures_share_one_webgl_context(visit):
     for figure in figures:
         figure.evaluate(THERE)
         figure.locator("canvas").wait_for()
-    assert page.evaluate("ArmExplorer.inUse().figures") == len(figures) + 1
+    assert page.evaluate("ArmExplorer.getUsage().figures") == len(figures) + 1
 
 
 def test_chapter_2_joints_3_and_5_restore_rank(visit):
@@ -641,7 +641,7 @@ def pixel_of(page, frame):
     return page.evaluate(
         f"""() => {{
         const canvas = document.querySelector('.arm-explorer').shadowRoot.querySelector('.stage canvas');
-        const [x, y] = canvas.figure.pixel({STORE}.derived.frames.at({frame}).o);
+        const [x, y] = canvas.figure.projectToPixel({STORE}.derived.frames.at({frame}).o);
         const box = canvas.getBoundingClientRect();
         return [box.left + x, box.top + y];
     }}"""
@@ -669,7 +669,7 @@ def test_arm_is_dragged_by_links_and_tip(visit):
         assert frame == -1 or turned.tolist() == [3], "a link turns its joint, and no other"
         why = page.locator(".why").text_content()
         assert re.fullmatch(r".*: \d+ mm short\." if frame == -1 else "", why)
-        assert 5 <= page.evaluate("ArmExplorer.inUse().calls") <= 16
+        assert 5 <= page.evaluate("ArmExplorer.getUsage().calls") <= 16
         assert here.state("dragging")
         page.mouse.up()
         assert not here.state("dragging")
@@ -738,7 +738,7 @@ def test_memory_does_not_grow(visit):
             }
             store.dispatch({ type: 'selectArm', arm: arms[0] });
             await still();
-            return { ...ArmExplorer.inUse(), buffers };
+            return { ...ArmExplorer.getUsage(), buffers };
         };
         const [first, later] = [await round(arms.length), await round(2 * arms.length)];
         const hosts = Array.from({ length: 19 }, () => {
@@ -748,9 +748,9 @@ def test_memory_does_not_grow(visit):
             document.querySelector('.arm-explorer').before(host);
             return [host, ArmExplorer.mount(host)];
         });
-        await until(() => ArmExplorer.inUse().figures === 20);
-        const many = ArmExplorer.inUse().figures;
-        const context = ArmExplorer.loseContext();
+        await until(() => ArmExplorer.getUsage().figures === 20);
+        const many = ArmExplorer.getUsage().figures;
+        const context = ArmExplorer.getContextLoser();
         const note = hosts[0][0].shadowRoot.querySelector('.lost');
         const quiet = note.hidden;
         context.loseContext();
@@ -764,7 +764,7 @@ def test_memory_does_not_grow(visit):
             host.remove();
         }
         await still();
-        return { first, later, many, told, back, after: ArmExplorer.inUse() };
+        return { first, later, many, told, back, after: ArmExplorer.getUsage() };
     }"""
     )
     assert answer["later"]["geometries"] == answer["first"]["geometries"]

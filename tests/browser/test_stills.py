@@ -99,7 +99,7 @@ CANVAS = "document.querySelector('.arm-explorer').shadowRoot.querySelector('.sta
 STORE = "document.querySelector('.arm-explorer').explorer.store"
 LINK = f"""() => {{
     const {{ left, top }} = {CANVAS}.getBoundingClientRect();
-    const [x, y] = {CANVAS}.figure.pixel({STORE}.derived.frames.at(4).o);
+    const [x, y] = {CANVAS}.figure.projectToPixel({STORE}.derived.frames.at(4).o);
     return [left + x, top + y];
 }}"""
 
@@ -109,7 +109,7 @@ def test_drag_on_a_still_picture_is_carried_on(browser):
     page.goto((HTML / "explorer.html").as_uri())
     page.wait_for_function("document.querySelector('.arm-explorer').explorer")
     page.wait_for_function(f"{CANVAS}.width > 300")
-    assert page.evaluate("ArmExplorer.inUse().calls") is None, "nothing is drawn before a sign"
+    assert page.evaluate("ArmExplorer.getUsage().calls") is None, "nothing is drawn before a sign"
     x, y = page.evaluate(LINK)
     before = page.evaluate(f"{STORE}.state.q")
     page.mouse.move(x, y)

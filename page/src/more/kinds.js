@@ -41,7 +41,7 @@ function buildRowFigure(host, spec) {
   let share = 4;
   const live = makeLive(host, spec, {
     isGrabbable: false,
-    first: number - 1,
+    firstFrame: number - 1,
     state: { frames: "all" },
     message: ({ arm }) => describeMotions(arm.rows[0], share),
   });
@@ -59,7 +59,7 @@ function buildRowFigure(host, spec) {
   const lever = makeLever("motions", [0, 4], 4, { put, text, signal: live.signal });
   live.card.querySelector(".side").prepend(lever.root);
   lever.move(4);
-  live.picture?.fit();
+  live.picture?.fitView();
   return live.dispose;
 }
 
@@ -122,14 +122,14 @@ function buildColumnsFigure(host, spec) {
     store.dispatch({ type: "setFields", highlightedRow: row });
     live.refresh();
   };
-  const arrow = picture && new Arrow(picture.force.shaft.material);
+  const arrow = picture && new Arrow(picture.forceArrow.shaft.material);
   live.follow(({ arm }, derived) => {
     heat.update({ arm, highlightedRow: chosen }, derived.columns);
     if (!arrow || !picture.world) return;
     if (arrow.parent !== picture.world) picture.world.add(arrow);
     const column = derived.columns[movingRows(arm).indexOf(chosen)];
     const velocity = scaled(0.3, column.slice(0, 3));
-    arrow.point(derived.frames.at(-1).o, velocity, 0.008 * picture.size);
+    arrow.placeAlong(derived.frames.at(-1).o, velocity, 0.008 * picture.size);
   });
   choose(chosen);
   return live.dispose;

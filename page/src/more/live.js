@@ -21,18 +21,18 @@ let figureCount = 0;
  * @param {HTMLElement} host
  * @param {any} spec options of the figure: arm, q, joints (the numbers of joints with a lever)
  * @param {{ state?: object, isGrabbable?: boolean, message: (state: any, derived: any) => string,
- *   side?: HTMLElement[], first?: number }} options the initial state, whether the arm can be
+ *   side?: HTMLElement[], firstFrame?: number }} options the initial state, whether the arm can be
  *   grabbed, the message, elements beside the picture, and the number of the first frame
  */
 export function makeLive(host, spec, options) {
-  const { state = {}, isGrabbable = true, message, side = [], first = 0 } = options;
+  const { state = {}, isGrabbable = true, message, side = [], firstFrame = 0 } = options;
   const abort = new AbortController();
   const { signal } = abort;
   const { arm } = spec;
   const store = new Store(makeInitialState({ arm, q: spec.q ?? homePose(arm), ...state }));
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const stage = makeStage(store, {
-    ...{ signal, first, isGrabbable, hasTipBar: false, id: `figure-${++figureCount}` },
+    ...{ signal, firstFrame, isGrabbable, hasTipBar: false, id: `figure-${++figureCount}` },
     goTo: (q) => store.dispatch({ type: "glide", q }),
   });
   const caption = h("p.words");

@@ -33,8 +33,8 @@ const SWING_STEP = 0.06; // rad along the null space for one press
  * Make the picture with its controls.
  * @param {import("../state.js").Store} store
  * @param {{ goTo: (q: number[]) => void, id: string, announce?: Function, signal: AbortSignal,
- *   isGrabbable?: boolean, hasTipBar?: boolean, first?: number }} tools `first` is the number
- *   of the first frame; `hasTipBar` shows the buttons for the tip
+ *   isGrabbable?: boolean, hasTipBar?: boolean, firstFrame?: number }} tools `firstFrame` is the
+ *   number of the first frame; `hasTipBar` shows the buttons for the tip
  */
 export function makeStage(store, tools) {
   const { goTo, id, announce = () => {}, signal, isGrabbable = true, hasTipBar = true } = tools;
@@ -48,9 +48,9 @@ export function makeStage(store, tools) {
   root.append(...Object.values({ ...parts, hold: hold.root }));
   const drawStill = () => drawStillPicture(paper, store);
   drawStill();
-  const live = makeLivePicture(root, parts, tools.first ?? 0, drawStill);
+  const live = makeLivePicture(root, parts, tools.firstFrame ?? 0, drawStill);
   if (live.picture && isGrabbable) enableGrabbing(live.picture, store, { grip, goTo });
-  root.addEventListener("dblclick", () => live.picture?.fit());
+  root.addEventListener("dblclick", () => live.picture?.fitView());
   root.addEventListener("keydown", (event) => {
     if (event.target === root && turnViewByKey(live.picture, event.key)) event.preventDefault();
   });
@@ -68,7 +68,7 @@ export function makeStage(store, tools) {
       live.picture?.tipView.waitForRest(store);
       updateParts(parts, state, isGrabbable && Boolean(live.picture));
     },
-    fit: () => live.picture?.fit(),
+    fit: () => live.picture?.fitView(),
     dispose: () => live.picture?.dispose(),
   };
 }
@@ -84,9 +84,8 @@ function updateParts({ hold, grip, why }, state, isGrabbable) {
   why.hidden = !message;
 }
 
-// Make the live picture, which gives way to the still one if the browser turns out to have no
-// WebGL.
-function makeLivePicture(root, parts, first, drawStill) {
+// Make the live picture. The still picture replaces it if WebGL turns out to be missing.
+function makeLivePicture(root, parts, firstFrame, drawStill) {
   const onUnavailable = () => {
     live.picture?.dispose();
     live.picture = null;
@@ -94,7 +93,7 @@ function makeLivePicture(root, parts, first, drawStill) {
     drawStill();
     showWithoutWebGL(root, parts);
   };
-  const live = { picture: makePicture(root, parts, { first, onUnavailable }) };
+  const live = { picture: makePicture(root, parts, { firstFrame, onUnavailable }) };
   return live;
 }
 
@@ -134,17 +133,18 @@ function describeStill({ arm, q, unit }) {
 }
 
 // Make the live picture, or return null if there is no WebGL.
-function makePicture(root, parts, { first, onUnavailable }) {
+function makePicture(root, parts, { firstFrame, onUnavailable }) {
   const { labels, grip, hold, lost } = parts;
   try {
     const picture = new ArmPicture(root, labels, {
-      first,
+      firstFrame,
       onUnavailable,
-      onLost: (is) => (lost.hidden = !is),
+      onContextChange: (isLost) => (lost.hidden = !isLost),
       onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
       onDrawn: () => root.classList.add("drawn"),
     });
-    picture.figure.foot = () => hold.root.offsetHeight + 40; // and the foot’s own disc and label
+    // 40 px are the disc and the label at the arm's foot.
+    picture.figure.getFootHeight = () => hold.root.offsetHeight + 40;
     return picture;
   } catch {
     showWithoutWebGL(root, parts);
@@ -165,8 +165,8 @@ function showWithoutWebGL(root, { hold, lost }) {
 // Turn the view by a key. Returns false for other keys.
 function turnViewByKey(picture, key) {
   const view = VIEW_KEYS[key];
-  if (key === "0") picture?.fit();
-  else if (view) picture?.figure.orbit(...view);
+  if (key === "0") picture?.fitView();
+  else if (view) picture?.figure.turnView(...view);
   return key === "0" || Boolean(view);
 }
 
