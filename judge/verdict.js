@@ -1,4 +1,4 @@
-// The verdict: what a judge of any topic returns, and how it reads as text.
+// Makes verdicts, the results of the judges of all topics, and formats them as text.
 
 import { adviseOnCauses } from "./advice.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR, WRONG } from "./digits.js";
@@ -16,17 +16,17 @@ export const GRADE_MARKS = {
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
 /** @typedef {import("./geometry/arm.js").Row} Row */
 /**
- * A table of Denavit and Hartenberg as it was read.
+ * A Denavit-Hartenberg table as it was read.
  * @typedef {object} ReadTable
  * @property {Row[]} rows in the standard convention, in m and rad
  * @property {string[][]} cells a, alpha, d, theta of each typed row, in m and degrees
  * @property {any[][]} trees the formulas of these cells
- * @property {boolean[][]} wrong which cells are wrong
+ * @property {boolean[][]} wrong whether each cell is wrong
  * @property {import("./reading/table.js").TypedRow[]} [typed] the rows as they were typed
  */
 /**
- * A wrong or missing part: `what` is its kind (the name of a cause, "cause", "shape", ...), `where`
- * its position, `words` the sentence about it.
+ * A wrong or missing part of an answer. `what` is its kind (the name of a cause, "cause", "shape",
+ * ...), `where` its position, `words` the message about it.
  * @typedef {{ what: string, where: string, words: string }} Finding
  */
 /**
@@ -41,7 +41,7 @@ export const GRADE_MARKS = {
  * @property {Arm} arm the reference in the student's joints
  */
 /**
- * The judgement of an answer, as a judge returns it.
+ * The result of judging an answer.
  * @typedef {object} Verdict
  * @property {string} topic
  * @property {string} arm its name
@@ -57,15 +57,15 @@ export const GRADE_MARKS = {
  *   with its place and what it was taken for
  * @property {import("./reading/numbers.js").Typed} [typed] the numbers that were read
  * @property {string[]} [left] lines of the text that were not used
- * @property {boolean[]} [wrong] which of the numbers are wrong
- * @property {string[]} [rowNames] of a Jacobian: the names of the rows that were read
+ * @property {boolean[]} [wrong] whether each of the numbers is wrong
+ * @property {string[]} [rowNames] names of the Jacobian's rows that were read
  * @property {ReadTable} [table]
  * @property {JointReport} [map] from the joints of the student's table to those of the reference
  * @property {Record<string, any>} [figures] measured numbers by name
  */
 
 /**
- * Make a verdict whose lists are empty unless given.
+ * Make a verdict. Its lists are empty unless `fields` has them.
  * @param {string} topic
  * @param {{ name: string }} arm
  * @param {string} grade
@@ -85,9 +85,12 @@ export const makeVerdict = (topic, arm, grade, headline, fields = {}) => ({
   ...fields,
 });
 
+/** Make a finding. @param {string} what @param {string} words @returns {Finding} */
+export const makeFinding = (what, words, where = "") => ({ what, where, words });
+
 /**
- * Wrap a judge so that its verdicts name another arm of the family that the answer is right for,
- * carry advice, and list the lines that were not used.
+ * Wrap a judge so that its verdicts are complete. A wrong answer may be right for a different arm
+ * of the same family, which the verdict then names. It also gets advice and a note on unused lines.
  * @template {any[]} Rest
  * @param {(mine: any, ...rest: Rest) => Verdict} judge its last argument holds the options
  * @returns {(mine: any, ...rest: Rest) => Verdict}
@@ -106,8 +109,8 @@ export const completeVerdicts =
 /** @param {Verdict} verdict @param {any} mine */
 const findTokens = ({ tokens, typed }, mine) => tokens ?? typed?.tokens ?? mine?.tokens;
 
-// Return the verdict on an answer that is right for another arm of the same family; null if it is
-// wrong for all of them, or a table, whose causes already name other arms.
+// Return the verdict on a wrong answer that is right for a different arm of the same family, or
+// null. Tables are left out, since their causes already name other arms.
 /** @param {Verdict} verdict */
 function findRightArm({ topic, grade, typed }, judge, mine, args) {
   const [arm, ...rest] = args;

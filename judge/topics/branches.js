@@ -1,4 +1,4 @@
-// Judges a list of inverse kinematics solutions: each answer, and the branches that are missing.
+// Judges a list of inverse kinematics solutions. It judges each answer and names missing branches.
 
 import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
 import { causeName, causeMessage } from "../causes/ranking.js";
@@ -8,7 +8,7 @@ import { solveTarget } from "../geometry/target.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
-import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
@@ -21,22 +21,23 @@ import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 /** @typedef {import("../matching.js").Solutions} Solutions */
 
 /**
- * Judge joint vectors, a text or nested lists, for a target of an arm with a closed form: three
- * coordinates or the rows of a pose.
- * @param {string | any[]} mine @param {Arm} arm @param {number[] | number[][]} target
+ * Judge joint vectors for a target of an arm with a closed form.
+ * @param {string | any[]} mine text or nested lists
+ * @param {Arm} arm
+ * @param {number[] | number[][]} target three coordinates or the rows of a pose
  * @returns {import("../verdict.js").Verdict}
  */
-export const compareBranches = completeVerdicts(branchesCompared);
+export const compareBranches = completeVerdicts(judgeBranches);
 
-function branchesCompared(mine, arm, target, options = {}) {
-  const { angles = "rad", tolerance = null, found = null } = options;
-  const isFound = found && found.arm === arm.name;
-  const sought = found?.target ?? target;
-  const right = makeSolutions(arm, isFound ? found.branches : solveTarget(arm, sought));
-  const given = rowsGiven(sought);
+function judgeBranches(mine, arm, typedTarget, options = {}) {
+  const { angles = "rad", tolerance = null, found: solved = null } = options;
+  const isSolved = solved && solved.arm === arm.name;
+  const target = solved?.target ?? typedTarget;
+  const right = makeSolutions(arm, isSolved ? solved.branches : solveTarget(arm, target));
+  const given = rowsGiven(target);
   const part = { topic: "branches", angles, tolerance, given, many: true };
   return judgeWholeOrPart(
-    () => judgeAnswers(mine, right, sought, options),
+    () => judgeAnswers(mine, right, target, options),
     () => judgeFirstAngles(mine, right, part),
   );
 }
@@ -44,35 +45,39 @@ function branchesCompared(mine, arm, target, options = {}) {
 function judgeAnswers(mine, right, target, options) {
   const { arm } = right;
   const { angles, tolerance = null } = options;
-  const { answers: given, taken, typed } = readAnswers(mine, right, target, options);
-  const { astray, ...verdict } = judgeReadAnswers(right, given, tolerance, taken);
-  const report = askAboutDegrees(verdict, {
+  const read = readAnswers(mine, right, target, options);
+  const { typed, taken } = read;
+  const { wrongNumbers, ...first } = judgeReadAnswers(right, read.answers, tolerance, taken);
+  const verdict = askAboutDegrees(first, {
     arm,
-    values: given.flatMap(({ values }) => values),
+    values: read.answers.flatMap(({ values }) => values),
     angles,
     key: "ik.degrees",
     judgeInDegrees: () => judgeAnswers(mine, right, target, { ...options, angles: "deg" }),
     makeHeadline: (cause) => formatMessage("ik wrong", { arm: arm.name, cause }),
   });
   const dof = movingRows(right.arm).length;
-  const asRows = !taken.length && typed.shape.at(-1) === dof;
-  const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));
-  return wrong ? { ...report, typed, wrong } : { ...report, typed };
+  const isReadByRows = !taken.length && typed.shape.at(-1) === dof;
+  if (!isReadByRows) return { ...verdict, typed };
+  const wrong = read.answers.flatMap(({ values }, i) =>
+    values.map(() => wrongNumbers.includes(i + 1)),
+  );
+  return { ...verdict, typed, wrong };
 }
 
-// Read answers as rows; as columns if the list is square and only its columns are branches.
+// Read answers as rows, or as columns if the list is square and only its columns are branches.
 function readAnswers(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
   const { arm } = right;
-  const asked = { given: rowsGiven(target), which };
-  const rows = answers(mine, arm, angles, asked);
+  const request = { given: rowsGiven(target), which };
+  const rows = answers(mine, arm, angles, request);
   const count = rows.answers.length;
   if (count < 2 || count !== movingRows(arm).length) return rows;
   if (matchAnswers(right, rows.answers, tolerance).hits.size) return rows;
-  const columns = answers(mine, arm, angles, { ...asked, byColumns: true });
-  return matchAnswers(right, columns.answers, tolerance).astray.length ? rows : columns;
+  const columns = answers(mine, arm, angles, { ...request, byColumns: true });
+  return matchAnswers(right, columns.answers, tolerance).wrongNumbers.length ? rows : columns;
 }
 
-// Collect the different branches, and their count before equal ones were joined.
+// Collect the different branches, and their count before equal branches were joined.
 /** @returns {Solutions} */
 const makeSolutions = (arm, branches) => ({
   arm,
@@ -80,133 +85,131 @@ const makeSolutions = (arm, branches) => ({
   count: branches.reduce((sum, { times }) => sum + times, 0),
 });
 
-/** @returns {import("../verdict.js").Verdict & { astray: number[] }} */
+/** @returns {import("../verdict.js").Verdict & { wrongNumbers: number[] }} */
 function judgeReadAnswers(right, given, tolerance, taken) {
   const { arm, branches } = right;
-  const { hits, astray, sharp } = matchAnswers(right, given, tolerance);
-  const wrong = astray.map((number) =>
+  const { hits, wrongNumbers, isExact } = matchAnswers(right, given, tolerance);
+  const explanations = wrongNumbers.map((number) =>
     explainWrongAnswer(right, given[number - 1], number, tolerance),
   );
-  const [missing, found] = [false, true].map((there) =>
-    branches.flatMap(({ name }, k) => (hits.has(k) === there ? [name] : [])),
-  );
-  const unreachable = outOfRange(right, hits, missing, found);
-  const oneSided = unreachable.length || astray.length ? [] : oneSign(right, hits, missing, found);
-  const coarse =
+  const hasWrong = wrongNumbers.length > 0;
+  const found = branches.flatMap(({ name }, k) => (hits.has(k) ? [name] : []));
+  const missing = branches.flatMap(({ name }, k) => (hits.has(k) ? [] : [name]));
+  const unreachable = noteOutOfRange(right, hits);
+  const oneSided = unreachable.length || hasWrong ? [] : findForgottenSign(right, hits);
+  const hasTooFewDigits =
     tolerance === null && given.some((answer) => hits.size && looksLikeMistake(right, answer));
-  const unfinished = missing.length > 0 && !unreachable.length;
-  const grade = chooseGrade(astray.length > 0, unfinished || coarse, sharp);
-  const all = commonCause(wrong);
-  const whats = [
-    ...wrong.flatMap(({ causes }) => causes.map(causeName)),
+  const isUnfinished = missing.length > 0 && !unreachable.length;
+  const grade = chooseGrade(hasWrong, isUnfinished || hasTooFewDigits, isExact);
+  const common = findCommonCause(explanations);
+  const causes = [
+    ...explanations.flatMap((explanation) => explanation.causes.map(causeName)),
     ...oneSided.map(({ what }) => what),
   ];
+  const headline = formatHeadline(grade, right, { common, found, isUnfinished });
   return {
-    ...makeVerdict("branches", arm, grade, headlineOf(grade, right, { all, found, unfinished })),
-    astray,
-    findings: [
-      ...(all ? [{ what: "cause", where: "", words: `${causeMessage(all)}.` }] : []),
-      ...listFoundBranches(found, found.length < branches.length || astray.length > 0),
-      ...(all ? [] : wrong.map(({ finding }) => finding)),
-      ...listMissingBranches(missing, found.length > 0 || !astray.length),
-      ...oneSided,
-    ],
-    causes: [...new Set(whats)],
+    ...makeVerdict("branches", arm, grade, headline),
+    wrongNumbers,
+    findings: [...listFindings({ common, explanations, found, missing }), ...oneSided],
+    causes: [...new Set(causes)],
     taken,
-    notes: [...notesOf(right), ...noteEqualAnswers(arm, given), ...unreachable],
-    figures: { found, right: found.length, of: branches.length, wrong: astray.length },
+    notes: [...noteBranches(right), ...noteEqualAnswers(arm, given), ...unreachable],
+    figures: { found, right: found.length, of: branches.length, wrong: wrongNumbers.length },
   };
 }
 
-// Return the cause that all of several wrong answers share.
-function commonCause(wrong) {
-  const [first] = wrong;
-  const name = ({ causes }) => (causes.length ? causeName(causes[0]) : "");
-  if (wrong.length < 2 || !name(first)) return null;
-  return wrong.every((one) => name(one) === name(first)) ? first.causes[0] : null;
+// Return the cause that two or more wrong answers share, or null.
+function findCommonCause(explanations) {
+  const [first] = explanations;
+  const nameFirst = ({ causes }) => (causes.length ? causeName(causes[0]) : "");
+  if (explanations.length < 2 || !nameFirst(first)) return null;
+  const isCommon = explanations.every((other) => nameFirst(other) === nameFirst(first));
+  return isCommon ? first.causes[0] : null;
 }
 
-function chooseGrade(faulty, unfinished, sharp) {
-  if (faulty) return WRONG;
-  if (unfinished) return SO_FAR;
-  return sharp ? RIGHT : ROUNDED;
+function chooseGrade(hasWrong, isUnfinished, isExact) {
+  if (hasWrong) return WRONG;
+  if (isUnfinished) return SO_FAR;
+  return isExact ? RIGHT : ROUNDED;
 }
 
-// Name the branches in the answer, unless it has all of them, and the missing ones.
-const listFoundBranches = (names, told) =>
-  told
-    ? names.map((name) => ({
-        what: "found",
-        where: name,
-        words: formatMessage("ik found", { name }),
-      }))
-    : [];
+// List the wrong answers, the branches in the answer unless it is complete, and the missing
+// branches unless no answer is right.
+/** @returns {Finding[]} */
+function listFindings({ common, explanations, found, missing }) {
+  const hasWrong = explanations.length > 0;
+  const findings = common ? [makeFinding("cause", `${causeMessage(common)}.`)] : [];
+  if (missing.length || hasWrong)
+    for (const name of found)
+      findings.push(makeFinding("found", formatMessage("ik found", { name }), name));
+  if (!common) findings.push(...explanations.map(({ finding }) => finding));
+  if (missing.length && (found.length || !hasWrong))
+    findings.push(
+      makeFinding("missing", formatMessage("ik missing", { names: missing.join("; ") })),
+    );
+  return findings;
+}
 
-const listMissingBranches = (names, told) =>
-  names.length && told
-    ? [
-        {
-          what: "missing",
-          where: "",
-          words: formatMessage("ik missing", { names: names.join("; ") }),
-        },
-      ]
-    : [];
-
-function headlineOf(grade, { arm, branches }, { all, found, unfinished }) {
+function formatHeadline(grade, { arm, branches }, { common, found, isUnfinished }) {
   const fields = { arm: arm.name, count: found.length, all: branches.length };
   if (!branches.length) return formatMessage("ik none", fields);
-  if (grade === WRONG && all)
-    return formatMessage("ik wrong", { cause: uncapitalize(causeMessage(all)), ...fields });
+  if (grade === WRONG && common)
+    return formatMessage("ik wrong", { cause: uncapitalize(causeMessage(common)), ...fields });
   if (grade === WRONG) return formatMessage("ik some wrong", fields);
-  if (grade === SO_FAR) return formatMessage(unfinished ? "ik so far" : "ik so far digits", fields);
+  if (grade === SO_FAR)
+    return formatMessage(isUnfinished ? "ik so far" : "ik so far digits", fields);
   return formatMessage(grade === RIGHT ? "ik right" : "ik rounded", fields);
 }
 
-// Report a forgotten sign of a root: a joint with one sign in all answers, the other in all missing
-// branches.
+// Report a forgotten sign of a root. A joint then has the same sign in all answers and the opposite
+// sign in all missing branches.
 /** @returns {Finding[]} */
-function oneSign({ arm, branches }, hits, missing, found) {
-  if (!found.length || !missing.length) return [];
+function findForgottenSign({ arm, branches }, hits) {
+  if (!isPartial(branches, hits)) return [];
   const turns = revoluteFlags(arm);
   const k = jointNames(arm).findIndex((_, joint) => {
     const q = branches.map((branch) => branch.q[joint]);
-    const clear = Math.min(...q.map((x) => Math.abs(turns[joint] ? Math.sin(x) : x))) > NEARLY_ZERO;
-    const there = new Set(q.filter((_, b) => hits.has(b)).map(Math.sign));
-    const others = q.filter((_, b) => !hits.has(b)).map(Math.sign);
-    return clear && there.size === 1 && others.every((sign) => there.has(-sign));
+    const sizes = q.map((x) => Math.abs(turns[joint] ? Math.sin(x) : x));
+    const foundSigns = new Set(q.filter((_, b) => hits.has(b)).map(Math.sign));
+    const missingSigns = q.filter((_, b) => !hits.has(b)).map(Math.sign);
+    return (
+      Math.min(...sizes) > NEARLY_ZERO &&
+      foundSigns.size === 1 &&
+      missingSigns.every((sign) => foundSigns.has(-sign))
+    );
   });
   if (k < 0) return [];
   const key = k || !turns[0] ? "ik.one sign" : "ik one side";
-  return [
-    { what: "ik.one sign", where: "", words: formatMessage(key, { joint: jointNames(arm)[k] }) },
-  ];
+  return [makeFinding("ik.one sign", formatMessage(key, { joint: jointNames(arm)[k] }))];
 }
 
-// Report missing branches whose prismatic joint is beyond its range.
-function outOfRange({ arm, branches }, hits, missing, found) {
-  if (!found.length || !missing.length) return [];
-  const lacking = branches.filter((_, b) => !hits.has(b));
+// Return whether some branches are in the answer and some are missing.
+const isPartial = (branches, hits) => hits.size > 0 && hits.size < branches.length;
+
+// Note a prismatic joint that is beyond its range in all missing branches.
+function noteOutOfRange({ arm, branches }, hits) {
+  if (!isPartial(branches, hits)) return [];
+  const missing = branches.filter((_, b) => !hits.has(b));
   const turns = revoluteFlags(arm);
   const beyond = movingRows(arm).flatMap((row, k) => {
-    const { lower: least, upper: most } = arm.rows[row];
-    const inside = (x) => (least ?? -Infinity) <= x && x <= (most ?? Infinity);
-    return turns[k] || lacking.some(({ q }) => inside(q[k])) ? [] : [jointNames(arm)[k]];
+    const { lower, upper } = arm.rows[row];
+    const isInside = (x) => (lower ?? -Infinity) <= x && x <= (upper ?? Infinity);
+    return turns[k] || missing.some(({ q }) => isInside(q[k])) ? [] : [jointNames(arm)[k]];
   });
   return beyond.length ? [formatMessage("ik out of range", { joints: joinList(beyond) })] : [];
 }
 
-// Report each group of equal answers.
+// Note each group of equal answers.
 function* noteEqualAnswers(arm, given) {
-  for (const [n, one] of given.entries()) {
-    const same = given.map((other) => isSameAnswer(arm, other, one));
-    const alike = same.flatMap((is, k) => (is ? [k + 1] : []));
-    if (alike.length > 1 && alike[0] === n + 1)
-      yield formatMessage("ik twice", { numbers: joinList(alike.map(String)) });
+  for (const [n, answer] of given.entries()) {
+    const numbers = given.flatMap((other, k) => (isSameAnswer(arm, other, answer) ? [k + 1] : []));
+    if (numbers.length > 1 && numbers[0] === n + 1)
+      yield formatMessage("ik twice", { numbers: joinList(numbers.map(String)) });
   }
 }
 
-function* notesOf({ arm, branches, count }) {
+// Note branches that coincide and joints that are free.
+function* noteBranches({ arm, branches, count }) {
   if (branches.length < count)
     yield formatMessage("ik together", { count: branches.length, all: count });
   for (const [k, joint] of jointNames(arm).entries()) {

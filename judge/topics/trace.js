@@ -1,8 +1,9 @@
-// Judges a trajectory of joints: whether its tip follows the path, and how the joints move.
+// Judges a joint trajectory by whether its tip follows the path and how its joints move.
 
-import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import {
+  cross,
   dot,
   movingRows,
   linkFrames,
@@ -34,20 +35,26 @@ import {
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
-const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
+const INDEPENDENT = ["trace.one more", "trace.jump"]; // mistakes that are named beside any other
+const SAME_ERROR = 1e-9; // m: errors that differ by less are equal
 
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /**
- * A typed trajectory: rows of joint values, and the units of their last places.
- * @typedef {{ q: number[][], units: number[][], unit: string, taken: string[],
- *   extra: boolean }} Run
+ * A typed joint trajectory with a row for each step.
+ * @typedef {object} Trajectory
+ * @property {number[][]} q joint values (rad or m)
+ * @property {number[][]} units of the last typed digits
+ * @property {string} unit of the typed angles, "rad" or "deg"
+ * @property {string[]} taken
+ * @property {boolean} extra whether it has one step too many
  */
 
 /**
- * Judge joint vectors along a path, a text such as CSV or nested lists.
- * @param {string | any[]} mine @param {Arm} arm @param {Path} path
+ * Judge joint vectors along a path.
+ * @param {string | any[]} mine text such as CSV, or nested lists
+ * @param {Arm} arm
+ * @param {Path} path
  * @returns {import("../verdict.js").Verdict}
  */
 export function compareTrace(mine, arm, path, options = {}) {
@@ -55,7 +62,7 @@ export function compareTrace(mine, arm, path, options = {}) {
   return { ...judgeTrace(typed, arm, path, options), typed };
 }
 
-// Return the joint values as typed, before any correction.
+/** Return the joint values as typed, before any correction. */
 export function readTrace(mine, arm, which = null) {
   return numbers(mine, `${arm.name}: your joints`, undefined, undefined, {
     wants: jointShapes(arm)
@@ -67,24 +74,26 @@ export function readTrace(mine, arm, which = null) {
 }
 
 /**
+ * Judge joint values as `readTrace` returns them.
  * @param {import("../reading/numbers.js").Typed} typed @param {Arm} arm @param {Path} path
  * @returns {import("../verdict.js").Verdict}
  */
-export const judgeTrace = completeVerdicts(traceJudged);
+export const judgeTrace = completeVerdicts(judgeTypedTrace);
 
-function traceJudged(typed, arm, path, options = {}) {
+function judgeTypedTrace(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const read = arrangeBySteps(typed, arm, path.times.length, typed.says?.angles ?? angles);
   if (!read) return reportWrongShape(typed, arm, path);
-  const run = { ...read, units: unitsWithoutTrimming(read, arm, path) };
-  const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
-  if (run.unit === "rad" && followsOnlyInDegrees(run, arm, path, allowed))
-    return reportCause(arm, makeCause("trace.degrees"), [], run.taken, {});
-  const verdict = judgeArrangedTrace(run, arm, path, allowed, tolerance !== null);
+  const trajectory = { ...read, units: unitsWithoutTrimming(read, arm, path) };
+  const { q, units, unit, taken } = trajectory;
+  const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, units[k], arm));
+  if (unit === "rad" && followsOnlyInDegrees(trajectory, arm, path, allowed))
+    return reportCause(arm, makeCause("trace.degrees"), [], taken, {});
+  const verdict = judgeTrajectory(trajectory, arm, path, allowed, tolerance !== null);
   return askAboutDegrees(verdict, {
     arm,
-    values: run.q.flat(),
-    angles: run.unit,
+    values: q.flat(),
+    angles: unit,
     key: "trace.degrees",
   });
 }
@@ -98,15 +107,16 @@ function followsOnlyInDegrees({ q, units }, arm, path, allowed) {
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
   if (!exceedsAllowed(measureTipErrors(q), allowed)) return false;
-  const turned = convertToUnit(
+  const converted = convertToUnit(
     q.map((values, k) => ({ values, units: units[k] })),
     arm,
     "deg",
   );
-  const errors = measureTipErrors(turned.q);
+  const errors = measureTipErrors(converted.q);
   if (!exceedsAllowed(errors, allowed)) return true;
-  const [mine, other] = [{ q, units }, turned].map((run) => makeTrace(run.q, run.units, arm, path));
-  return errors[0] <= allowed[0] && followsPathByEuler(other) && !followsPathByEuler(mine);
+  const follows = (trajectory) =>
+    followsPathByEuler(makeTrace(trajectory.q, trajectory.units, arm, path));
+  return errors[0] <= allowed[0] && follows(converted) && !follows({ q, units });
 }
 
 const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
@@ -114,16 +124,17 @@ const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > al
 // Return the distance of each point from the path's point at the same time.
 const measureDistances = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
 
-// Return a row for each step. Columns are transposed, a leading column of times or zeros and one
-// extra step are dropped, and the verdict reports each change.
-/** @returns {Run | null} */
+// Return a row for each step, or null if the shape is wrong. Columns are transposed, a leading
+// column of times or zeros and one extra step are dropped, and the verdict reports each change.
+/** @returns {Trajectory | null} */
 function arrangeBySteps(typed, arm, count, unit) {
   const dof = movingRows(arm).length;
   const shape = typed.shape.filter((n) => n !== 1);
   if (shape.length !== 2) return null;
   const taken = [...typed.said];
   const lengths = [count - 1, count, count + 1];
-  const typedUnit = ({ angle }) => (angle && unit === "deg" ? RAD : 1); // an angle is read as rad
+  // An angle with a unit of its own was converted to rad already; here it gets its degrees back.
+  const typedUnit = ({ angle }) => (angle && unit === "deg" ? RAD : 1);
   let [rows, units] = [typed.values, typed.units].map((list) =>
     rowsOf(
       list.map((x, i) => x / typedUnit(typed.entries[i])),
@@ -168,11 +179,9 @@ function convertToUnit(typedRows, arm, unit) {
 }
 
 /** @returns {import("../verdict.js").Verdict} */
-function makeTraceVerdict(arm, grade, words, taken, rest = {}) {
-  const headline = formatMessage(grade === RIGHT ? "trace right" : "trace wrong", {
-    arm: arm.name,
-    cause: words,
-  });
+function makeTraceVerdict(arm, grade, cause, taken, rest = {}) {
+  const key = grade === RIGHT ? "trace right" : "trace wrong";
+  const headline = formatMessage(key, { arm: arm.name, cause });
   return makeVerdict("trace", arm, grade, headline, { taken, ...rest });
 }
 
@@ -186,53 +195,60 @@ function reportWrongShape({ shape }, arm, { times }) {
   });
 }
 
-// The verdict
-
 /**
- * @param {Run} run @param {Path} path @param {number[]} allowed how far off each row may be (m)
- * @param {boolean} given whether that is all that is asked
+ * Judge a trajectory.
+ * @param {Trajectory} trajectory
+ * @param {Arm} arm
+ * @param {Path} path
+ * @param {number[]} allowed largest error of the tip at each step (m)
+ * @param {boolean} hasTolerance whether the question gives the allowed error, so that a trajectory
+ *   within it is right by whatever method
  * @returns {import("../verdict.js").Verdict}
  */
-function judgeArrangedTrace(run, arm, path, allowed, given) {
-  const [q, turned] = removeWholeTurns(run.q, arm, path);
+function judgeTrajectory(trajectory, arm, path, allowed, hasTolerance) {
+  const [q, turnNotes] = removeWholeTurns(trajectory.q, arm, path);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
   const errors = measureDistances(path.times.map(path.position), tip);
-  const off = exceedsAllowed(errors, allowed);
-  const turns = frames.map((one) => rotationBetween(frames[0], one));
-  const [turn, leans] =
-    movingRows(arm).length >= 6 ? [Math.max(...turns), measureLean(frames)] : [0, 0];
-  const far = findJumps(q, arm, path);
-  const stuck = findSingularStart(q, arm, far);
-  const jump = stuck || !far.length ? [] : [describeJump(q, arm, far, !off)];
-  const amiss = [
-    ...(off ? [makeFinding("step", describeWorstStep(errors, allowed))] : []),
+  const isOff = exceedsAllowed(errors, allowed);
+  const [turn, lean] = movingRows(arm).length >= 6 ? measureToolTurns(frames) : [0, 0];
+  const jumps = findJumps(q, arm, path);
+  const singularStart = findSingularStart(q, arm, jumps);
+  const jump = singularStart || !jumps.length ? [] : [describeJump(q, arm, jumps, !isOff)];
+  const motionSymptoms = [
+    ...(isOff ? [makeFinding("step", describeWorstStep(errors, allowed))] : []),
     ...jump,
-    ...listToolTurns(leans, turn),
+    ...listToolTurns(lean, turn),
   ];
-  const symptoms = [...amiss, ...listExtraStep(run)];
-  const seen = { off, shown: amiss.length > 0 };
-  const trace = makeTrace(q, run.units, arm, path, run.q);
-  const findCause = () => findTraceCause(trace, tip, allowed, seen);
-  const named = stuck ?? (symptoms.length || !given ? findCause() : null);
-  const notes = [...turned, ...(stuck ? [] : listNotes(arm, path, q))];
+  const symptoms = [...motionSymptoms, ...listExtraStep(trajectory)];
+  const findCause = () => {
+    const trace = makeTrace(q, trajectory.units, arm, path, trajectory.q);
+    return findTraceCause(trace, tip, allowed, { off: isOff, shown: motionSymptoms.length > 0 });
+  };
+  const cause = singularStart ?? (symptoms.length || !hasTolerance ? findCause() : null);
+  const notes = [...turnNotes, ...(singularStart ? [] : listNotes(arm, path, q))];
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
-  if (named)
-    return reportCause(arm, named, dropExplainedJumps(named, symptoms, jump), run.taken, rest);
-  const mayDrift = off && !given && !jump.length;
-  return reportWithoutCause({ ...run, q }, path, { arm, symptoms, errors, mayDrift, rest });
+  if (cause) {
+    const unexplained = dropExplainedJumps(cause, symptoms, jump);
+    return reportCause(arm, cause, unexplained, trajectory.taken, rest);
+  }
+  const mayDrift = isOff && !hasTolerance && !jump.length;
+  return reportWithoutCause({ ...trajectory, q }, path, { arm, symptoms, errors, mayDrift, rest });
 }
 
-// Return the verdict without a known mistake: Euler's drift, symptoms only, or nothing wrong.
-function reportWithoutCause(run, path, { arm, symptoms, errors, mayDrift, rest }) {
-  if (mayDrift && !run.extra && isDriftOfEuler(run, arm, path, errors[0]))
-    return acceptEulerDrift(arm, errors, run.taken, rest);
-  if (symptoms.length) return reportSymptoms(arm, symptoms, run.taken, rest);
-  return makeTraceVerdict(arm, RIGHT, "", run.taken, rest);
+// Return the verdict on a trajectory without a known mistake. It may have the drift of Euler's
+// method, symptoms only, or nothing wrong.
+function reportWithoutCause(trajectory, path, { arm, symptoms, errors, mayDrift, rest }) {
+  const { taken, extra } = trajectory;
+  if (mayDrift && !extra && isDriftOfEuler(trajectory, arm, path, errors[0]))
+    return acceptEulerDrift(arm, errors, taken, rest);
+  if (symptoms.length) return reportSymptoms(arm, symptoms, taken, rest);
+  return makeTraceVerdict(arm, RIGHT, "", taken, rest);
 }
 
-// Accept the drift of Euler's method: the joints are what it gives with the student's steps.
+// Accept the drift of Euler's method, since the method gives these joint values with the student's
+// steps.
 function acceptEulerDrift(arm, errors, taken, rest) {
   const fields = { error: formatMillimetres(Math.max(...errors), 4), steps: errors.length - 1 };
   const notes = [...rest.notes, formatMessage("trace euler drift", fields)];
@@ -246,14 +262,14 @@ const listExtraStep = ({ extra }) =>
 // Do not report jumps if all steps are too long, or if a mistake in the joint values makes them.
 const dropExplainedJumps = (cause, symptoms, jump) =>
   causeName(cause) === "trace.millimetres" || cause.keys[0].startsWith("ik.")
-    ? symptoms.filter((one) => !jump.includes(one))
+    ? symptoms.filter((symptom) => !jump.includes(symptom))
     : symptoms;
 
-function reportCause(arm, named, symptoms, taken, rest) {
-  const words = causeMessage(named);
+function reportCause(arm, cause, symptoms, taken, rest) {
+  const words = causeMessage(cause);
   const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
-  const besides = symptoms.map(({ what }) => what).filter((what) => BESIDES.includes(what));
-  const causes = [causeName(named), ...besides];
+  const kinds = symptoms.map(({ what }) => what);
+  const causes = [causeName(cause), ...kinds.filter((kind) => INDEPENDENT.includes(kind))];
   return makeTraceVerdict(arm, WRONG, `${uncapitalize(words)}.`, taken, {
     findings,
     causes,
@@ -264,8 +280,7 @@ function reportCause(arm, named, symptoms, taken, rest) {
 function reportSymptoms(arm, symptoms, taken, rest) {
   const [first, ...others] = symptoms;
   const findings = [{ ...first, what: "cause" }, ...others];
-  const whats = symptoms.map(({ what }) => what);
-  const causes = whats.filter((what) => what.includes("."));
+  const causes = symptoms.map(({ what }) => what).filter((what) => what.includes("."));
   return makeTraceVerdict(arm, WRONG, uncapitalize(first.words), taken, {
     findings,
     causes,
@@ -273,11 +288,12 @@ function reportSymptoms(arm, symptoms, taken, rest) {
   });
 }
 
-/** @returns {Finding} */
-const makeFinding = (what, words, where = "") => ({ what, where, words });
-
-// Return the largest angle (rad) between the tool's axis and its first direction.
-const measureLean = (frames) => Math.max(...frames.map(({ z }) => measureAngle(z, frames[0].z)));
+// Return the largest rotation of the tool from its first frame, and the largest angle of its z axis
+// from its first direction (rad).
+const measureToolTurns = (frames) => [
+  Math.max(...frames.map((frame) => rotationBetween(frames[0], frame))),
+  Math.max(...frames.map(({ z }) => measureAngle(z, frames[0].z))),
+];
 
 function listToolTurns(lean, turn) {
   const formatDegrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
@@ -288,27 +304,23 @@ function listToolTurns(lean, turn) {
     : [];
 }
 
-// Return the angle between two unit vectors.
-const measureAngle = (u, v) =>
-  Math.atan2(
-    norm([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]),
-    dot(u, v),
-  );
+// Return the angle between two unit vectors (rad).
+const measureAngle = (u, v) => Math.atan2(norm(cross(u, v)), dot(u, v));
 
-// Report the first jump; it is one to another branch only if the tip stays on the path.
+// Report the first jump. It leads to a different branch only if the tip stays on the path.
 /** @returns {Finding} */
-function describeJump(q, arm, far, on) {
-  const { step, ...fields } = measureStep(q, arm, far[0]);
-  const key = on ? "trace.jump" : "trace jump off";
-  const words = formatMessage(key, { step, to: step + 1, count: far.length, ...fields });
-  return { what: "trace.jump", where: `step ${step}`, words };
+function describeJump(q, arm, jumps, isOnPath) {
+  const { step, ...fields } = measureStep(q, arm, jumps[0]);
+  const key = isOnPath ? "trace.jump" : "trace jump off";
+  const words = formatMessage(key, { step, to: step + 1, count: jumps.length, ...fields });
+  return makeFinding("trace.jump", words, `step ${step}`);
 }
 
-// Report the step at which the tip is farthest off, beyond its typed digits.
+// Report the step with the tip's largest error, among the steps that exceed the allowed error.
 function describeWorstStep(errors, allowed) {
-  const wrong = errors.map((error, k) => (error > allowed[k] ? error : 0));
-  const most = Math.max(...wrong);
-  const step = wrong.findIndex((error) => error >= most - ALIKE);
+  const excesses = errors.map((error, k) => (error > allowed[k] ? error : 0));
+  const most = Math.max(...excesses);
+  const step = excesses.findIndex((error) => error >= most - SAME_ERROR);
   const start =
     errors[0] > 0.5 * most ? formatMessage("already") : `${formatMillimetres(errors[0])} mm`;
   return formatMessage("trace where", {
