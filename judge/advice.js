@@ -1,5 +1,5 @@
-// Settings that a verdict advises where the question, not the answer, may be wrong. The page makes
-// a button of each, Python names the argument.
+// Advises settings to change if the question, not the answer, may be wrong. The page makes a button
+// of each setting, and Python names its argument.
 
 /**
  * A setting to change.
@@ -27,7 +27,7 @@ const ADVICE_BY_CAUSE = {
 
 /**
  * Return the settings that the causes of a verdict advise, without those that are set already.
- * @param {string[]} causes names; of two mistakes as "J.frame:3 + J.millimetres"
+ * @param {string[]} causes names; a pair of mistakes is "J.frame:3 + J.millimetres"
  * @param {Record<string, any>} options of the question
  * @returns {Advice[]}
  */

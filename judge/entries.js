@@ -1,5 +1,5 @@
-// Judges the entries of a Jacobian, of torques or of a pose: compares them to their digits, and
-// finds the mistakes that explain wrong ones or would look the same.
+// Judges the entries of a Jacobian, of torques or of a pose. It compares them to their digits, and
+// finds the mistakes that explain wrong entries or would look the same.
 
 import { findExplanations } from "./causes/ranking.js";
 import {
@@ -20,48 +20,48 @@ import {
 /**
  * Entries to be judged.
  * @typedef {object} EntriesQuestion
- * @property {Entries} mine what was typed
+ * @property {Entries} mine the typed entries
  * @property {Entries} q joint values, `dof` for each pose
  * @property {number} dof
  * @property {(q: number[]) => number[]} right returns the right entries
- * @property {Mistake[]} slips usual mistakes
- * @property {(() => Iterable<Mistake>)[]} [further] lists of mistakes that are tried only if those
- *   before explain nothing
+ * @property {Mistake[]} mistakes usual mistakes
+ * @property {(() => Iterable<Mistake>)[]} [further] lists of mistakes that are tried only if the
+ *   earlier lists explain nothing
  * @property {number | null} [tolerance] used instead of the typed digits
  */
 /**
- * The result.
+ * The result of judging entries.
  * @typedef {object} EntriesVerdict
  * @property {string} grade
  * @property {string} how the last digits agree: "rounded", "cut", "one off" or ""
- * @property {Mistake[]} slips mistakes that explain the answer, or would look the same
- * @property {boolean[]} wrong which entries are wrong
+ * @property {Mistake[]} mistakes mistakes that explain the answer, or would look the same
+ * @property {boolean[]} wrong whether each entry is wrong
  */
 
 /** Judge entries. @param {EntriesQuestion} question @returns {EntriesVerdict} */
-export function judgeEntries({ mine, q, dof, right, slips, further = [], tolerance = null }) {
+export function judgeEntries({ mine, q, dof, right, mistakes, further = [], tolerance = null }) {
   const expected = right(q.values);
   const zeros = expected.map(() => 0);
-  const alike = tolerance === null ? slips.filter(looksLike(mine, q, expected)) : [];
+  const alike = tolerance === null ? mistakes.filter(looksLike(mine, q, expected)) : [];
   const [grade, slack] =
     tolerance === null
       ? gradeByDigits(mine, expected, slackOf(q, dof, right), alike.length > 0)
       : gradeWithin(tolerance, mine, expected);
   const how = agreement(mine, expected, slack);
   if (grade === RIGHT || grade === SO_FAR)
-    return { grade, how, slips: alike, wrong: zeros.map(() => false) };
+    return { grade, how, mistakes: alike, wrong: zeros.map(() => false) };
   const actual = tolerance === null ? mine : { values: mine.values, units: zeros };
   const wrong = beyond(actual, expected, slack);
-  if (grade === ROUNDED) return { grade, how, slips: [], wrong };
+  if (grade === ROUNDED) return { grade, how, mistakes: [], wrong };
   const answer = { mine, q, dof, expected, slack: tolerance === null ? slack : zeros, wrong };
-  for (const list of [() => slips, ...further]) {
+  for (const list of [() => mistakes, ...further]) {
     const explanations = findExplanations(answer, list());
-    if (explanations.length) return { grade, how, slips: explanations, wrong };
+    if (explanations.length) return { grade, how, mistakes: explanations, wrong };
   }
-  return { grade, how, slips: [], wrong };
+  return { grade, how, mistakes: [], wrong };
 }
 
-// Return whether an answer also fits a mistake that more digits would distinguish.
+// Return whether an answer also fits a mistake that only more digits could exclude.
 const looksLike =
   (mine, q, expected) =>
   ({ make }) => {

@@ -1,4 +1,4 @@
-// Entry point for Python: takes a question as JSON text and returns the answer as JSON text.
+// Answers questions from Python, which come and go as JSON text.
 
 import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
@@ -17,13 +17,12 @@ import { compareTrace } from "./topics/trace.js";
 
 /** @typedef {import("./verdict.js").Verdict} Verdict */
 /**
- * A question from Python (helpers/checks/engine.py): its topic, and the fields that the topic
- * needs.
+ * A question from Python (helpers/checks/engine.py) with the fields that its topic needs.
  * @typedef {{ topic: string, [field: string]: any }} Question
  */
 
 /**
- * The function that answers each topic: a judge of answers, or a reader of what is typed.
+ * The function that answers each topic. It judges an answer or reads a typed text.
  * @type {Record<string, (question: Question) => any>}
  */
 const TOPICS = {
@@ -55,32 +54,34 @@ function judgeSampledTrace(question) {
 }
 
 /**
- * Remove from a verdict what only the page shows.
+ * Remove the fields that only the page shows, and list the numbers that were read.
  * @param {Verdict} verdict
  */
-function withoutPageFields(verdict) {
-  const others = (verdict.tokens ?? []).filter(({ owner }) => owner !== "entry");
-  const read = [...listEntries(verdict), ...others.map(toNumberRead)];
+function convertForPython(verdict) {
+  const otherTokens = (verdict.tokens ?? []).filter(({ owner }) => owner !== "entry");
+  const read = [...listEntries(verdict), ...otherTokens.map(pickTokenFields)];
   const fields = { ...verdict, rows: verdict.table?.rows, read };
   for (const name of ["typed", "wrong", "table", "tokens"]) delete fields[name];
   return fields;
 }
 
-const toNumberRead = ({ text, owner, line, reason = "" }) => ({ text, owner, line, reason });
+const pickTokenFields = ({ text, owner, line, reason = "" }) => ({ text, owner, line, reason });
 
 /**
- * List the numbers that were taken as the answer's entries, row by row.
+ * List the entries of an answer as they were read, row by row.
  * @param {Verdict} verdict
  */
 function listEntries({ typed, table }) {
   if (table?.typed) {
-    const entry = (row, k) => (name, c) => ({
-      row: k,
-      column: c,
-      value: row.numbers[name],
-      text: row.texts[name],
-    });
-    return table.typed.flatMap((row, k) => ENTRIES.map(entry(row, k)));
+    const makeEntry =
+      ({ numbers: values, texts }, row) =>
+      (name, column) => ({
+        row,
+        column,
+        value: values[name],
+        text: texts[name],
+      });
+    return table.typed.flatMap((typedRow, row) => ENTRIES.map(makeEntry(typedRow, row)));
   }
   if (!typed) return [];
   const width = typed.shape.at(-1) ?? 1;
@@ -109,10 +110,10 @@ function markAnswer({ topic, mine, arm, options }, outcome) {
 }
 
 /**
- * Answer a question, or say why it cannot be answered.
+ * Answer a question, or return the reason why it cannot be answered.
  * @param {string} text a `Question` as JSON
- * @returns {string} JSON: `{ answer }`, or `{ refused, advice }` with a message; with `marked`, the
- *   text with its marks, where the answer is one
+ * @returns {string} JSON: `{ answer }`, or `{ refused, advice }` with the reason. If the answer is
+ *   a text, `marked` is the text with its marks.
  */
 export function ask(text) {
   /** @type {Question} */
@@ -121,7 +122,7 @@ export function ask(text) {
     const answer = TOPICS[question.topic](question);
     if (!answer?.grade) return JSON.stringify({ answer });
     const marked = markAnswer(question, { verdict: answer, tokens: answer.tokens });
-    return JSON.stringify({ answer: { ...withoutPageFields(answer), marked } });
+    return JSON.stringify({ answer: { ...convertForPython(answer), marked } });
   } catch (error) {
     if (!(error instanceof ArmError)) throw error;
     const { message: refused, advice, tokens } = error;

@@ -1,7 +1,7 @@
-// The marks on a pasted text: for each number its stretch, its owner, whether it is wrong, and a
-// description. The page and Python (helpers/checks/marked_text.py) show the same marks.
+// Makes the marks on a pasted text. A mark has a number's position, its owner, whether it is wrong,
+// and a description. The page and Python (helpers/checks/marked_text.py) show the same marks.
 
-import { movingRows } from "./geometry/kinematics.js";
+import { jointNumbers } from "./geometry/kinematics.js";
 import { IN_NAME } from "./reading/table_owners.js";
 
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
@@ -10,24 +10,25 @@ import { IN_NAME } from "./reading/table_owners.js";
 /** @typedef {import("./verdict.js").ReadTable} ReadTable */
 /** @typedef {import("./verdict.js").Verdict} Verdict */
 /**
- * A question whose answer is a text: `ask` is its topic, `first` "v" or "omega".
+ * A question whose answer is a text. `ask` is its topic; `first` is "v" or "omega", the half of a
+ * Jacobian that comes first.
  * @typedef {{ answer: string, ask: string, first: string }} TextQuestion
  */
 /**
- * The result of a question: the verdict, or no verdict if a number was not read.
+ * The result of a question. It has no verdict if a number was not read.
  * @typedef {{ verdict?: Verdict, arm?: Arm, tokens?: Token[] }} TextOutcome
  */
 /**
- * A number of the text as it is shown.
+ * A mark on a number of the text.
  * @typedef {object} Mark
- * @property {number} from
- * @property {number} to
+ * @property {number} from index of its first character
+ * @property {number} to index after its last character
  * @property {string} kind "entry", "label", "given", "context" or "unread"
  * @property {boolean} isWrong
  * @property {string} description what the number was taken for
  */
 /**
- * An answer as a matrix, with headers, and which of its values are wrong.
+ * An answer as a matrix with headers. `wrong` has for each value whether it is wrong.
  * @typedef {{ columns: string[], rows: string[], shape: number[], wrong: boolean[],
  *   typed: import("./reading/numbers.js").Typed }} Matrix
  */
@@ -47,10 +48,10 @@ const ROW_NAMES = {
   omega: ["ωx", "ωy", "ωz", "vx", "vy", "vz"],
 };
 const TABLE_COLUMNS = ["a", "α", "d", "θ"];
-const SIGNS = "+-−–";
+const SIGN_CHARACTERS = "+-−–";
 
 /**
- * List the numbers of an answer with what each was taken for.
+ * Mark each number of an answer with its owner.
  * @param {TextQuestion} question
  * @param {TextOutcome} outcome
  * @returns {Mark[]}
@@ -76,15 +77,14 @@ export function listMarks(question, outcome) {
   });
 }
 
-/** Return the kind that a mark is shown as. @param {Mark} mark @returns {string} */
+/** Return the kind under which a mark is shown. @param {Mark} mark @returns {string} */
 export const getShownKind = ({ kind, isWrong }) => (isWrong ? "wrong" : kind);
 
 /**
- * Cut a text into the stretches of its marks and those between them. A mark that begins within
- * the mark before it is left out.
+ * Cut a text into pieces at its marks. A mark that begins within the mark before it is left out.
  * @param {string} text
  * @param {Mark[]} marks
- * @returns {{ text: string, index?: number }[]} `index` is that of the stretch's mark
+ * @returns {{ text: string, index?: number }[]} `index` is that of the piece's mark
  */
 export function splitAtMarks(text, marks) {
   const pieces = [];
@@ -148,19 +148,19 @@ function describeEntry({ row = 0, column = 0 }, { ask }, matrix, index) {
 }
 
 /**
- * Return the column and row headers of an answer.
+ * Return the headers of an answer's columns and rows.
  * @param {{ ask: string, first: string }} question
  * @param {Arm} arm
  * @param {number[]} shape
  */
 export function getHeaders({ ask, first }, arm, [rows, width]) {
-  const numbers = movingRows(arm).map((i) => i + 1);
-  const above = (k) => (numbers.length === width ? `joint ${numbers[k]}` : String(k + 1));
-  const lines =
+  const numbers = jointNumbers(arm);
+  const nameColumn = (k) => (numbers.length === width ? `joint ${numbers[k]}` : String(k + 1));
+  const rowNames =
     { torques: rows === 1 ? ["τ"] : [], jacobian: rows === 6 ? ROW_NAMES[first] : [] }[ask] ?? [];
   return {
-    columns: Array.from({ length: width }, (_, k) => above(k)),
-    rows: Array.from({ length: rows }, (_, i) => lines[i] ?? `row ${i + 1}`),
+    columns: Array.from({ length: width }, (_, k) => nameColumn(k)),
+    rows: Array.from({ length: rows }, (_, i) => rowNames[i] ?? `row ${i + 1}`),
   };
 }
 
@@ -173,8 +173,8 @@ export function getHeaders({ ask, first }, arm, [rows, width]) {
 export function getMatrix(question, { verdict, arm }) {
   const typed = verdict?.typed;
   if (!arm || !typed || typed.shape.length !== 2) return null;
-  const column = question.ask === "torques" && typed.shape[1] === 1;
-  const [rows, width] = column ? [1, typed.values.length] : typed.shape;
+  const isColumn = question.ask === "torques" && typed.shape[1] === 1;
+  const [rows, width] = isColumn ? [1, typed.values.length] : typed.shape;
   const wrong = verdict.wrong?.length === typed.values.length ? verdict.wrong : [];
   const headers = getHeaders(question, arm, [rows, width]);
   if (rows < 6 && verdict.rowNames)
@@ -183,7 +183,7 @@ export function getMatrix(question, { verdict, arm }) {
 }
 
 /**
- * Format a typed value with the decimals that were typed, six at most.
+ * Format a typed value with its typed decimals, six at most.
  * @param {import("./reading/numbers.js").Typed} typed @param {number} i
  */
 export function formatEntryValue({ values, units }, i) {
@@ -192,17 +192,18 @@ export function formatEntryValue({ values, units }, i) {
 }
 
 /**
- * Return the stretch of a number with its sign.
+ * Extend a number's span by its sign.
  * @param {string} text
  * @param {Span} token its digits
  */
 export function includeSign(text, { from, to }) {
-  const isSigned = SIGNS.includes(text[from - 1] ?? " ") && !/[\w)\]]/.test(text[from - 2] ?? " ");
+  const isSigned =
+    SIGN_CHARACTERS.includes(text[from - 1] ?? " ") && !/[\w)\]]/.test(text[from - 2] ?? " ");
   return { from: isSigned ? from - 1 : from, to };
 }
 
 /**
- * Return the stretch of the word that a number stands in, up to blanks and separators of cells.
+ * Extend a number's span to its whole word, which ends at blanks and separators of cells.
  * @param {string} text
  * @param {Span} token
  */

@@ -1,5 +1,5 @@
-// Lists what usual mistakes make of right work, and finds one wrong entry in a DH table in any
-// choice of frames. The course marks by these lists, so that marks and messages agree.
+// Lists the entries that each usual mistake makes of right work, and finds a wrong entry in a DH
+// table. The course marks by these lists, so that marks and messages agree.
 
 import { listPoseMistakes, listTableMistakes } from "./causes/chain.js";
 import { listJacobianSteps, listSingleMistakes } from "./causes/jacobian.js";
@@ -12,7 +12,7 @@ import {
 } from "./causes/torques.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR } from "./digits.js";
 import { compareAxes, describeAxes } from "./geometry/axes.js";
-import { chainFrames, makeChain } from "./geometry/chains.js";
+import { chainFrames, makeChain, transpose } from "./geometry/chains.js";
 import { linkFrames, minus, movingRows, norm, rotationBetween } from "./geometry/kinematics.js";
 import { isAngleColumn, jointColumn, snapRows } from "./geometry/rows.js";
 import { lookup, numbers } from "./reading/numbers.js";
@@ -25,14 +25,14 @@ import { compareTables } from "./topics/table.js";
 /** @typedef {import("./causes/ranking.js").Mistake} Mistake */
 
 const GRAVITY = [0, 0, -9.81]; // m/s²
-const LENGTH_STEP = 0.05; // m: lengths of the tables that a course draws are multiples of it
-const LONGEST = 0.7; // m: lengths that are drawn add up to less on parallel axes
-const SAME_LENGTH = 1e-3; // m: the decimals that a sheet asks for
-const SAME_ANGLE = 0.02; // rad: a right angle in two decimals
+const LENGTH_STEP = 0.05; // m: the lengths of the course's random tables are multiples of it
+const LONGEST = 0.7; // m: the lengths of such a table add up to less on parallel axes
+const SAME_LENGTH = 1e-3; // m: a sheet asks for three decimals
+const SAME_ANGLE = 0.02; // rad: a right angle was typed with two decimals
 
-/** The right answers and the mistakes of each kind of question. */
-const LISTS = {
-  tip: ({ arm }) => tipMistakes(arm),
+// The function that lists the mistakes of each kind of question.
+const MISTAKES_BY_KIND = {
+  tip: ({ arm }) => listTipMistakes(arm),
   jacobian: ({ arm, q }) => listSingleMistakes(arm, 0, listJacobianSteps(arm, q, 0)),
   torques({ arm, q, wrench }) {
     const load = makeLoad(arm, [wrench], GRAVITY);
@@ -42,37 +42,37 @@ const LISTS = {
 };
 
 /**
- * List the mistakes that can be made in a question, with their messages and what each makes of the
- * right answer.
+ * List the usual mistakes in a question, each with its message and the answer that it gives.
  * @param {{ kind: "tip" | "jacobian" | "torques", arm: Arm, q: number[], wrench?: number[],
- *   poses?: number[][] }} question joint values; `poses` in place of q for a list of poses
+ *   poses?: number[][] }} question `poses` takes the place of q if there are several joint vectors
  */
 export function listMistakes({ kind, poses, ...question }) {
-  const list = LISTS[kind](/** @type {any} */ ({ ...question, q: question.q ?? poses?.[0] }));
-  return Array.from(list, ({ cause, make }) => ({
+  const q = question.q ?? poses?.[0];
+  const mistakes = MISTAKES_BY_KIND[kind](/** @type {any} */ ({ ...question, q }));
+  return Array.from(mistakes, ({ cause, make }) => ({
     name: causeName(cause),
     message: causeMessage(cause),
-    values: poses ? poses.flatMap((q) => make(q)) : make(question.q),
+    values: poses ? poses.flatMap((pose) => make(pose)) : make(question.q),
   }));
 }
 
-/** Position and then rotation of the tip, row by row, with some mistake. @param {Arm} arm */
-function* tipMistakes(arm) {
-  const tipAfter = (change) => (q) => {
+// List the mistakes in the tip's pose, which is the position and then the rotation row by row.
+/** @param {Arm} arm @returns {Generator<Mistake>} */
+function* listTipMistakes(arm) {
+  const makeTip = (change) => (q) => {
     const { x, y, z, o } = chainFrames(change(makeChain(arm, q))).at(-1);
     return [...o, ...[0, 1, 2].flatMap((i) => [x[i], y[i], z[i]])];
   };
   for (const [cause, change] of [...listPoseMistakes("J.degrees", arm), ...listTableMistakes(arm)])
-    yield { cause, make: tipAfter(change) };
-  const right = tipAfter((c) => c);
-  const inMillimetres = (q) => right(q).map((x, i) => (i < 3 ? 1000 * x : x));
-  yield { cause: makeCause("course.tip millimetres"), make: inMillimetres };
-  const transposed = (q) => {
-    const values = right(q);
-    const R = values.slice(3);
-    return [...values.slice(0, 3), ...R.map((_, i) => R[3 * (i % 3) + Math.floor(i / 3)])];
+    yield { cause, make: makeTip(change) };
+  const makeRight = makeTip((chain) => chain);
+  const makeInMillimetres = (q) => makeRight(q).map((x, i) => (i < 3 ? 1000 * x : x));
+  yield { cause: makeCause("course.tip millimetres"), make: makeInMillimetres };
+  const makeTransposed = (q) => {
+    const values = makeRight(q);
+    return [...values.slice(0, 3), ...transpose(values.slice(3), [3, 3])];
   };
-  yield { cause: makeCause("course.tip transposed"), make: transposed };
+  yield { cause: makeCause("course.tip transposed"), make: makeTransposed };
 }
 
 /**
@@ -90,7 +90,7 @@ export const evaluateFormulas = ({ mine, arm, poses }) =>
   });
 
 /**
- * Compare a table with an arm in the pose q = 0, and name the one mistake in it.
+ * Compare a table with an arm at the pose q = 0, and name its mistake if it has only one.
  * @param {{ mine: any, arm: Arm, options: any }} question
  * @returns {{ right: boolean, name: string, message: string, headline: string, share?: number }}
  *   `share` of the joints is right if the rows of the last ones are missing
@@ -111,8 +111,8 @@ export function findTableMistake({ mine, arm, options }) {
 }
 
 /**
- * Name the mistake that explains all of a table, such as another convention; none if several or
- * something besides are needed.
+ * Name the mistake that explains a whole table, such as the wrong convention. There is none if two
+ * mistakes are needed, or if findings remain.
  * @param {import("./verdict.js").Verdict} verdict
  */
 function nameWholeMistake({ findings, causes }) {
@@ -122,8 +122,8 @@ function nameWholeMistake({ findings, causes }) {
 }
 
 /**
- * Return a function that says whether rows are an arm in any choice of frames, with the tip where
- * it belongs at q = 0.
+ * Return a function that compares rows with an arm. Rows may have any choice of frames, but the tip
+ * must be right at q = 0.
  * @param {Arm} arm @returns {(rows: any[]) => boolean}
  */
 function makeComparison(arm) {
@@ -134,13 +134,14 @@ function makeComparison(arm) {
   return (rows) => {
     const snapped = snapRows(rows);
     if (compareAxes(describeAxes(snapped), axes, SAME_LENGTH).differences.length) return false;
-    const here = linkFrames({ ...arm, rows: snapped }, home).at(-1);
-    return norm(minus(here.o, tip.o)) <= SAME_LENGTH && rotationBetween(here, tip) <= SAME_ANGLE;
+    const actual = linkFrames({ ...arm, rows: snapped }, home).at(-1);
+    const distance = norm(minus(actual.o, tip.o));
+    return distance <= SAME_LENGTH && rotationBetween(actual, tip) <= SAME_ANGLE;
   };
 }
 
 /**
- * Find an entry without which a table would describe the arm, and name the mistake in it.
+ * Find an entry whose correction makes the table describe the arm, and name the mistake in it.
  * @param {any[]} rows @param {Arm} arm @param {(rows: any[]) => boolean} isSame
  * @returns {Cause | null}
  */
@@ -151,26 +152,27 @@ function findWrongEntry(rows, arm, isSame) {
     for (const column of ENTRIES)
       for (const value of isAngleColumn(column) ? QUARTER_TURNS : listLengths(row[column])) {
         if (value === row[column]) continue;
-        const tried = rows.map((other, i) => (i === k ? { ...row, [column]: value } : other));
-        if (isSame(tried)) return nameEntryMistake(column, k + 1, row, value);
+        const corrected = rows.map((other, i) => (i === k ? { ...row, [column]: value } : other));
+        if (isSame(corrected)) return nameEntryMistake(column, k + 1, row, value);
       }
   return null;
 }
 
 const QUARTER_TURNS = [0, Math.PI / 2, -Math.PI / 2, Math.PI];
 
-/** List the lengths that may be right in place of a typed one. @param {number} typed */
+/** List the lengths that may be right in place of a typed length. @param {number} typed m */
 function listLengths(typed) {
   const count = 2 * Math.round(LONGEST / LENGTH_STEP) + 1;
   const multiples = Array.from({ length: count }, (_, i) => LENGTH_STEP * (i - (count - 1) / 2));
   return [-typed, ...multiples, ...multiples.map((x) => typed + x)];
 }
 
-/** @param {string} column @param {number} row @param {any} typed @param {number} value */
-function nameEntryMistake(column, row, typed, value) {
+// Name the mistake in an entry of a typed row, whose right value is `expected`.
+/** @param {string} column @param {number} row @param {any} typed @param {number} expected */
+function nameEntryMistake(column, row, typed, expected) {
   const actual = typed[column];
   const isMissing = Math.abs(actual) < 1e-9;
-  const isReversed = Math.abs(actual + value) < 1e-9;
+  const isReversed = Math.abs(actual + expected) < 1e-9;
   if (!isMissing && !isReversed) return makeCause("course.entry", { column, row });
   if (column === "alpha") return makeCause(isMissing ? "table.no twist" : "table.twist", { row });
   if (column === "theta")

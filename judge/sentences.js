@@ -1,9 +1,9 @@
-// The messages of the judge, from the templates in sentences.json, and the parts they are made of.
+// Formats the messages of the judge from the templates in sentences.json.
 
 import templates from "./sentences.json" with { type: "json" };
 
 /**
- * Return a message with its fields put in.
+ * Return a message with its fields filled in.
  * @param {string} key in sentences.json
  * @param {Record<string, any>} [fields]
  * @returns {string}

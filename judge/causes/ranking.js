@@ -1,27 +1,27 @@
-// Finds the mistakes that explain an answer, one or two at once. A mistake is stated only if it
-// makes every entry of the answer right to its digits.
+// Finds the mistakes that explain an answer. A candidate is a single mistake or a pair. It explains
+// the answer only if it gives every entry to the typed digits.
 
 import { agrees, largest, room, slackOf, tellable } from "../digits.js";
 import { capitalize, formatMessage, joinList, uncapitalize } from "../sentences.js";
 
 const CHANCE = 1e-3; // accepted probability that some mistake fits numbers that are off by chance
 const MAX_STATED = 3; // mistakes that give the same numbers; nobody reads more
-// An entry this many times the slack away is worth computing the mistake's own slack, which is
-// slow.
+// The mistake's own slack, which is slow to compute, is computed only for entries within this many
+// times the widest slack.
 const NEAR = 3;
 
 /** @typedef {import("../digits.js").Entries} Entries */
 /**
- * The name of one mistake or of two: keys in sentences.json and the fields of their messages. A
- * field whose name begins with _ is no part of the name.
+ * A mistake or a pair of mistakes, as keys in sentences.json with the fields of their messages. A
+ * field whose name begins with _ is no part of the cause's name.
  * @typedef {{ keys: string[], fields: Record<string, any>[] }} Cause
  */
 /**
- * A candidate mistake, with the entries that it would make of joint values.
+ * A candidate mistake. `make` returns the entries that it gives for joint values.
  * @typedef {{ cause: Cause, make: (q: number[]) => number[], steps?: any }} Mistake
  */
 
-/** Make the cause of one mistake. @param {string} key @returns {Cause} */
+/** Make the cause of a single mistake. @param {string} key @returns {Cause} */
 export const makeCause = (key, fields = {}) => ({ keys: [key], fields: [fields] });
 
 /** Make the cause of two mistakes. @param {Cause} first @param {Cause} second @returns {Cause} */
@@ -32,9 +32,9 @@ export const combineCauses = (first, second) => ({
 
 /** Return a cause's name, as "J.frame:3 + J.millimetres". @param {Cause} cause */
 export const causeName = ({ keys, fields }) =>
-  keys.map((key, i) => partName(key, fields[i])).join(" + ");
+  keys.map((key, i) => formatPartName(key, fields[i])).join(" + ");
 
-function partName(key, fields) {
+function formatPartName(key, fields) {
   const named = Object.entries(fields).filter(([name]) => !name.startsWith("_"));
   return [key, ...named.map(([, value]) => value)].join(":");
 }
@@ -48,7 +48,7 @@ export function causeMessage({ keys, fields }) {
 }
 
 /**
- * Join the messages of causes that give the same numbers. Of pairs only the first is stated.
+ * Join the messages of causes that give the same numbers. Only the first pair is stated.
  * @param {Cause[]} causes
  */
 export function joinCauseMessages(causes) {
@@ -59,15 +59,15 @@ export function joinCauseMessages(causes) {
 }
 
 /**
- * Find the mistakes that explain an answer: those that fit as typed, or else those that fit with
- * the slack of q's digits.
+ * Find the mistakes that explain an answer. These fit the typed digits, or else fit them with the
+ * slack of q's digits.
  * @param {object} answer
- * @param {Entries} answer.mine what was typed
+ * @param {Entries} answer.mine the typed entries
  * @param {Entries} answer.q joint values
  * @param {number} answer.dof
  * @param {number[]} answer.expected the right entries
  * @param {number[]} answer.slack how far q's digits may move each entry
- * @param {boolean[]} answer.wrong which entries are wrong
+ * @param {boolean[]} answer.wrong whether each entry is wrong
  * @param {Iterable<Mistake>} candidates
  * @returns {Mistake[]} none if some candidate would fit random numbers as well
  */
@@ -96,7 +96,7 @@ export function findExplanations({ mine, q, dof, expected, slack, wrong }, candi
   return explanations.slice(0, MAX_STATED);
 }
 
-/** Say "perhaps" if a cause leaves something unexplained. */
+/** Put "perhaps" before a message if the cause leaves something unexplained. */
 export const hedgeMessage = (message, unexplained) =>
   unexplained.length
     ? capitalize(formatMessage("perhaps", { cause: uncapitalize(message) }))

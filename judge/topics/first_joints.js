@@ -1,5 +1,4 @@
-// Verdicts on torques and joint angles of the first joints only; those of the other joints are
-// missing.
+// Judges torques and joint angles of the first joints if those of the last joints are missing.
 
 import { makeTorqueMaker } from "../causes/torques.js";
 import { SO_FAR, WRONG } from "../digits.js";
@@ -17,15 +16,14 @@ import { makeVerdict } from "../verdict.js";
 /** @typedef {import("../reading/numbers.js").Typed} Typed */
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 /**
- * A question about torques: one pose q of a loaded arm, and how the verdict describes q and the
- * masses.
+ * A question about torques at one pose q of a loaded arm. `taken` describes q and the masses.
  * @typedef {{ arm: Arm, q: import("../digits.js").Entries,
  *   load: import("../causes/torques.js").Load, tolerance: number | null,
  *   taken: string[] }} TorqueContext
  */
 
 /**
- * Judge an answer; if it has too few numbers, judge it as the first joints' part of an answer.
+ * Judge an answer. If it has too few numbers, they are judged as those of the first joints.
  * @template {Verdict} T
  * @param {() => T} judge throws a NoFitError if there are too few numbers
  * @param {() => Verdict | null} judgePart returns null if the numbers are not right either
@@ -45,7 +43,7 @@ export function judgeWholeOrPart(judge, judgePart) {
  * Judge a text with too few torques.
  * @param {(wants: Want[]) => Typed} read reads the text as numbers of some shape
  * @param {TorqueContext} context
- * @returns {Verdict | null} null if it has other numbers than right torques of the first joints
+ * @returns {Verdict | null} null if its numbers are not the right torques of the first joints
  */
 export function judgeFirstTorquesInText(read, context) {
   for (const want of listPartialShapes(context.load.c.dof)) {
@@ -69,7 +67,7 @@ export function judgeFirstTorques(typed, { arm, q, load, tolerance, taken }) {
   if (!isList || count >= dof) return null;
   const makeTorques = makeTorqueMaker(load, dof, q.values)();
   const right = (angles) => makeTorques(angles).slice(0, count);
-  const { grade, wrong } = judgeEntries({ mine: typed, q, dof, right, slips: [], tolerance });
+  const { grade, wrong } = judgeEntries({ mine: typed, q, dof, right, mistakes: [], tolerance });
   if (grade === WRONG) return null;
   const missing = jointNumbers(arm).slice(count);
   const joints = joinList(missing.map((joint) => formatMessage("joint", { joint })));
@@ -97,7 +95,7 @@ const listPartialShapes = (dof) =>
  * @param {any} mine text or nested lists
  * @param {import("../matching.js").Solutions} right
  * @param {{ topic: string, angles: string, tolerance: number | null, given: number[][],
- *   many: boolean }} question `given` are numbers of the question, `many` allows several vectors
+ *   many: boolean }} question `given` holds the question's numbers; `many` allows several vectors
  * @returns {Verdict | null} null if some vector begins no solution branch
  */
 export function judgeFirstAngles(mine, { arm, branches }, question) {
@@ -108,8 +106,8 @@ export function judgeFirstAngles(mine, { arm, branches }, question) {
     const wants = jointShapes(firstLinks, many);
     const read = tryOrNull(() => answers(mine, firstLinks, angles, { wants, given }));
     if (!read?.answers.length || !hasOnlyFirstJoints(read.typed)) continue;
-    const begun = branches.map((branch) => ({ ...branch, q: branch.q.slice(0, count) }));
-    const solutions = { arm: firstLinks, branches: begun, count: begun.length };
+    const firstAngles = branches.map((branch) => ({ ...branch, q: branch.q.slice(0, count) }));
+    const solutions = { arm: firstLinks, branches: firstAngles, count: firstAngles.length };
     const isRight = (answer) => findBranch(solutions, answer, tolerance) >= 0;
     if (!read.answers.every(isRight)) continue;
     const joints = joinList(jointNames(arm).slice(count));
@@ -125,8 +123,8 @@ export function judgeFirstAngles(mine, { arm, branches }, question) {
   return null;
 }
 
-// Return whether each number of a text is an entry or a label that counts the joints, or the
-// vectors, from 1. Any other number may be an entry that could not be read.
+// Return whether each number of a text is an entry or a label that counts joints or vectors from 1.
+// Any other number may be an entry that could not be read.
 /** @param {Typed} typed */
 function hasOnlyFirstJoints({ tokens = [], values, shape }) {
   const labels = tokens.filter(({ owner }) => owner !== "entry");

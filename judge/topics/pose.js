@@ -1,4 +1,5 @@
-// Judges whether joint values reach a target: the target's entries are compared with the tip's.
+// Judges whether joint values reach a target. It compares the target's entries with those of the
+// tip.
 
 import { listExchangedDigits, listJointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
@@ -39,22 +40,25 @@ const TARGETS = [
   { rows: 1, columns: 3 },
   { rows: 3, columns: 1 },
 ];
-const FEW = 3; // wrong entries: a wrong q changes more of them
+const MAX_LISTED = 3; // wrong entries of a target; a wrong q changes more of them
 
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /**
- * A target: the rows of a pose, or one row for a point; `formulas` is true if some were typed.
+ * A target as the rows of a pose, or as a single row for a point. `formulas` is true if an entry
+ * was typed as a formula.
  * @typedef {{ values: number[][], units: number[][], pose: boolean, formulas: boolean }} Target
  */
 
 /**
- * Judge whether a joint vector, a text or nested lists, takes the tip to T, a pose (4, 4) or a
- * point (3,).
+ * Judge whether a joint vector takes the tip to a target.
+ * @param {string | any[]} q text or nested lists
+ * @param {import("../geometry/arm.js").Arm} arm
+ * @param {any} T pose (4, 4) or point (3,), a text or nested lists
  * @returns {import("../verdict.js").Verdict}
  */
-export const comparePose = completeVerdicts(poseCompared);
+export const comparePose = completeVerdicts(judgePose);
 
-function poseCompared(q, arm, T, options = {}) {
+function judgePose(q, arm, T, options = {}) {
   return judgeWholeOrPart(
     () => judgeJoints(q, arm, T, options),
     () => judgeFirstJoints(q, arm, T, options),
@@ -64,27 +68,24 @@ function poseCompared(q, arm, T, options = {}) {
 function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null }) {
   const wants = jointShapes(arm, false);
   const read = answers(q, arm, angles, { wants, given: rowsGiven(T), which });
-  const { answers: given, taken, typed } = read;
-  if (given.length !== 1)
-    throw new ArmError(formatMessage("one answer", { arm: arm.name, count: given.length }));
-  const known = lookup(arm, given[0].values);
+  const [answer, ...more] = read.answers;
+  if (!answer || more.length)
+    throw new ArmError(formatMessage("one answer", { arm: arm.name, count: read.answers.length }));
+  const known = lookup(arm, answer.values);
   const target = readTarget(T, arm, known);
-  const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
-  const verdict = judgeTarget({ ...given[0], units }, arm, target, tolerance, taken);
-  const [away, turned] = measureTargetMiss(
-    chainFrames(makeChain(arm, given[0].values)).at(-1),
-    target,
-  );
-  const off = describeMiss(away, turned);
-  const answer = askAboutDegrees(verdict, {
+  const units = target.formulas ? answer.units.map(() => 0) : answer.units;
+  const verdict = judgeTarget({ ...answer, units }, arm, target, tolerance, read.taken);
+  const tip = chainFrames(makeChain(arm, answer.values)).at(-1);
+  const off = describeMiss(...measureTargetMiss(tip, target));
+  const complete = askAboutDegrees(verdict, {
     arm,
-    values: given[0].values,
+    values: answer.values,
     angles,
     key: "ik.degrees",
     judgeInDegrees: () => judgeJoints(q, arm, T, { angles: "deg", tolerance, which }),
     makeHeadline: (cause) => formatMessage("pose cause", { arm: arm.name, off, cause }),
   });
-  return { ...answer, typed };
+  return { ...complete, typed: read.typed };
 }
 
 // Judge the angles of the first joints alone, if the arm has a closed form for such targets.
@@ -100,52 +101,54 @@ function judgeFirstJoints(q, arm, T, { angles = "rad", tolerance = null }) {
 }
 
 /**
- * Read a typed target: a pose or, if allowed, a point.
+ * Read a typed target, which is a pose or, if allowed, a point.
+ * @param {any} T @param {import("../geometry/arm.js").Arm} arm
+ * @param {any} known values of symbols
+ * @param {boolean} [orPoint] whether a point is allowed
  * @returns {Target}
  */
 export function readTarget(T, arm, known, orPoint = true) {
   const what = `${arm.name}: the target`;
   const wanted = formatMessage(orPoint ? "a point or a pose" : "a pose");
   const { values, units, shape, symbolic } = numbers(T, what, known, wanted, { wants: TARGETS });
-  const form = shape.filter((n) => n !== 1).join("x");
-  const pose = form === "4x4" || form === "3x4";
-  if (!pose && !(orPoint && form === "3"))
+  const size = shape.filter((n) => n !== 1).join("x");
+  const pose = size === "4x4" || size === "3x4";
+  if (!pose && !(orPoint && size === "3"))
     throw new ArmError(formatMessage("pose shape", { what, given: describeShape(shape), wanted }));
-  const rows = (list) => (pose ? [0, 1, 2].map((i) => list.slice(4 * i, 4 * i + 4)) : [list]);
-  return { values: rows(values), units: rows(units), pose, formulas: symbolic };
+  const cut = (list) => (pose ? [0, 1, 2].map((i) => list.slice(4 * i, 4 * i + 4)) : [list]);
+  return { values: cut(values), units: cut(units), pose, formulas: symbolic };
 }
 
 /** @returns {import("../verdict.js").Verdict} */
 function judgeTarget(q, arm, T, tolerance, taken) {
   const mine = { values: T.values.flat(), units: T.units.flat() };
-  const right = tipOf(arm, T);
-  const slips = [...known(arm, T)];
-  const digits = () =>
+  const right = makeTipEntries(arm, T);
+  const mistakes = [...listSingleMistakes(arm, T)];
+  const listDigitMistakes = () =>
     listExchangedDigits(arm, q).map(([cause, undo]) => ({ cause, make: (x) => right(undo(x)) }));
-  const further = [digits, () => listMistakePairs(arm, T)];
-  const asked = { mine, q, dof: q.values.length, right, slips, tolerance, further };
-  const verdict = judgeEntries(asked);
-  const coarse = slackOf(q, q.values.length, right, Infinity);
-  const truth = right(q.values);
-  const wrong = verdict.grade === WRONG;
-  const few = wrong && tolerance === null && !verdict.slips.length && agrees(mine, truth, coarse);
-  const grade = few ? SO_FAR : verdict.grade;
-  const here = chainFrames(makeChain(arm, q.values)).at(-1);
-  const [away, turned] = measureTargetMiss(here, T);
-  const rest = { taken, figures: { position_error: away, orientation_error: turned } };
+  const further = [listDigitMistakes, () => listMistakePairs(arm, T)];
+  const question = { mine, q, dof: q.values.length, right, mistakes, tolerance, further };
+  const judged = judgeEntries(question);
+  const coarseSlack = slackOf(q, q.values.length, right, Infinity);
+  const isUnexplained = judged.grade === WRONG && tolerance === null && !judged.mistakes.length;
+  const hasTooFewDigits = isUnexplained && agrees(mine, right(q.values), coarseSlack);
+  const grade = hasTooFewDigits ? SO_FAR : judged.grade;
+  const tip = chainFrames(makeChain(arm, q.values)).at(-1);
+  const [distance, angle] = measureTargetMiss(tip, T);
+  const rest = { taken, figures: { position_error: distance, orientation_error: angle } };
   if (grade !== WRONG)
-    return makePoseVerdict(arm, grade, formatMessage(GOOD[grade], { arm: arm.name }), {
+    return makePoseVerdict(arm, grade, formatMessage(HEADLINES[grade], { arm: arm.name }), {
       ...rest,
       notes: [...noteBeyondLimits(arm, q)],
     });
-  const off = describeTargetMiss(T, verdict.wrong, away, turned);
-  if (!verdict.slips.length) {
-    const findings = listWrongEntries(T, verdict.wrong);
+  const off = describeTargetMiss(T, judged.wrong, distance, angle);
+  if (!judged.mistakes.length) {
+    const findings = listWrongEntries(T, judged.wrong);
     const headline = formatMessage("pose wrong", { arm: arm.name, off });
     const causes = [...new Set(findings.map(({ what }) => what))];
     return makePoseVerdict(arm, WRONG, headline, { ...rest, findings, causes });
   }
-  const causes = verdict.slips.map((slip) => slip.cause);
+  const causes = judged.mistakes.map(({ cause }) => cause);
   const words = joinCauseMessages(causes);
   const headline = formatMessage("pose cause", { arm: arm.name, off, cause: uncapitalize(words) });
   const findings = [{ what: "cause", where: "", words: `${words}.` }];
@@ -156,71 +159,74 @@ function judgeTarget(q, arm, T, tolerance, taken) {
   });
 }
 
-const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
+const HEADLINES = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
 const makePoseVerdict = (arm, grade, headline, fields) =>
   makeVerdict("pose", arm, grade, headline, fields);
 
-function describeTargetMiss(T, wrong, away, turned) {
-  const tilted = T.pose && wrong.some((is, i) => is && i % 4 < 3);
-  return describeMiss(away, tilted ? turned : 0);
+// Describe how far the tip is from the target. An angle is given only if an entry of the rotation
+// is wrong.
+function describeTargetMiss(T, wrong, distance, angle) {
+  const isRotationWrong = T.pose && wrong.some((isWrong, i) => isWrong && i % 4 < 3);
+  return describeMiss(distance, isRotationWrong ? angle : 0);
 }
 
-// Return a function from q to the target's entries at the tip, for a table with a mistake.
-const tipOf =
-  (arm, T, change = (c) => c) =>
+// Return a function from q to the entries that a target at the tip has. `change` puts a mistake
+// into the arm's table.
+const makeTipEntries =
+  (arm, T, change = (chain) => chain) =>
   (q) => {
     const tip = chainFrames(change(makeChain(arm, q))).at(-1);
     return T.pose ? frameMatrix(tip).slice(0, 3).flat() : tip.o;
   };
 
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
-function* known(arm, T) {
-  const right = tipOf(arm, T);
-  for (const [one, mended] of listJointMistakes(arm))
-    yield { cause: one, make: (q) => right(mended(q)) };
-  for (const [one, change] of listTableMistakes(arm))
-    yield { cause: one, make: tipOf(arm, T, change) };
-  const place = (i) => !T.pose || i % 4 === 3;
-  const long = (q) => right(q).map((x, i) => (place(i) ? 1000 * x : x));
-  yield { cause: makeCause("pose.millimetres"), make: long }; // slip 26
+function* listSingleMistakes(arm, T) {
+  const right = makeTipEntries(arm, T);
+  for (const [cause, correct] of listJointMistakes(arm))
+    yield { cause, make: (q) => right(correct(q)) };
+  for (const [cause, change] of listTableMistakes(arm))
+    yield { cause, make: makeTipEntries(arm, T, change) };
+  const isPosition = (i) => !T.pose || i % 4 === 3;
+  const makeInMillimetres = (q) => right(q).map((x, i) => (isPosition(i) ? 1000 * x : x));
+  yield { cause: makeCause("pose.millimetres"), make: makeInMillimetres }; // slip 26 of the book
   if (!T.pose) return;
-  const rotation = (change) => (q) => {
+  const changeRotation = (change) => (q) => {
     const rows = right(q);
-    return rows.map((x, i) => (place(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
+    return rows.map((x, i) => (isPosition(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
   };
-  // slip 4
-  yield { cause: makeCause("pose.transposed"), make: rotation((R, i, j) => R[4 * j + i]) };
-  const turned = rotation((R, i, j) => R[4 * i + j] * (j === 2 ? 1 : -1));
-  yield { cause: makeCause("pose.half turn"), make: turned }; // slip 18
+  const makeTransposed = changeRotation((R, i, j) => R[4 * j + i]);
+  yield { cause: makeCause("pose.transposed"), make: makeTransposed }; // slip 4
+  const makeTurned = changeRotation((R, i, j) => R[4 * i + j] * (j === 2 ? 1 : -1));
+  yield { cause: makeCause("pose.half turn"), make: makeTurned }; // slip 18
 }
 
 // Combine a mistake in the joint values with one in the table.
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* listMistakePairs(arm, T) {
   for (const [table, change] of listTableMistakes(arm)) {
-    const tip = tipOf(arm, T, change);
-    for (const [joints, mended] of listJointMistakes(arm))
-      yield { cause: combineCauses(table, joints), make: (q) => tip(mended(q)) };
+    const makeEntries = makeTipEntries(arm, T, change);
+    for (const [joints, correct] of listJointMistakes(arm))
+      yield { cause: combineCauses(table, joints), make: (q) => makeEntries(correct(q)) };
   }
 }
 
-// Return the distance (m) and angle (rad) between a frame and T: no angle for a point, half a turn
-// for left-handed axes.
+// Return the distance (m) and angle (rad) between the tip and T. The angle is 0 for a point and
+// half a turn for left-handed axes.
 /** @returns {[number, number]} */
-function measureTargetMiss(here, { values, pose }) {
+function measureTargetMiss(tip, { values, pose }) {
   const o = pose ? values.map((row) => row[3]) : values[0];
-  const away = norm(minus(here.o, o));
-  if (!pose) return [away, 0];
+  const distance = norm(minus(tip.o, o));
+  if (!pose) return [distance, 0];
   const [x, y, z] = [0, 1, 2].map((k) => values.map((row) => row[k]));
-  return [away, dot(cross(x, y), z) > 0 ? rotationBetween(here, { x, y, z, o }) : Math.PI];
+  return [distance, dot(cross(x, y), z) > 0 ? rotationBetween(tip, { x, y, z, o }) : Math.PI];
 }
 
-// The entries of T that differ, where they are few, or the coordinate of a point in formulas.
+// List the wrong entries of T if they are few. For a point, only a single wrong formula is listed.
 function listWrongEntries(T, wrong) {
-  const off = wrong.flatMap((is, i) => (is ? [i] : []));
-  if (!T.pose && (!T.formulas || off.length !== 1)) return [];
-  if (off.length > FEW) return [];
-  return off.map((i) => {
+  const indices = wrong.flatMap((isWrong, i) => (isWrong ? [i] : []));
+  if (!T.pose && (!T.formulas || indices.length !== 1)) return [];
+  if (indices.length > MAX_LISTED) return [];
+  return indices.map((i) => {
     const [row, column] = [Math.floor(i / 4) + 1, (i % 4) + 1];
     const where = T.pose ? formatMessage("entry", { row, column }) : "xyz"[i];
     const words = formatMessage(T.pose ? "pose.entry" : "pose.coordinate", {
@@ -234,9 +240,9 @@ function listWrongEntries(T, wrong) {
 
 function* noteBeyondLimits(arm, { values }) {
   const beyond = jointNumbers(arm).flatMap((row, k) => {
-    const { lower: least, upper: most } = arm.rows[row - 1];
-    const inside = (least ?? -Infinity) <= values[k] && values[k] <= (most ?? Infinity);
-    return inside ? [] : [jointNames(arm)[k]];
+    const { lower, upper } = arm.rows[row - 1];
+    const isInside = (lower ?? -Infinity) <= values[k] && values[k] <= (upper ?? Infinity);
+    return isInside ? [] : [jointNames(arm)[k]];
   });
   if (beyond.length) yield formatMessage("beyond limits", { joints: joinList(beyond) });
 }

@@ -1,4 +1,4 @@
-// Judges joint torques: one vector, or the vectors along a trajectory.
+// Judges joint torques at one pose or along a trajectory.
 
 import {
   makeLoad,
@@ -29,17 +29,21 @@ import { askAboutDegrees } from "./degrees.js";
 import { judgeFirstTorques, judgeFirstTorquesInText, judgeWholeOrPart } from "./first_joints.js";
 import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
-const GRAVITY = [0, 0, -9.81];
-const NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i; // effort: of ROS
-const SAMPLE = 5; // poses of a run, where slips are tried before they are on all of them
+const GRAVITY = [0, 0, -9.81]; // m/s²
+// Names of variables that hold the answer; "effort" is the name in ROS.
+const NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i;
+const SAMPLE = 5; // poses of a trajectory at which mistakes are tried before all poses
 
 /**
- * Judge torques, a text or nested numbers, at q or along a list of q.
+ * Judge torques at q or along a list of q.
+ * @param {string | any[]} mine text or nested lists
+ * @param {import("../geometry/arm.js").Arm} arm
+ * @param {any} q joint values, a text or nested lists
  * @returns {import("../verdict.js").Verdict}
  */
-export const compareTorques = completeVerdicts(torquesCompared);
+export const compareTorques = completeVerdicts(judgeAllTorques);
 
-function torquesCompared(mine, arm, q, options = {}) {
+function judgeAllTorques(mine, arm, q, options = {}) {
   const { tolerance = null, gravity = GRAVITY } = options;
   if (!arm.rows.every((row) => row.body))
     throw new ArmError(formatMessage("no masses", { arm: arm.name, rows: arm.rows.length }));
@@ -51,31 +55,24 @@ function torquesCompared(mine, arm, q, options = {}) {
   );
   const load = makeLoad(arm, wrenches, gravity);
   const given = [...rowsOf(at.values, dof), ...wrenches];
-  const asked = {
-    wants: listShapes(wrenches.length, arm),
-    names: NAMES,
-    given,
-    which: options.which,
-  };
+  const request = { names: NAMES, given, which: options.which };
   const taken = [...(at.locked ?? []), ...describeModel(load)];
   const context = { arm, q: at, load, tolerance, taken };
-  const read = (question) =>
-    convertToNewtonMetres(
-      numbers(unnamed(mine), `${arm.name}: your torques`, undefined, undefined, question),
-    );
+  const read = (wants) => {
+    const what = `${arm.name}: your torques`;
+    const typed = numbers(unnamed(mine), what, undefined, undefined, { ...request, wants });
+    return convertToNewtonMetres(typed);
+  };
   const verdict = judgeWholeOrPart(
-    () => judgeTorques(read(asked), context),
-    () =>
-      wrenches.length > 1
-        ? null
-        : judgeFirstTorquesInText((wants) => read({ ...asked, wants }), context),
+    () => judgeTorques(read(listShapes(wrenches.length, arm)), context),
+    () => (wrenches.length > 1 ? null : judgeFirstTorquesInText(read, context)),
   );
   return askAboutDegrees(verdict, {
     arm,
     values: at.values,
     angles: options.angles,
     key: "tau.degrees",
-    judgeInDegrees: () => torquesCompared(mine, arm, q, { ...options, angles: "deg" }),
+    judgeInDegrees: () => judgeAllTorques(mine, arm, q, { ...options, angles: "deg" }),
     makeHeadline: (cause) => formatMessage("tau wrong", { arm: arm.name, cause: `${cause}.` }),
   });
 }
@@ -99,8 +96,8 @@ function judgeTorques(typed, context) {
   return verdict ?? { ...reportWrongShape(typed, count, arm), typed };
 }
 
-// Shapes that are read: a row for each pose, or a list for each joint, with or without locked
-// joints. One number for each pose is an energy.
+// List the shapes that are read. They have a row for each pose or a list for each joint, with or
+// without locked joints. One number for each pose is an energy.
 function listShapes(count, arm) {
   const widths = [...new Set([movingRows(arm).length, arm.rows.length])];
   return [
@@ -112,10 +109,11 @@ function listShapes(count, arm) {
   ];
 }
 
+// Convert torques to N m if the text gives their unit. An entry with its own unit is converted
+// already.
 function convertToNewtonMetres(typed) {
   const unit = typed.says?.moments;
   if (!unit) return typed;
-  // an entry may have its own unit
   const scale = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x * unit : x));
   const said = [
     ...typed.said,
@@ -124,7 +122,7 @@ function convertToNewtonMetres(typed) {
   return { ...typed, values: scale(typed.values), units: scale(typed.units), said };
 }
 
-// Pair poses with wrenches: one wrench for all poses, or one pose with several wrenches.
+// Pair poses with wrenches. A single wrench belongs to all poses, a single pose to all wrenches.
 function pairPosesWithWrenches(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
   const count = at.values.length / dof;
   const wrenches = Array.isArray(wrench[0]) ? wrench : rowsOf(at.values, dof).map(() => wrench);
@@ -133,13 +131,13 @@ function pairPosesWithWrenches(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
   return [{ ...at, values: repeat(at.values), units: repeat(at.units) }, wrenches];
 }
 
-// Read joint vectors: one, or a list.
+/** Read a joint vector or a list of joint vectors. */
 export function readPoses(q, arm, angles) {
   const dof = movingRows(arm).length;
-  const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
+  const read = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
     wants: jointShapes(arm),
   });
-  const typed = given.shape.at(-1) === arm.rows.length ? ofMoving(given, arm) : given;
+  const typed = read.shape.at(-1) === arm.rows.length ? ofMoving(read, arm) : read;
   if (typed.shape.at(-1) !== dof) throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
 }
@@ -152,8 +150,8 @@ const describeModel = ({ masses, gravity }) => [
   }),
 ];
 
-// Return the torques with a row for each pose. Transposed lists are turned and values of locked
-// joints dropped, and the verdict reports both.
+// Return the torques with a row for each pose, or null if their shape is wrong. Lists for each
+// joint are transposed and values of locked joints dropped, and the verdict reports both.
 function arrangeByPose({ values, units, shape }, count, arm) {
   const moving = movingRows(arm);
   const [dof, rows] = [moving.length, arm.rows.length];
@@ -194,38 +192,38 @@ function reportWrongShape({ shape, values }, count, arm) {
 
 /** @returns {import("../verdict.js").Verdict} */
 function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
-  const verdict = findExplanation(typed, at, load, { arm, tolerance });
-  const causes = verdict.slips.map((slip) => slip.cause);
-  const truth = makeTorqueMaker(load, load.c.dof, at.values)()(at.values);
-  const figures = measureErrors(typed.values, truth, verdict, load.c.dof);
-  const rest = { taken: typed.said, figures, wrong: verdict.wrong };
-  if (verdict.grade === WRONG) {
-    const empty = !typed.values.some(Boolean);
-    const verdictOnWrong = empty
-      ? reportZeroTorques(causes, arm)
-      : reportWrongTorques(causes, verdict.wrong, typed, truth, arm);
-    return { ...verdictOnWrong, ...rest };
+  const judged = judgeBySample(typed, at, load, { arm, tolerance });
+  const causes = judged.mistakes.map(({ cause }) => cause);
+  const expected = makeTorqueMaker(load, load.c.dof, at.values)()(at.values);
+  const figures = measureErrors(typed.values, expected, judged, load.c.dof);
+  const rest = { taken: typed.said, figures, wrong: judged.wrong };
+  if (judged.grade === WRONG) {
+    const verdict = typed.values.some(Boolean)
+      ? reportWrongTorques(causes, judged.wrong, typed, expected, arm)
+      : reportZeroTorques(causes, arm);
+    return { ...verdict, ...rest };
   }
   const keys = { [RIGHT]: "tau right", [SO_FAR]: "tau so far" };
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
-  const places = joinList(wrongJoints(verdict.wrong, arm).map((k) => nameJoint(arm, k)));
-  const headline = formatMessage(keys[verdict.grade] ?? "tau rounded", {
+  const places = joinList(listWrongJoints(judged.wrong, arm).map((k) => nameJoint(arm, k)));
+  const headline = formatMessage(keys[judged.grade] ?? "tau rounded", {
     arm: arm.name,
     precision,
     places,
   });
-  const notes = verdict.how === "cut" ? [formatMessage("cut")] : [];
-  return makeTorquesVerdict(arm, verdict.grade, headline, { ...rest, notes });
+  const notes = judged.how === "cut" ? [formatMessage("cut")] : [];
+  return makeTorquesVerdict(arm, judged.grade, headline, { ...rest, notes });
 }
 
-// Try mistakes at a few of many poses first, and only those that fit at all poses.
-function findExplanation(typed, at, load, { arm, tolerance }) {
+// Judge torques at all poses. If there are many, the mistakes are first tried at a few of them, and
+// only those that fit there at all poses.
+function judgeBySample(typed, at, load, { arm, tolerance }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
   const steps = listTorqueSteps(arm, load);
   const isEmpty = !typed.values.some(Boolean);
   const judge = (mine, q, maker, mistakes, further) =>
-    judgeEntries({ mine, q, dof, right: maker(), slips: mistakes, tolerance, further });
+    judgeEntries({ mine, q, dof, right: maker(), mistakes, tolerance, further });
   const judgeAll = (mine, q, poses) => {
     const maker = makeTorqueMaker(poses, dof, q.values);
     const pairs = isEmpty ? [] : [() => listMistakePairs(steps, maker)];
@@ -240,18 +238,21 @@ function findExplanation(typed, at, load, { arm, tolerance }) {
   const wrenches = indices.map((i) => load.wrenches[i]);
   const first = judgeAll(sample(typed), sample(at), { ...load, wrenches });
   const maker = makeTorqueMaker(load, dof, at.values);
-  const mistakes = first.slips.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
+  const mistakes = first.mistakes.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
   return judge(typed, at, maker, mistakes, []);
 }
 
-// Report the largest error of a torque, and the number of joints that are right at every pose.
-function measureErrors(mine, truth, { grade, wrong }, dof) {
-  const off = mine.map((x, i) => Math.abs(x - truth[i]));
-  const bad = new Set(wrong.flatMap((is, i) => (is && grade === WRONG ? [i % dof] : [])));
-  return { worst: Math.max(0, ...off), right: dof - bad.size, of: dof };
+// Return the largest error of a torque, and the number of joints that are right at every pose.
+function measureErrors(actual, expected, { grade, wrong }, dof) {
+  const errors = subtractEach(actual, expected).map(Math.abs);
+  const wrongJoints = new Set(
+    wrong.flatMap((isWrong, i) => (isWrong && grade === WRONG ? [i % dof] : [])),
+  );
+  return { worst: Math.max(0, ...errors), right: dof - wrongJoints.size, of: dof };
 }
 
-// All zeros: an empty answer or a forgotten load, so the message asks about both.
+// Report torques that are all 0. The answer is empty or a load was forgotten, so the message asks
+// about both.
 function reportZeroTorques(causes, arm) {
   const headline = formatMessage("tau wrong", {
     arm: arm.name,
@@ -262,14 +263,14 @@ function reportZeroTorques(causes, arm) {
 
 const nameJoint = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
 const selectJoint = (list, k, dof) => list.filter((_, i) => i % dof === k);
-const wrongJoints = (wrong, arm) => {
+const listWrongJoints = (wrong, arm) => {
   const dof = movingRows(arm).length;
   return jointNumbers(arm).flatMap((_, k) =>
     selectJoint(wrong, k, dof).includes(true) ? [k] : [],
   );
 };
 
-function reportWrongTorques(causes, wrong, typed, truth, arm) {
+function reportWrongTorques(causes, wrong, typed, expected, arm) {
   if (causes.length) {
     const words = joinCauseMessages(causes);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
@@ -277,30 +278,36 @@ function reportWrongTorques(causes, wrong, typed, truth, arm) {
       arm: arm.name,
       cause: `${uncapitalize(words)}.`,
     });
-    const report = causes.some(({ keys }) => keys.includes("tau.report"));
-    const notes = report ? [formatMessage("slip 8")] : [];
+    const isFromReport = causes.some(({ keys }) => keys.includes("tau.report"));
+    const notes = isFromReport ? [formatMessage("slip 8")] : [];
     return makeTorquesVerdict(arm, WRONG, headline, {
       findings,
       causes: causes.map(causeName),
       notes,
     });
   }
-  const findings = wrongJoints(wrong, arm).map((k) => describeWrongJoint(arm, k, typed, truth));
+  const findings = listWrongJoints(wrong, arm).map((k) =>
+    describeWrongJoint(arm, k, typed, expected),
+  );
   const places = joinList(findings.map(({ where }) => where));
   const headline = formatMessage("tau wrong places", { arm: arm.name, places });
   return makeTorquesVerdict(arm, WRONG, headline, { findings });
 }
 
-// Describe a wrong joint: its sign is reversed, or by how much it is off.
-function describeWrongJoint(arm, k, typed, truth) {
+// Describe a wrong joint by its largest error, or report that its torques have the opposite sign.
+function describeWrongJoint(arm, k, typed, expectedTorques) {
   const dof = movingRows(arm).length;
-  const [mine, right] = [typed.values, truth].map((list) => selectJoint(list, k, dof));
-  const off = formatNumber(Math.max(...subtractEach(mine, right).map(Math.abs)), 2);
-  const isNegated = mine.every((x, i) => Math.abs(x + right[i]) < Math.abs(x - right[i]) / 1e3);
+  const [actual, expected] = [typed.values, expectedTorques].map((list) =>
+    selectJoint(list, k, dof),
+  );
+  const largestError = Math.max(...subtractEach(actual, expected).map(Math.abs));
+  const isNegated = actual.every(
+    (x, i) => Math.abs(x + expected[i]) < Math.abs(x - expected[i]) / 1e3,
+  );
   const words = formatMessage(isNegated ? "tau other way" : "tau off", {
     joint: jointNumbers(arm)[k],
-    most: mine.length > 1 ? formatMessage("up to") : "",
-    off,
+    most: actual.length > 1 ? formatMessage("up to") : "",
+    off: formatNumber(largestError, 2),
     unit: revoluteFlags(arm)[k] ? "N m" : "N",
   });
   return { what: "joint", where: nameJoint(arm, k), words };
