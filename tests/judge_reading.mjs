@@ -46,6 +46,8 @@ const JOBS = {
     const tree = parse(text, what);
     return { names: [...symbols(tree)].sort(), value: known && value(tree, (name) => known[name]) };
   },
+  matrix: ({ text, rows, columns }) =>
+    numbers(text, "mine", undefined, undefined, { wants: [{ rows, columns }] }).values,
   tables: ({ text, options, values, kinds }) => readTables(text, options, values).map(tableOf(kinds)),
   names({ names, arm, q, values }) {
     return Object.fromEntries(lookup(arm, q, values)(new Set(names)));

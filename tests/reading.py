@@ -38,6 +38,11 @@ def read_tables(typed_table: Any, *, values=(), kinds=(), **options: str) -> lis
     return ask_reader("tables", text=text, options=options, values=pairs, kinds=kinds)
 
 
+def read_matrix(text: str, rows: int, columns: int) -> list[float]:
+    """Return the entries of a pasted matrix of this size, row by row."""
+    return ask_reader("matrix", text=text, rows=rows, columns=columns)
+
+
 def list_rows(table: dict) -> list[tuple]:
     """Return kind, a, alpha, d and theta of each row of a reading."""
     names = ("kind", "a", "alpha", "d", "theta")

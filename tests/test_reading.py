@@ -1,12 +1,14 @@
 """Formulas, grids and tables as people type and hold them, against what they were made from."""
 
 import math
+import random
 import re
 from collections import defaultdict
 from functools import partial
 
 import numpy as np
 import pytest
+import sympy as sp
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError
@@ -288,6 +290,35 @@ def test_number_is_read_exactly_or_rejected(text, wanted):
 def test_typed_formula_is_evaluated(case):
     found = reading.read_formula(case["text"], x=0.7, q_1=0.4)["value"]
     assert found == pytest.approx(case["value"], rel=1e-9, abs=1e-12)
+
+
+def draw_sum(rng, terms):
+    """Return a sum of two of these terms with rational factors."""
+    factors = (sp.Rational(rng.randint(-12, 12), rng.choice([1, 2, 4, 100])) for _ in range(2))
+    return sum(factor * rng.choice(terms) for factor in factors)
+
+
+PLAIN_TERMS = [0, 1, sp.pi, sp.sqrt(2), sp.sqrt(10) * sp.pi, sp.Float(0.37) * sp.sqrt(3)]
+ODD_TERMS = [*PLAIN_TERMS, sp.pi**2, sp.exp(sp.Rational(1, 2)), sp.root(2, 3), 1 / (1 + sp.pi),
+             sp.sqrt(2 + sp.sqrt(3)), sp.sin(sp.sqrt(2) / 2)]  # fmt: skip
+NAMES_BEFORE = ["", "J = ", "My answer:\n\n", "Out[3]:\n"]
+
+
+@pytest.mark.parametrize("use_unicode", [True, False])
+def test_sympy_print_is_read_or_rejected(use_unicode):
+    rng = random.Random(52)
+    texts_read = 0
+    for k in range(20):
+        terms = [PLAIN_TERMS, ODD_TERMS][k % 2]
+        matrix = sp.Matrix(2, 3, lambda i, j, terms=terms: draw_sum(rng, terms))
+        text = rng.choice(NAMES_BEFORE) + sp.pretty(matrix, use_unicode=use_unicode)
+        try:
+            values = reading.read_matrix(text, 2, 3)
+        except ArmError:
+            continue
+        np.testing.assert_allclose(values, [float(entry) for entry in matrix], 1e-6, err_msg=text)
+        texts_read += 1
+    assert texts_read >= 6
 
 
 @pytest.mark.parametrize("case", TABLES, ids=range(len(TABLES)))

@@ -16,6 +16,7 @@ import {
   withoutMargins,
   withoutStruckText,
 } from "./decorations.js";
+import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { unwrapFrames } from "./frames.js";
 import { labelIn } from "./labels.js";
@@ -70,7 +71,7 @@ export function findAnswer(text, question) {
 function findIn(pasted, text, question) {
   const { what, wants, isEntry, names, given = [] } = question;
   if (wants[0].columns === null) refuseOdd(text, question);
-  const plain = labelNumberedLines(plainText(pasted));
+  const plain = labelNumberedLines(plainText(flattenFormulas(pasted, what)));
   const own = blocksIn(plain, { isEntry, names, given });
   const whole = given.length ? blocksIn(plain, { isEntry, names, given }, true) : [];
   const found = firstBlock(own, whole, question);
@@ -82,8 +83,15 @@ function findIn(pasted, text, question) {
   if (block.sources.every(isCalledOld)) throw oldAnswerError(text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block) && /\p{L}/u.test(text)) throw refusal(text, question, own);
-  const left = setAside(text, block, pasted);
+  const left = setAside(text, { ...block, ...linesOfEntries(block, tokens) }, pasted);
   return { ...block, rows, said, left, tokens };
+}
+
+// Return a block's first and last line, with those of a drawn fraction's numerators, denominators.
+function linesOfEntries({ from, to }, tokens) {
+  const entries = tokens.filter(({ owner }) => owner === "entry");
+  const [first, last] = [entries[0]?.line ?? from, entries.at(-1)?.line ?? to];
+  return { from: Math.min(from, first), to: Math.max(to, last) };
 }
 
 // The block that fits, with the first shape wanted and the first way to part the text; what

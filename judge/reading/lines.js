@@ -5,9 +5,9 @@ import { isFunction, isNumber } from "./formula.js";
 import { CONTINUED, ROW_END } from "./characters.js";
 
 /**
- * A cell in plain characters, its unit as a factor, and where it stands in the pasted text; of a
- * word also its line.
- * @typedef {{ text: string, from: number, to: number, line?: number }} Cell
+ * A cell in plain characters, its unit as a factor, with its place in the text; of a word its line.
+ * @typedef {import("./spans.js").Span & { text: string, line?: number,
+ *   stretches?: import("./spans.js").Span[] }} Cell
  */
 /**
  * Entries of one row; the words before them since the row before on the line, and of the line
@@ -104,8 +104,7 @@ export function readRows(plain, isEntry, parting) {
 const endsRow = (character, { leaves }) =>
   character === "\n" || character === ROW_END || (character === ";" && leaves > 0);
 
-// The state of the walk through a text: the row that goes on, the words before the next one and of
-// the line above, how deep in lists.
+// The state of the walk: `words` are those before the next row, `above` those of the line above.
 const startState = (plain, isEntry, parting) => ({
   plain,
   text: plain.text,
@@ -254,7 +253,8 @@ function cellAt({ from, to }, parting, { plain }) {
   const raw = plain.text.slice(from, to);
   const [start, end] = [from + raw.length - raw.trimStart().length, from + raw.trimEnd().length];
   const text = cleaned(raw.replace(/\s+/g, " "), parting);
-  return { text, ...plain.span(start, Math.max(start, end)) };
+  const span = plain.span(start, Math.max(start, end));
+  return { text, ...span, stretches: plain.stretches(start, end) };
 }
 
 // The cells of a line whose entries stand beside each other; a comma and "and" part them too.

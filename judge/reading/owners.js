@@ -70,7 +70,8 @@ export function tokensOf(text, block) {
     cells.forEach((cell, column) => {
       const unread = strayRows.has(row) || lacksFactor(text, cell, starts);
       const index = row * cells.length + column;
-      tokens.claim(cell, unread ? "unread" : "entry", { row, column, index });
+      for (const stretch of cell.stretches ?? [cell])
+        tokens.claim(stretch, unread ? "unread" : "entry", { row, column, index });
     }),
   );
   for (const cell of [...block.labels.flat(), ...block.headers]) claimWord(tokens, cell, "label");

@@ -35,6 +35,22 @@ export class SpannedText {
   }
 
   /**
+   * List the stretches of the pasted text that characters stand for; a drawn fraction has several.
+   * @param {number} from @param {number} to @returns {Span[]}
+   */
+  stretches(from, to) {
+    const stretches = [];
+    for (let at = from; at < to; at++) {
+      const span = this.span(at, at + 1);
+      const last = stretches.at(-1);
+      if (last && span.from >= last.from && span.from <= last.to)
+        last.to = Math.max(last.to, span.to);
+      else if (span.to > span.from) stretches.push(span);
+    }
+    return stretches;
+  }
+
+  /**
    * Replace all matches. Characters of a match or of one of its groups that are kept keep their
    * place; new blanks stand for nothing, other new characters for the whole match.
    * @param {RegExp} pattern with the flag g

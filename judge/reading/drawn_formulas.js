@@ -1,0 +1,128 @@
+// SymPy prints a fraction with a bar, and a root with a line above, over several lines. Each is
+// written as a formula on one line, or the print is refused.
+
+import { listLines } from "./spans.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/** @typedef {import("./spans.js").SpannedText} SpannedText */
+/** @typedef {import("./spans.js").Span} Span */
+/**
+ * Stretches and new characters that take the place of a stretch.
+ * @typedef {Span & { parts: (Span | string)[] }} Edit
+ */
+
+const ROOT = /\\\/|╲╱/g;
+const OVERLINE = /^_{3,}/;
+const DRAWN_BRACKET = /[⎛-⎭]/g;
+// A bar stands between blanks, brackets and commas. A minus may stand so, too.
+const BAR = /(?<![^\s[(⎛-⎭])(?:─+|-+)(?![^\s\]),⎛-⎭])/g;
+const TERM = /^(?=.*[\dπp])(?:[-+*⋅\d. √π()]|pi)+$/;
+const FRAME = /[\s⎛-⎭[\](),]/g; // characters of a line without entries
+const OPENING = /[⎛-⎭[]/;
+const FLATTENED = /√\(|\)\/\(/;
+
+/**
+ * Write drawn fractions and roots on one line each.
+ * @param {SpannedText} pasted
+ * @param {string} what the name of the answer, for the error
+ * @returns {SpannedText} a text with as many lines
+ * @throws {ArmError} if a part of a drawn formula cannot be read, such as a power
+ */
+export function flattenFormulas(pasted, what) {
+  const flat = rewrite(rewrite(pasted, listRootEdits), listFractionEdits);
+  if (flat === pasted && pasted.text.search(DRAWN_BRACKET) < 0) return pasted;
+  const [typedLines, flatLines] = [pasted, flat].map(({ text }) => text.split("\n"));
+  const line = findUnreadLine(typedLines, flatLines);
+  if (line < 0) return flat;
+  const quoted = quoteText(typedLines[line].trim());
+  throw new ArmError(formatMessage("drawn formula", { what, line: line + 1, quoted }));
+}
+
+/** @param {SpannedText} text @param {(lines: any[], k: number) => Edit[]} listEdits of a line */
+function rewrite(text, listEdits) {
+  const lines = listLines(text.text);
+  const edits = lines.flatMap((_, k) => listEdits(lines, k));
+  if (!edits.length) return text;
+  edits.sort((left, right) => left.from - right.from);
+  const parts = edits.flatMap(({ from, parts: instead }, k) => [
+    { from: edits[k - 1]?.to ?? 0, to: from },
+    ...instead,
+  ]);
+  return text.assemble([...parts, { from: edits.at(-1).to, to: text.text.length }]);
+}
+
+const blank = ({ from, to }) => ({ from, to, parts: [" ".repeat(to - from)] });
+
+// Write √( over the sign of a root and ) over the blank at its end. So all columns stay.
+function listRootEdits(lines, k) {
+  const { text, from } = lines[k];
+  const above = lines[k - 1] ?? { text: "", from: 0 };
+  return [...text.matchAll(ROOT)].flatMap(({ index }) => {
+    const start = index + 2;
+    const width = OVERLINE.exec(above.text.slice(start))?.[0].length ?? 0;
+    const end = Math.min(start + width - 1, text.length);
+    const hasIndex = above.text.slice(index, start).trim(); // of a cube root
+    if (!width || hasIndex || !TERM.test(text.slice(start, end)) || text[end]?.trim()) return [];
+    return [
+      blank({ from: above.from + start, to: above.from + start + width }),
+      { from: from + index, to: from + start, parts: ["√("] },
+      { from: from + end, to: from + Math.min(end + 1, text.length), parts: [")"] },
+    ];
+  });
+}
+
+// Write numerator and denominator in the place of their bar.
+function listFractionEdits(lines, k) {
+  const { text, from } = lines[k];
+  return [...text.matchAll(BAR)].flatMap(({ 0: { length }, index }) => {
+    const end = index + length;
+    const [over, under] = [lines[k - 1], lines[k + 1]].map((line) => findTerm(line, index, end));
+    if (!over || !under || under.text.includes(".")) return [];
+    const spare = length - Math.max(over.text.length, under.text.length);
+    const isSummand = /[-+] $/.test(text.slice(0, index)) || /^ [-+] /.test(text.slice(end));
+    // SymPy draws a fraction of whole numbers in a sum only. Elsewhere headers stand above a rule.
+    if (spare > 1 || !(isSummand || /[√π]|pi/.test(over.text + under.text))) return [];
+    const parts = ["(", over, ")/(", under, ")"];
+    return [blank(over), { from: from + index, to: from + end, parts }, blank(under)];
+  });
+}
+
+// Find the term that stands alone between two columns of a line.
+function findTerm(line, start, end) {
+  const typed = line?.text.slice(start, end) ?? "";
+  const text = typed.trim();
+  const beside = (line?.text[start - 1] ?? "") + (line?.text[end] ?? "");
+  if (!TERM.test(text) || beside.replace(FRAME, "")) return null;
+  const from = line.from + start + typed.indexOf(text);
+  return { from, to: from + text.length, text };
+}
+
+// Return the index of the first line with a part of a drawn formula that was not read, or -1. SymPy
+// leaves a line without entries between two rows.
+function findUnreadLine(typedLines, flatLines) {
+  return flatLines.findIndex((line, k) => {
+    const [typed, below = ""] = typedLines.slice(k, k + 2);
+    if (line.search(ROOT) >= 0 || isPower(typed, below) || isShifted(typed, below)) return true;
+    if (!FLATTENED.test(line)) return false;
+    const brackets = line.match(DRAWN_BRACKET)?.length ?? 0;
+    const isCut = brackets % 2 === 1 || /^\s*\[[^\]]*$/.test(line);
+    return isCut || brackets > 2 || hasEntries(flatLines[k - 1]) || hasEntries(flatLines[k + 1]);
+  });
+}
+
+const hasEntries = (line = "") => line.replace(FRAME, "") && !/\p{L}{3}|[:=]\s*$/u.test(line);
+
+// Return whether an exponent stands above the blank behind its base, a letter or a bracket.
+const isPower = (line, below) =>
+  [...line.matchAll(/[^\s⎛-⎭[\](),]+/g)].some(
+    ({ 0: { length }, index }) =>
+      !below.slice(index, index + length).trim() && /[\p{L})]/u.test(below[index - 1] ?? ""),
+  );
+
+// Return whether a name before a line shifts it from the line below, with which it draws a formula.
+function isShifted(line, below) {
+  const [start, startBelow] = [line, below].map((part) => part.search(OPENING));
+  if (start < 0 || startBelow < 0 || start === startBelow) return false;
+  const rows = [line.slice(start), below.slice(startBelow)];
+  return rows.every((row) => hasEntries(row)) && /[\p{L}√]/u.test(rows.join(""));
+}
