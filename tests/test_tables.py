@@ -183,7 +183,10 @@ def test_entries_of_arm_are_quoted():
     words = {f.where: f.words for f in report.findings}
     assert words["row 1, alpha"].endswith("(you have pi/3).")
     assert words["row 3, a"].endswith("82.5 mm too long (you have 2*a_3).")
-    assert (report.topic, report.headline) == ("table", "mine is another arm than Panda.")
+    assert (report.topic, report.headline) == (
+        "table",
+        "mine does not describe the same arm as Panda.",
+    )
     for options, told in (
         (
             {"columns": "a alpha d theta", "lengths": "m"},
@@ -296,8 +299,8 @@ def test_angle_about_slide_is_reported_as_theta(twist, theta, wanted, angles):
     report = said(row.format(twist, theta) + "; 0 0 0 0", row.format(twist, wanted))
     told = next(f for f in report.findings if "slide" in f.words)
     assert told.where == "row 3, theta"
-    before_to_after = "about the slide, from the common normal before it to the one after it, is "
-    assert told.words == f"Row 3, theta: the angle {before_to_after}{angles}."
+    between = "about the slide between the common normals before and after it is "
+    assert told.words == f"Row 3, theta: the angle {between}{angles}."
 
 
 @pytest.mark.parametrize(
@@ -315,7 +318,7 @@ def test_angle_about_slide_is_reported_as_theta(twist, theta, wanted, angles):
 )
 def test_wrong_entry_is_quoted(entry, instead, words):
     report = said(GENERIC.replace(entry, instead, 1), GENERIC)
-    assert report.headline == f"Your table is another arm than Ref: {words}."
+    assert report.headline == f"Your table does not describe the same arm as Ref: {words}."
 
 
 @pytest.mark.parametrize(
@@ -359,23 +362,23 @@ def test_wrong_entry_is_quoted(entry, instead, words):
         # Across a slide two axes are as far apart and as skew as wanted, by a sign the other way.
         ("0 pi/2 0.2 q1; 0 1 0.1 q2; -0.2 0.5 d3 0; 0.125 0 0.3 q4; 0 0 0 0",
          SLIDING.replace("0.4;", "0;"), {}, [
-            "Row 2, a: the shortest way from axis 2 to axis 4 points another way than in the "
-            "reference: look at the signs here and in the rows beside it.",
+            "Row 2, a: the shortest line from axis 2 to axis 4 has a different direction than in "
+            "the reference: check the signs here and in the rows beside it.",
             "Row 4, a: the distance from axis 4 to the tip is 0.125 m in yours and 0.1 m in the "
             "reference: 25 mm too long."]),
     ],
 )  # fmt: skip
 def test_differences_between_axes_are_described(typed, reference, options, lines):
     report = said(typed, reference, **options)
-    assert report.headline == "Your table is another arm than Ref."
+    assert report.headline == "Your table does not describe the same arm as Ref."
     assert [f.words for f in report.findings] == lines
     places = [line.partition(":")[0].lower() for line in lines if line.startswith("Row")]
     assert [f.where for f in report.findings] == (places or ["row 3, joints"])
 
 
 BASE = (
-    "Your table has the joint axes of Ref, but the base frame of your table is {} on axis 1 than "
-    "the reference's "
+    "Your table has the joint axes of Ref, but the base frame of your table is {} along axis 1 "
+    "than the reference's "
 )
 JOINTS = "The reference counts these joints differently: {}\n"
 
@@ -440,20 +443,20 @@ def test_table_with_other_joint_zeros_is_right_by_map(typed, reference, options,
         ("0 pi/2 0.4 q1; 0.301 0 0 q2; 0.2 pi/2 0.050 q3; 0 0 0.250 q4",
          ELBOWED.replace("0.3 ", "0.3006 "), {}, "rounded", "but for the last digit"),
         ("0 pi/2 0.1 q1; 0.3 0 0.05 q2+0.3; 0.2 pi/2 0 q3-pi/2; 0 0 0.25 q4", ELBOWED, {}, "wrong",
-         BASE.format("300 mm higher") + "(d in row 1)"),
+         BASE.format("300 mm higher") + "(see d in row 1)"),
         ("0 pi/2 0.1 q1; 0.3 0 0.05 q2; 0.2 pi/2 0 q3; 0 0 0.25 q4", ELBOWED, {}, "wrong",
-         BASE.format("300 mm higher") + "(d in row 1): d in row 1 is 300 mm too short"),
+         BASE.format("300 mm higher") + "(see d in row 1): d in row 1 is 300 mm too short"),
         ("0.1 0 0.7 q1; 0.3 0 0 q2; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED, {"convention": "craig"},
-         "wrong", BASE.format("500 mm lower") + "(d in row 2)"),
+         "wrong", BASE.format("500 mm lower") + "(see d in row 2)"),
         (LEANING.replace("0.2 q1", "0.5 q1"), LEANING, {}, "wrong",
-         BASE.format("300 mm lower") + "(d in row 2)"),
+         BASE.format("300 mm lower") + "(see d in row 2)"),
         ("0 pi/2 0.5 q1; 0 pi/2 d2+0.1 pi/2; 0.2 0 0.1 q3",
          "0 pi/2 0.4 q1; 0 pi/2 d2 pi/2; 0.2 0 0.1 q3", {}, "wrong",
-         BASE.format("100 mm lower") + "(d in row 1)"),
+         BASE.format("100 mm lower") + "(see d in row 1)"),
         # The height counts along axis 1 also where the parallel axis 2 points the other way.
         ("0.3 pi 0.6 q1; 0.2 pi/2 0.1 q2; 0.2 0.5 0.1 q3; 0.1 0 0.3 q4",
          "0.3 pi 0.4 q1; 0.2 pi/2 0.1 q2; 0.2 0.5 0.1 q3; 0.1 0 0.3 q4", {}, "wrong",
-         BASE.format("200 mm lower") + "(d in row 2)"),
+         BASE.format("200 mm lower") + "(see d in row 2)"),
         (GENERIC.replace("0.1 pi/3 0.4", "0.1 4pi/3 -0.4"), GENERIC, {}, "wrong",
          "but your z_0 points the other way along axis 1, so the arm hangs from its base"),
         (ELBOWED.replace("0 0 0.25", "0 0.5 0.25"), ELBOWED, {}, "wrong",
