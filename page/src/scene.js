@@ -123,8 +123,8 @@ export class ArmPicture {
     this.drawFrames(frames, state.frames);
     this.ellipsoid.visible = state.view === "jacobian";
     if (this.ellipsoid.visible) {
-      const scale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
-      this.ellipsoid.placeAt(frames.at(-1).o, derived.linear, scale, 0.003 * this.size);
+      const scale = (0.15 * this.size) / Math.max(derived.linearAxes.values[0], 1e-6);
+      this.ellipsoid.placeAt(frames.at(-1).o, derived.linearAxes, scale, 0.003 * this.size);
     }
     this.drawForce(frames.at(-1).o, state);
     this.drawPath(state);

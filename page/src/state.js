@@ -269,9 +269,9 @@ export const makeInitialState = (fields) =>
     ...fields,
   });
 
-// Values that follow from an arm, joint values and a wrench. Each is computed at its first use.
+/** Values computed from an arm, joint values and a wrench, each at its first use. */
 class Derived {
-  #known = new Map();
+  #computed = new Map();
 
   constructor(arm, q, wrench) {
     this.arm = arm;
@@ -279,20 +279,20 @@ class Derived {
     this.wrench = wrench;
   }
 
-  #once(name, compute) {
-    if (!this.#known.has(name)) this.#known.set(name, compute());
-    return this.#known.get(name);
+  #computeOnce(name, compute) {
+    if (!this.#computed.has(name)) this.#computed.set(name, compute());
+    return this.#computed.get(name);
   }
 
   get frames() {
-    return this.#once("frames", () => linkFrames(this.arm, this.q));
+    return this.#computeOnce("frames", () => linkFrames(this.arm, this.q));
   }
   get columns() {
-    return this.#once("columns", () => jacobianColumns(this.arm, this.frames));
+    return this.#computeOnce("columns", () => jacobianColumns(this.arm, this.frames));
   }
   // Singular values of the task rows and the left singular vectors, as motions (v, ω).
-  get task() {
-    return this.#once("task", () => {
+  get taskAxes() {
+    return this.#computeOnce("taskAxes", () => {
       const rows = taskRows(this.arm);
       const picked = this.columns.map((column) => pick(column, rows));
       const { values, vectors } = decomposeSingular(picked, rows.length);
@@ -300,41 +300,49 @@ class Derived {
       return { values, vectors: vectors.map(asMotion) };
     });
   }
-  get linear() {
-    const linear = () => this.columns.map((column) => column.slice(0, 3));
-    return this.#once("linear", () => decomposeSingular(linear(), 3));
+  // Singular values and left singular vectors of the linear rows.
+  get linearAxes() {
+    const linearRows = () => this.columns.map((column) => column.slice(0, 3));
+    return this.#computeOnce("linearAxes", () => decomposeSingular(linearRows(), 3));
   }
-  get values() {
-    return this.task.values;
+  get singularValues() {
+    return this.taskAxes.values;
   }
   get rank() {
-    return countRank(this.values);
+    return countRank(this.singularValues);
   }
   // Tip motions that no joint rates produce, in the basis with the most zeros.
-  get lost() {
-    return this.#once("lost", () => simplifyBasis(this.task.vectors.slice(this.rank)));
+  get lostMotions() {
+    return this.#computeOnce("lostMotions", () =>
+      simplifyBasis(this.taskAxes.vectors.slice(this.rank)),
+    );
   }
   get determinant() {
     const rows = taskRows(this.arm);
     const picked = () => this.columns.map((column) => pick(column, rows));
-    return this.#once("determinant", () => determinant(picked()));
+    return this.#computeOnce("determinant", () => determinant(picked()));
   }
   get manipulability() {
-    const { values, columns } = this;
-    return values.slice(0, Math.min(values.length, columns.length)).reduce((p, v) => p * v, 1);
+    const { singularValues, columns } = this;
+    const count = Math.min(singularValues.length, columns.length);
+    return singularValues.slice(0, count).reduce((p, v) => p * v, 1);
   }
-  get gravity() {
-    return this.#once("gravity", () => computeHoldingTorques(this.arm, this.frames));
+  // Torques that hold the links against gravity, in N m or N.
+  get gravityTorques() {
+    return this.#computeOnce("gravityTorques", () => computeHoldingTorques(this.arm, this.frames));
   }
   // Potential energy of the links in J.
-  get energy() {
+  get potentialEnergy() {
     return potentialEnergy(this.arm, this.frames);
   }
-  get push() {
-    return this.#once("push", () => computeWrenchTorques(this.columns, this.wrench));
+  // Torques that the wrench of the world exerts, in N m or N.
+  get wrenchTorques() {
+    return this.#computeOnce("wrenchTorques", () =>
+      computeWrenchTorques(this.columns, this.wrench),
+    );
   }
-  get torque() {
-    return this.gravity.map((g, i) => g - this.push[i]);
+  get torques() {
+    return this.gravityTorques.map((g, i) => g - this.wrenchTorques[i]);
   }
 }
 
@@ -359,7 +367,7 @@ export class Store {
     this.derived = new Derived(state.arm, state.q, state.wrench);
   }
 
-  // Apply an event and tell every listener which fields changed and who caused it. Returns whether
+  // Apply an event and notify every listener of the changed fields and their cause. Returns whether
   // anything changed.
   dispatch(event, by = "reader") {
     const before = this.state;

@@ -26,15 +26,15 @@ export const getFullRank = (arm) => Math.min(taskRows(arm).length, movingRows(ar
 
 /**
  * Describe the rank and, at a singular pose, the motions that are lost.
- * @param {{ arm: Arm, rank: number, lost: number[][] }} derived
+ * @param {{ arm: Arm, rank: number, lostMotions: number[][] }} derived
  */
-export function describeRank({ arm, rank, lost }) {
+export function describeRank({ arm, rank, lostMotions }) {
   const [full, rows] = [getFullRank(arm), taskRows(arm).length];
   const singular = rank < full;
   if (!singular) return { singular, text: describeReach(arm, rank, full) };
   return {
     singular,
-    text: `Singular: rank ${rank} of ${full}. ${describeLostMotions(lost, full < rows)}`,
+    text: `Singular: rank ${rank} of ${full}. ${describeLostMotions(lostMotions, full < rows)}`,
   };
 }
 
@@ -59,10 +59,10 @@ function describePlanarReach(arm, rank) {
 
 const countLargeEntries = (direction) => direction.filter((v) => Math.abs(v) > 0.02).length;
 
-function describeLostMotions(lost, never) {
-  if (!lost.length || never) return "";
-  const single = lost.filter((d) => countLargeEntries(d) === 1).map(describeMotion);
-  const blends = lost
+function describeLostMotions(motions, isLostEverywhere) {
+  if (!motions.length || isLostEverywhere) return "";
+  const single = motions.filter((d) => countLargeEntries(d) === 1).map(describeMotion);
+  const blends = motions
     .filter((d) => countLargeEntries(d) > 1)
     .map((d) => `make the motion ${describeMotion(d)}`);
   return `Here the tip cannot ${joinList([...single, ...blends], "nor")}.`;

@@ -211,7 +211,7 @@ test("an arm without joints has derived values", () => {
   const still = { name: "post", home: [], rows: [{ ...ELBOW.rows[0], kind: "fixed" }] };
   const { derived } = start(still);
   assert.equal(describeRank(derived).text, "No joint moves this arm.");
-  assert.deepEqual([derived.torque, derived.manipulability, findBranches(still, []).list], [[], 1, []]);
+  assert.deepEqual([derived.torques, derived.manipulability, findBranches(still, []).list], [[], 1, []]);
 });
 
 test("undoing the choice of an arm restores its base", () => {

@@ -138,7 +138,7 @@ function buildColumnsFigure(host, spec) {
 // The velocity ellipsoid of the tip as the arm moves.
 function buildEllipsoidFigure(host, spec) {
   const message = (state, derived) => {
-    const axes = derived.linear.values.map((v) => formatFixed(v, 2)).join(", ");
+    const axes = derived.linearAxes.values.map((v) => formatFixed(v, 2)).join(", ");
     return `Half axes ${axes}. ${describeRank(derived).text}`;
   };
   return makeLive(host, spec, { state: { view: "jacobian" }, message }).dispose;
@@ -150,19 +150,19 @@ function buildLoadsFigure(host, spec) {
   const live = makeLive(host, spec, {
     state: { view: spec.push ? "torque" : "pose", wrench: spec.wrench ?? [0, 0, 0, 0, 0, 0] },
     side: [bars],
-    message: ({ arm }, { torque }) => {
-      const sizes = torque.map(Math.abs);
+    message: ({ arm }, { torques }) => {
+      const sizes = torques.map(Math.abs);
       const worst = sizes.indexOf(Math.max(...sizes));
-      const value = `${formatFixed(torque[worst], 1)}\u00a0N\u00a0m`;
+      const value = `${formatFixed(torques[worst], 1)}\u00a0N\u00a0m`;
       const most = `joint ${movingRows(arm)[worst] + 1}: ${value}`;
       return `${spec.words ?? "Move the arm."} The most is asked of ${most}.`;
     },
   });
   const lines = movingRows(live.store.state.arm).map(makeTorqueBar);
   bars.replaceChildren(...lines.map((one) => one.root));
-  live.follow(({ arm }, { torque }) => {
+  live.follow(({ arm }, { torques }) => {
     const most = Math.max(...movingRows(arm).map((index) => arm.rows[index].effort ?? 50));
-    lines.forEach((line, i) => line.show(torque[i], most));
+    lines.forEach((line, i) => line.show(torques[i], most));
   });
   return live.dispose;
 }

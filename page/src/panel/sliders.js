@@ -1,4 +1,4 @@
-// One line for each joint: its name, a slider over its range, a text field, its limits.
+// The lines of the joints. Each has a name, a slider, a text field and the limits.
 
 import { isOutsideLimits, jointRange } from "../../../judge/geometry/arm.js";
 import { updateAttribute, h, makeIndexedSymbol, makeRangeInput, setText } from "../dom.js";
@@ -29,14 +29,14 @@ export function makeSliders(store, { announce, signal }) {
   let lines = [];
   let rendered = /** @type {any} */ ({});
 
-  const acts = makeJointActions(store, error, announce);
+  const actions = makeJointActions(store, error, announce);
 
   function rebuild({ arm, unit }) {
     rendered.abort?.abort();
     const abort = new AbortController();
     signal.addEventListener("abort", () => abort.abort(), { signal: abort.signal });
     lines = movingRows(arm).map((index, i) =>
-      makeJointLine(arm.rows[index], { index, i, unit, signal: abort.signal }, acts),
+      makeJointLine(arm.rows[index], { index, i, unit, signal: abort.signal }, actions),
     );
     const none = h("p.words", {}, "No joint moves this arm.");
     root.replaceChildren(...(lines.length ? lines.map((line) => line.root) : [none]), error);
@@ -52,46 +52,55 @@ export function makeSliders(store, { announce, signal }) {
 
 // Return the actions of a joint's line; `i` is the joint's index in q.
 function makeJointActions(store, error, announce) {
-  const acts = {
-    put: (i, value, gesture = null) =>
+  const actions = {
+    setValue: (i, value, gesture = null) =>
       store.dispatch({ type: "moveJoints", q: replaceAt(store.state.q, i, value), gesture }),
-    typed: (i, row, field, whole) => {
+    readTyped: (i, row, field, whole) => {
       const { unit, q } = store.state;
       const { value, message } = readField(field, getQuantity(row), { unit, whole });
       setText(error, message && `${field.dataset.joint} ${message}.`);
       if (message) announce(() => error.textContent);
       if (!whole) return;
-      if (value !== undefined) acts.put(i, value);
+      if (value !== undefined) actions.setValue(i, value);
       field.value = formatJointValue(row, value ?? q[i], unit);
       field.setAttribute("aria-invalid", "false");
     },
-    nudge: (event, row, i) => {
+    handleKey: (event, row, i) => {
       const value = getValueAfterKey(event, row, store.state.q[i]);
       if (value === null) return;
       event.preventDefault();
-      acts.put(i, value, `keys ${i}`);
+      actions.setValue(i, value, `keys ${i}`);
     },
-    light: (highlightedRow) =>
+    highlight: (highlightedRow) =>
       store.state.highlightedRow !== highlightedRow &&
       store.dispatch({ type: "setFields", highlightedRow }),
   };
-  return acts;
+  return actions;
 }
 
 // Make the line of one joint; `index` is its row and `i` its index in q.
-function makeJointLine(row, { index, i, unit, signal }, { put, typed, nudge, light }) {
+function makeJointLine(
+  row,
+  { index, i, unit, signal },
+  { setValue, readTyped, handleKey, highlight },
+) {
   const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
   const thumb = makeRangeInput(label, jointRange(row), {
     "data-joint": index + 1,
-    onkeydown: (e) => nudge(e, row, i),
+    onkeydown: (e) => handleKey(e, row, i),
   });
-  const field = makeTextField(`${label}, typed`, (...now) => typed(i, row, ...now), {
+  const field = makeTextField(`${label}, typed`, (...args) => readTyped(i, row, ...args), {
     class: "value",
     "data-joint": label,
   });
   const past = h("span.past");
-  const rail = makeRail(thumb, (...to) => put(i, ...to), signal, makeLimitLabels(row, past, unit));
-  const [on, off] = [() => light(index), () => light(null)];
+  const rail = makeRail(
+    thumb,
+    (...args) => setValue(i, ...args),
+    signal,
+    makeLimitLabels(row, past, unit),
+  );
+  const [on, off] = [() => highlight(index), () => highlight(null)];
   const lights = { onpointerenter: on, onpointerleave: off, onfocusin: on, onfocusout: off };
   const name = h("span.label", {}, makeIndexedSymbol("q", index + 1));
   return { root: h("div.joint", lights, name, rail, field), thumb, field, past, row, index };

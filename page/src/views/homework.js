@@ -21,7 +21,7 @@ export const title = "Play the homework";
 
 export const build = (store, tools) => new HomeworkView(store, tools);
 
-/** The view: the runs, which one is chosen, and their results. */
+/** The runs of the homework, their results, and the chosen run. */
 class HomeworkView {
   /** @param {import("../state.js").Store} store */
   constructor(store, { announce, arms, signal }) {
@@ -30,18 +30,18 @@ class HomeworkView {
     this.announce = announce;
     this.signal = signal;
     this.results = new Map(); // by arm, start and run
-    this.shown = []; // the fields of the state that the list of runs shows
+    this.listedFields = []; // the state fields that the list of runs was made from
     this.list = h("div.runs", { role: "radiogroup", "aria-label": "Runs" });
     this.verdict = h("p.verdict");
     this.wall = makeWall(() => this.drawWall());
     this.plots = makePlots(store, () => this.getTicks());
-    this.transport = makeTransport(store, { signal, makeTrace: () => this.show() });
-    this.fields = makeFields((patch) => this.edit(patch));
-    this.root = this.laidOut();
+    this.transport = makeTransport(store, { signal, makeTrace: () => this.showResults() });
+    this.fields = makeFields((patch) => this.editChosenRun(patch));
+    this.root = this.makeLayout();
   }
 
-  laidOut() {
-    this.played = h(
+  makeLayout() {
+    this.player = h(
       "div",
       {},
       this.list,
@@ -52,18 +52,18 @@ class HomeworkView {
       this.wall.root,
       this.plots.root,
     );
-    this.others = h("p.words", {}, describeCircleArms(this.arms));
-    return h("div.homework", {}, this.played, this.others);
+    this.circleArms = h("p.words", {}, describeCircleArms(this.arms));
+    return h("div.homework", {}, this.player, this.circleArms);
   }
 
-  // Return the runs of the state, or the one that the homework asks of its arm.
+  // Return the runs of the state, or the run that the homework asks of its arm.
   get runs() {
     const { runs, arm, base } = this.store.state;
     return runs.length ? runs : [makeStartingRun(arm, base) ?? []].flat();
   }
 
-  // Change the run that is played. Changes of one field in a row share an undo step.
-  edit(patch) {
+  // Change the chosen run. Consecutive changes of the same field share an undo step.
+  editChosenRun(patch) {
     const { chosenRun } = this.store.state;
     const runs = this.runs.map((run, i) => (i === chosenRun ? { ...run, ...patch } : run));
     const gesture = `run ${chosenRun} ${Object.keys(patch)}`;
@@ -79,8 +79,8 @@ class HomeworkView {
     return this.results.get(this.getResultKey(run));
   }
 
-  // Simulate the runs that have no result yet; each is shown when it is ready.
-  async compute() {
+  // Simulate the runs without a result, and show each result when it is ready.
+  async computeResults() {
     const { store, results, runs } = this;
     const { state } = store;
     const { arm, runStart } = state;
@@ -92,14 +92,14 @@ class HomeworkView {
       results.set(key, null);
       results.set(key, await runJob("run", { arm, q: runStart, run }));
       if (this.signal.aborted) return;
-      this.show();
+      this.showResults();
       if (!isCurrent()) return;
     }
-    this.show();
+    this.showResults();
   }
 
-  // Make the chosen run the trace to play; the others are lines beside it.
-  show() {
+  // Play the chosen run, and draw the paths of all runs.
+  showResults() {
     const { store, runs } = this;
     const { arm, circle, chosenRun } = store.state;
     const results = runs.map((run) => this.getResult(run));
@@ -120,8 +120,8 @@ class HomeworkView {
     const { runs } = this;
     const { arm, chosenRun } = this.store.state;
     const run = runs[chosenRun];
-    this.played.hidden = !run;
-    this.others.hidden = Boolean(run);
+    this.player.hidden = !run;
+    this.circleArms.hidden = Boolean(run);
     this.list.hidden = runs.length < 2;
     this.listRuns(runs, chosenRun);
     this.fields.update(run);
@@ -129,22 +129,22 @@ class HomeworkView {
     if (run) this.drawWall();
   }
 
-  // Return the ticks of the time axis: it ends where the chosen run did.
+  // Return the ticks of the time axis, which ends with the chosen run.
   getTicks() {
     const run = this.runs[this.store.state.chosenRun];
     const result = run && this.getResult(run);
     return formatTimeTicks(result ? result.at.at(-1) * run.seconds : 0);
   }
 
-  // Rebuild the list of runs; a run that had the focus gives it to the chosen one.
+  // Rebuild the list of runs. If it had the focus, the chosen run gets it.
   listRuns(runs, chosenRun) {
     const { activeElement } = /** @type {ShadowRoot} */ (this.list.getRootNode());
     const hadFocus = Boolean(activeElement) && this.list.contains(activeElement);
-    this.list.replaceChildren(...runs.map((run, i) => this.line(run, i)));
+    this.list.replaceChildren(...runs.map((run, i) => this.makeRunButton(run, i)));
     if (hadFocus) /** @type {HTMLElement} */ (this.list.children[chosenRun]).focus();
   }
 
-  line(run, i) {
+  makeRunButton(run, i) {
     const attributes = {
       role: "radio",
       "aria-checked": String(i === this.store.state.chosenRun),
@@ -162,11 +162,11 @@ class HomeworkView {
   }
 
   update(state) {
-    const shown = ["arm", "runs", "runStart", "chosenRun"].map((key) => state[key]);
-    if (shown.some((value, i) => value !== this.shown[i])) {
-      this.shown = shown;
+    const fields = ["arm", "runs", "runStart", "chosenRun"].map((key) => state[key]);
+    if (fields.some((value, i) => value !== this.listedFields[i])) {
+      this.listedFields = fields;
       this.showRuns();
-      this.compute();
+      this.computeResults();
     }
     this.plots.update(this.store.state);
     return this.transport.update(this.store.state);

@@ -89,7 +89,7 @@ function makePointHandlers(row, point) {
 }
 
 function makeFacts(derived) {
-  const { arm, determinant, manipulability, values, linear } = derived;
+  const { arm, determinant, manipulability, singularValues, linearAxes } = derived;
   const small = (v) => {
     if (Math.abs(v) < 5e-7) return "0";
     return Math.abs(v) < 1e-3 ? formatScientific(v, 2) : formatFixed(v, 5);
@@ -98,11 +98,13 @@ function makeFacts(derived) {
   const isPosition = taskRows(arm).every((i) => i < 3);
   const name = ["det ", h("i", {}, "J"), ...(isPosition ? [h("sub", {}, "v")] : [])];
   const square = determinant === null ? [] : fact(name, small(determinant));
-  const least = getFullRank(arm) ? fact("smallest σ", small(values[getFullRank(arm) - 1])) : [];
+  const least = getFullRank(arm)
+    ? fact("smallest σ", small(singularValues[getFullRank(arm) - 1]))
+    : [];
   return [
     ...square,
     ...fact("manipulability", small(manipulability)),
     ...least,
-    ...fact("half axes", linear.values.map((v) => formatFixed(v, 2)).join(", ")),
+    ...fact("half axes", linearAxes.values.map((v) => formatFixed(v, 2)).join(", ")),
   ];
 }

@@ -26,8 +26,8 @@ export function build(store, { point, announce }) {
     wrench.update(state.wrench);
     const over = bars.update(arm, derived);
     verdict.classList.toggle("warning", over.length > 0);
-    setText(verdict, describeTorques(arm, over, derived.gravity));
-    const energy = `${formatFixed(derived.energy, 1)} J here.`;
+    setText(verdict, describeTorques(arm, over, derived.gravityTorques));
+    const energy = `${formatFixed(derived.potentialEnergy, 1)} J here.`;
     const weighs = arm.rows.some((row) => row.body);
     setText(height, weighs ? `Gravity’s torques are the slopes of one energy, ${energy}` : "");
   }
@@ -67,21 +67,21 @@ function makeTorqueTable(point) {
   const heads = COLUMN_HEADERS.map((text) => h("th", { scope: "col" }, text));
   const name = { "aria-label": "Static torque of each joint" };
   const table = h("table.bars", name, h("thead", {}, h("tr", {}, heads)), body);
-  let [lines, shown] = [[], null];
+  let [lines, shownArm] = [[], null];
 
   // Returns the joints whose torque exceeds their limits.
-  function update(arm, { gravity, push, torque }) {
-    if (shown !== arm) {
-      shown = arm;
+  function update(arm, { gravityTorques, wrenchTorques, torques }) {
+    if (shownArm !== arm) {
+      shownArm = arm;
       lines = movingRows(arm).map((row) => makeTorqueRow(row, point));
       body.replaceChildren(...lines.map(({ line }) => line));
     }
-    const largest = Math.max(1e-9, ...torque.map(Math.abs));
+    const largest = Math.max(1e-9, ...torques.map(Math.abs));
     lines.forEach((line, i) => {
-      [gravity[i], -push[i], torque[i]].forEach((v, k) =>
+      [gravityTorques[i], -wrenchTorques[i], torques[i]].forEach((v, k) =>
         setText(line.cells[k], formatFixed(v, 2)),
       );
-      showLimitShare(line, arm.rows[line.row], torque[i], largest);
+      showLimitShare(line, arm.rows[line.row], torques[i], largest);
     });
     const over = lines.filter(({ line }) => line.classList.contains("over"));
     return over.map(({ row }) => `joint ${row + 1}`);
