@@ -21,7 +21,6 @@ QUESTIONS_ABOUT_TABLES = [case for case in QUESTIONS if case["ask"] == "table"]
 
 NO_ROWS = "the table is {}; expected rows of four entries"
 NO_ENTRIES = "the table is {}; expected lists such as 'a': [...], or entries such as 'd1': 0.3"
-ROW_WIDTH = "the table's rows have {} entries; expected four, a alpha d theta in some order"
 UNEVEN, MANY = (
     "the table's lists have {} entries; expected as many in each",
     "the table has {} rows; expected at most 32",

@@ -210,7 +210,6 @@ ELBOWED = "0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4"
 SLIDING = "0 pi/2 0.2 q1; 0 1 0.1 q2; 0.2 0.5 d3+0.2 0.4; 0.1 0 0.3 q4"
 LEANING = "0.1 0.4 0.3 0; 0.3 pi/2 0.2 q1; 0.2 0 0.1 q2"
 ROOTED = "0.1 0 0 0; 0.3 0 0.2 q2; 0.2 pi/2 0 q3; 0.25 0 0.1 q4"
-SHOULDERED = "0.35 -pi/2 0.75 q1; 1.25 0 0 q2; -0.054 -pi/2 0 q3; 0 0 1.5 q4"
 
 
 def said(typed, reference, **options):

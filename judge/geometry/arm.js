@@ -51,7 +51,7 @@ import { movingRows } from "./kinematics.js";
 export const ROW_KINDS = ["revolute", "prismatic", "fixed"];
 export const MAX_ROWS = 16;
 export const MAX_LENGTH = 100; // m, of a length in a table
-export const MAX_ANGLE = 1000; // rad, of an angle in a table; a larger angle is a typing error
+const MAX_ANGLE = 1000; // rad, of an angle in a table; a larger angle is a typing error
 export const TYPED_ARM_NAME = "Your arm";
 
 // The entries of a row with their largest sizes.

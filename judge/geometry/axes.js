@@ -382,7 +382,7 @@ function angleAboutSecond(gap, three, signs, direction) {
 }
 
 /** Return acos of a cosine that round-off may have moved past 1. */
-export const clampedAcos = (cosine) => Math.acos(Math.max(-1, Math.min(1, cosine)));
+const clampedAcos = (cosine) => Math.acos(Math.max(-1, Math.min(1, cosine)));
 
 /** Return the distance between two angles on the circle, 0 to pi. @param {number} left rad */
 export function angleDistance(left, right) {

@@ -133,7 +133,7 @@ const projectOnto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u))
  * @param {number[]} q a point of the second line, or the point (m)
  * @param {number[] | null} v its direction; null for a point
  */
-export function findCommonNormal(p, u, q, v) {
+function findCommonNormal(p, u, q, v) {
   if (!v) return [projectOnto(p, u, q), q];
   if (isParallel(u, v)) return [p, projectOnto(q, v, p)];
   const w = minus(q, p);

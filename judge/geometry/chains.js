@@ -164,11 +164,6 @@ export function computeTorquesOfMasses(c, T, masses, centres, gravity) {
 /** Return the coordinates in frame `to` of a point in frame `from`. */
 export const changeFrame = (from, to, point) => pointInFrame(to, pointInBase(from, point));
 
-/** Rotate a wrench from the base's axes into those of a frame (R^T F). */
-export const wrenchIntoFrame = (frame, F) => [
-  ...vectorInFrame(frame, F.slice(0, 3)),
-  ...vectorInFrame(frame, F.slice(3)),
-];
 /** Rotate a wrench from a frame's axes into the base's (R F). */
 export const wrenchFromFrame = (frame, F) => [
   ...vectorInBase(frame, F.slice(0, 3)),

@@ -301,7 +301,7 @@ const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
  * one for each row, as a time is.
  * @param {Block} block
  */
-export function numbersBeside({ from, to, sources, lines }) {
+function numbersBeside({ from, to, sources, lines }) {
   const own = new Set(sources);
   const others = lines.all.filter(
     (row) => row.line >= from && row.line <= to && !own.has(row) && !lines.given.has(row),

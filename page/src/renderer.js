@@ -58,7 +58,7 @@ function getRendererIfDrawing() {
 }
 
 /** Draw every picture near the window, now and from now on. */
-export function startDrawing() {
+function startDrawing() {
   if (isDrawing) return;
   isDrawing = true;
   for (const figure of figures) figure.requestDrawing();

@@ -29,7 +29,7 @@ export function showPath(place, { ask, plane }, { verdict, arm }) {
  * @param {number[][]} wanted
  * @param {string} plane the circle's base axes, as "zy"
  */
-export function drawPaths(actual, wanted, plane) {
+function drawPaths(actual, wanted, plane) {
   const across = AXES.indexOf(plane.replace("z", ""));
   const [actualPixels, wantedPixels] = projectPaths([actual, wanted], across);
   const [x, y] = actualPixels[0].map(formatPixel);
