@@ -1,14 +1,14 @@
-// Formulas as people type them: a tree is ["num", x], ["name", n], ["neg", t], ["call", function,
-// t] or [sign, left, right]. No text is ever run. helpers/expressions.py reads plain formulas of a
-// table without the judge; tests/test_expressions.py holds the two equal.
+// Formulas as people type them. A tree is ["num", x], ["name", n], ["neg", tree],
+// ["call", function, tree] or [operator, left, right]. No text is ever run. helpers/expressions.py
+// reads plain formulas of a table without the judge; tests/test_expressions.py holds the two equal.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, tryOrNull, quoteText } from "../sentences.js";
 import { foldCharacters, foldNames, mapEach, withoutSpacing } from "./characters.js";
 
 const LONGEST = 20_000; // characters of one formula
-const TEN = 10; // whose powers are meant, 10^0 too
 const DEEPEST = 60; // brackets in brackets
+const TEN = 10;
 
 const FUNCTIONS = {
   sin: Math.sin,
@@ -22,20 +22,22 @@ const FUNCTIONS = {
   deg2rad: (x) => x * RAD,
   float64: (x) => x, // NumPy 2 prints np.float64(0.5)
 };
-const SIGNS = {
+const OPERATORS = {
   "+": (left, right) => left + right,
   "-": (left, right) => left - right,
   "*": (left, right) => left * right,
   "/": (left, right) => (right === 0 ? NaN : left / right),
-  "^": raised,
+  "^": raise,
 };
 const CONSTANTS = { pi: Math.PI, deg: RAD, rad: 1 };
+// Return whether a word names a function.
 export const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);
 const isConstant = (word) => Object.hasOwn(CONSTANTS, word);
 
-function raised(left, right) {
-  const power = left ** right;
-  return Number.isFinite(power) || !Number.isFinite(left) ? power : NaN;
+// Raise a number to a power; NaN if the result is too large.
+function raise(base, exponent) {
+  const power = base ** exponent;
+  return Number.isFinite(power) ? power : NaN;
 }
 
 const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda theta".split(" ");
@@ -44,15 +46,15 @@ const SPELLINGS = new Map([
   ...mapEach("×·∗", "*"),
   ...mapEach("÷∕⁄", "/"),
   ...mapEach("′", "'"),
-  ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => mapEach(sign, `_${i}`)),
-  ...[..."αβγδθϑφϕψωλΘ"].flatMap((sign, i) => mapEach(sign, ` ${GREEK[i]}`)),
+  ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((digit, i) => mapEach(digit, `_${i}`)),
+  ...[..."αβγδθϑφϕψωλΘ"].flatMap((letter, i) => mapEach(letter, ` ${GREEK[i]}`)),
   ...mapEach("π𝜋", " pi "),
   ...mapEach("°◦∘", " deg"),
   ["√", " sqrt "],
 ]);
 /** @type {[RegExp, string][]} */
 const LATEX = [
-  [/\\(?:math(?:rm|bf|it)|text(?:bf|it|rm)?|boldsymbol)\s*\{([^{}]*)\}/g, "$1"],
+  [/\\(?:boldsymbol|(?:math|text)[a-z]*)\s*\{([^{}]*)\}/g, "$1"],
   [/\^\s*\{?\s*°\s*\}?/g, "°"],
   [/(?<=[\d.)]\s*)deg(?:rees?|s|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
@@ -66,8 +68,8 @@ const COUNTED = /(?<![A-Za-z_])(q|theta) *[[(] *([0-9]{1,2}) *[\])]/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
 const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
-const RUN = /^(?:[acdlsCS]_?(?:\d|\{[\d+-]+\})+){2,}$/; // c_1s_23 and a_2C_2
-const SHORT = /[acdlsCS]_?(?:\d|\{[\d+-]+\})+/g;
+const FACTORS = /^(?:[acdlsCS]_?\d+){2,}$/; // c_1s_23 and a_2C_2
+const FACTOR = /[acdlsCS]_?\d+/g;
 
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 
@@ -86,7 +88,7 @@ export function plain(text) {
   text = [...text].map((character) => SPELLINGS.get(character) ?? character).join("");
   for (let before = ""; before !== text;) {
     before = text;
-    for (const [innermost, opened] of INNERMOST) text = text.replace(innermost, opened);
+    for (const [pattern, replacement] of INNERMOST) text = text.replace(pattern, replacement);
   }
   text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
   text = text.replace(/\b(?:np|math|sp)\./g, "");
@@ -99,37 +101,42 @@ export function plain(text) {
   return text.replace(/[ \t]+/g, " ").trim();
 }
 
-// A name without underscores, braces and primes, in lower case.
+// Write a name without underscores, braces and primes, in lower case.
 export const simple = (name) =>
   plain(name)
     .replace(/[_{}'*^\\\s]/g, "")
     .toLowerCase();
 
-// Parse one formula as a tree; refuse another text with a message that quotes it.
+/**
+ * Parse a formula as a tree.
+ * @param {string} text @param {string} [what] its name in messages
+ * @returns {any[]}
+ * @throws {ArmError} if the text is no formula
+ */
 export function parse(text, what = "the formula") {
   if (text.length > LONGEST) {
     throw new ArmError(`${what} has ${text.length} characters; expected at most ${LONGEST}`);
   }
   if (!text.trim()) throw new ArmError(`${what} is empty; expected a number or a formula, or 0`);
-  const signs = plain(text);
-  const tokens = tokensOf(signs);
+  const tokens = readTokens(plain(text));
   if (!tokens) {
     throw new ArmError(
       `${what} is ${quoteText(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )`,
     );
   }
-  const found = attempted(tokens);
-  if (found?.[1] !== tokens.length) {
+  const [tree, end] = readSum(tokens) ?? [];
+  if (end !== tokens.length) {
     throw new ArmError(
       `${what} is ${quoteText(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'`,
     );
   }
-  return found[0];
+  return tree;
 }
 
 class NoFormula extends Error {}
 
-function attempted(tokens) {
+// Read a sum from the first token on; null if the tokens begin with none.
+function readSum(tokens) {
   try {
     return sum(tokens, 0, 0);
   } catch (error) {
@@ -138,19 +145,22 @@ function attempted(tokens) {
   }
 }
 
-function tokensOf(text) {
-  const found = [];
+// List numbers, names and operators of a text; null if it holds another character.
+function readTokens(text) {
+  const tokens = [];
   for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
     TOKEN.lastIndex = at;
     const match = TOKEN.exec(text);
     if (!match) return null;
     const [, number, name, sign] = match;
-    if (number !== undefined) found.push(["num", number]);
-    else if (sign !== undefined) found.push(["sign", sign === "**" ? "^" : sign]);
-    else for (const one of RUN.test(name) ? name.match(SHORT) : [name]) found.push(["name", one]);
+    if (number !== undefined) tokens.push(["num", number]);
+    else if (sign !== undefined) tokens.push(["sign", sign === "**" ? "^" : sign]);
+    else tokens.push(...splitName(name).map((factor) => ["name", factor]));
   }
-  return found;
+  return tokens;
 }
+
+const splitName = (name) => (FACTORS.test(name) ? name.match(FACTOR) : [name]);
 
 function at(tokens, k) {
   if (k >= tokens.length) throw new NoFormula();
@@ -197,8 +207,7 @@ function power(tokens, k, depth) {
   const [base, next] = atom(tokens, k, depth);
   if (next >= tokens.length || tokens[next][1] !== "^") return [base, next];
   const [exponent, after] = signed(tokens, next + 1, depth + 1);
-  const none = exponent[0] === "num" && exponent[1] === 0;
-  if (base[0] === "num" && base[1] > TEN && none) throw new NoFormula(); // 90^0 is no 1
+  if (base[1] > TEN && exponent[1] === 0) throw new NoFormula(); // 90^0 stands for 90 degrees
   return [["^", base, exponent], after];
 }
 
@@ -230,46 +239,51 @@ function argument(tokens, k, depth) {
   return [["neg", inner], next];
 }
 
-// The names in a tree that are no constants.
-export function symbols(tree, found = new Set()) {
-  // A sum may have more terms than functions can call one another.
-  for (const parts = [tree]; parts.length;) {
-    const [kind, ...of] = parts.pop();
-    if (kind === "name" && !isConstant(of[0])) found.add(of[0]);
-    parts.push(...of.filter(Array.isArray).reverse());
+/**
+ * Collect the names in a tree that are no constants.
+ * @param {any[]} tree @param {Set<string>} [names] to which they are added
+ */
+export function symbols(tree, names = new Set()) {
+  // No recursion: a sum may have more terms than the call stack has room for.
+  for (const trees = [tree]; trees.length;) {
+    const [kind, ...operands] = trees.pop();
+    if (kind === "name" && !isConstant(operands[0])) names.add(operands[0]);
+    trees.push(...operands.filter(Array.isArray).reverse());
   }
-  return found;
+  return names;
 }
 
-// The number of a tree, names looked up by `known`.
+/**
+ * Evaluate a tree.
+ * @param {any[]} tree @param {(name: string) => number | undefined} known the value of a name
+ */
 export function value(tree, known) {
-  const found = valueOf(tree, known);
-  if (!Number.isFinite(found)) {
+  const result = evaluate(tree, known);
+  if (!Number.isFinite(result)) {
     throw new ArmError("a formula divides by zero or is too large; expected a finite value");
   }
-  return found;
+  return result;
 }
 
-function valueOf(tree, known) {
-  const later = []; // what is left to do from left to right, for a sum may have very many terms
-  for (; Object.hasOwn(SIGNS, tree[0]); tree = tree[1]) later.push(tree);
-  const first = single(tree, known);
-  return later.reduceRight(
-    (found, [sign, , right]) => SIGNS[sign](found, valueOf(right, known)),
-    first,
+function evaluate(tree, known) {
+  const operations = []; // no recursion to the left: a sum may have very many terms
+  for (; Object.hasOwn(OPERATORS, tree[0]); tree = tree[1]) operations.push(tree);
+  return operations.reduceRight(
+    (left, [sign, , right]) => OPERATORS[sign](left, evaluate(right, known)),
+    evaluateTerm(tree, known),
   );
 }
 
-function single([kind, first, second], known) {
+function evaluateTerm([kind, first, second], known) {
   if (kind === "num") return first;
-  if (kind === "neg") return -valueOf(first, known);
-  if (kind === "call") return FUNCTIONS[first](valueOf(second, known));
-  const found = isConstant(first) ? CONSTANTS[first] : known(first);
-  if (found === undefined) throw new ArmError(`no value for ${first}`);
-  return found;
+  if (kind === "neg") return -evaluate(first, known);
+  if (kind === "call") return FUNCTIONS[first](evaluate(second, known));
+  const number = isConstant(first) ? CONSTANTS[first] : known(first);
+  if (number === undefined) throw new ArmError(`no value for ${first}`);
+  return number;
 }
 
-// Half a unit of the last decimal place of a number as typed; 0 where it has no decimals.
+// Return half a unit of the last decimal place of a number as typed; 0 if it has no decimals.
 function halfPlace(word) {
   const [mantissa, power = "0"] = word.toLowerCase().split("e");
   const decimals = mantissa.split(".")[1];
@@ -303,12 +317,12 @@ function slackOf(tree, known, coarsest) {
   if (kind === "neg") return slackOf(first, known, coarsest);
   if (kind === "call") {
     const slack = slackOf(second, known, coarsest);
-    return slack && slack * Math.abs(derivative(FUNCTIONS[first], valueOf(second, known)));
+    return slack && slack * Math.abs(derivative(FUNCTIONS[first], evaluate(second, known)));
   }
   const limit = kind === "*" && isPowerOfTen(second) ? coarsest / value(second, known) : coarsest;
   const [left, right] = [slackOf(first, known, limit), slackOf(second, known, coarsest)];
   if (!left && !right) return 0;
-  return SLACKS[kind](left, right, valueOf(first, known), valueOf(second, known));
+  return SLACKS[kind](left, right, evaluate(first, known), evaluate(second, known));
 }
 
 const typedSlack = ([, , half = 0], coarsest) => (half < coarsest ? half : 0);
@@ -323,11 +337,11 @@ const SLACKS = {
 };
 
 const isPowerOfTen = (tree) => tree[0] === "^" && tree[1][0] === "num" && tree[1][1] === TEN;
-const STEP = 1e-6; // of the difference that stands for a derivative
+const STEP = 1e-6; // step of the difference quotient
 const derivative = (make, x) => (make(x + STEP) - make(x - STEP)) / (2 * STEP);
 
-// The number a text stands for if it holds no symbols, else null.
+// Evaluate a text without symbols; null if it has some or is no formula.
 export const number = (text) => tryOrNull(() => value(parse(text), () => undefined));
 
-// The symbols of a text, null where it is no formula.
+// List the symbols of a text; null if it is no formula.
 export const symbolsIn = (text) => tryOrNull(() => [...symbols(parse(text))]);

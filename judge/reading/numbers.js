@@ -164,8 +164,6 @@ function ofText(text, { known, ...question }) {
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
 const NUMPY_NUMBER = /^float64 ?\(([^()]*)\)$/;
-// 2.66*10^(-2), the same number as 2.66e-2
-const TIMES_POWER_OF_TEN = /^([-+]?[\d.]+) ?\* ?10 ?(?:\^|\*\*) ?\(? ?([-+]?\d+) ?\)?$/;
 
 /**
  * Part a cell into the number typed and what one of it is worth: the power of ten of MATLAB's
@@ -173,7 +171,7 @@ const TIMES_POWER_OF_TEN = /^([-+]?[\d.]+) ?\* ?10 ?(?:\^|\*\*) ?\(? ?([-+]?\d+)
  * @param {string} typed @param {number} [slack] of a formula @returns {Entry}
  */
 function ofCell(typed, slack = 0) {
-  const cell = typed.replace(NUMPY_NUMBER, "$1").replace(TIMES_POWER_OF_TEN, "$1e$2");
+  const cell = typed.replace(NUMPY_NUMBER, "$1");
   const [, scaled, power] = SCALED.exec(cell) ?? [];
   if (scaled) {
     const worth = Number(power);
