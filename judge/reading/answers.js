@@ -20,7 +20,14 @@ import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { unwrapFrames } from "./frames.js";
 import { labelIn } from "./labels.js";
-import { headerLabels, inListedOrder, labelsOf, liesBy, ordered, transposed } from "./ordering.js";
+import {
+  isTransposed,
+  orderByLabels,
+  orderByListedNames,
+  readHeaderLabels,
+  readLabels,
+  transpose,
+} from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { ArmError, joinList, formatMessage, quoteText, tryOrNull } from "../sentences.js";
@@ -77,7 +84,7 @@ function findIn(pasted, text, question) {
   const found = firstBlock(own, whole, question);
   if (!found) throw refusal(text, question, own);
   const { block, want } = found;
-  const { rows, said } = inListedOrder(block, want, text);
+  const { rows, said } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
   if (block.sources.every(isCalledOld)) throw oldAnswerError(text, block, question);
@@ -208,14 +215,14 @@ function fitted(block, want, wants, names) {
     ...jointColumns(block, want),
     ...(whole ? [] : withoutLabels(block)),
   ];
-  const lying = want.by ? upright.filter((one) => liesBy(one, want)).map(transposed) : [];
+  const lying = want.by ? upright.filter((one) => isTransposed(one, want)).map(transpose) : [];
   const fits = ({ rows, headers }) =>
     (want.rows === null || rows.length === want.rows) &&
     (want.columns === null || rows[0].length === want.columns) &&
     (want.by !== "joint" || namesColumns(headers, rows[0].length));
   const found = lying.find(fits) ?? upright.find(fits);
   if (!found) return [];
-  const one = ordered(found, want);
+  const one = orderByLabels(found, want);
   return [want.turned ? { ...one, rows: [one.rows.flat()] } : one];
 }
 
@@ -240,7 +247,7 @@ function columnOf(block, names) {
   const extra = headers.length - rows[0].length - tail;
   const isAnswer = ({ text }) => names.test(bareName(text));
   const at = extra < 0 || rows[0].length < 2 ? -1 : headers.findLastIndex(isAnswer);
-  if (at < Math.max(extra, 0) || at - extra >= rows[0].length || headerLabels(block)) return [];
+  if (at < Math.max(extra, 0) || at - extra >= rows[0].length || readHeaderLabels(block)) return [];
   const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, at - extra)]);
   return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, headers: [] }];
 }
@@ -274,7 +281,7 @@ function namesColumns(headers, width) {
   return joints.size < 2 || joints.size === width || 2 * joints.size < words.length;
 }
 
-const isJointHeader = (header) => labelsOf([[header]])?.kind === "joint";
+const isJointHeader = (header) => readLabels([[header]])?.kind === "joint";
 
 /**
  * List the lines that say something besides the block; on its own lines, comments and numbers that

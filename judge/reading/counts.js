@@ -1,7 +1,7 @@
 // Blocks without the rows and columns that only count, tell the time, or name the others.
 
 import { hasDecimals, number } from "./formula.js";
-import { labelsOf } from "./ordering.js";
+import { readLabels } from "./ordering.js";
 
 /** @typedef {import("./blocks.js").Block} Block */
 
@@ -69,7 +69,7 @@ function withoutRow(block) {
 }
 
 const areNames = (cells) => {
-  const found = labelsOf(cells.map((cell) => [cell]));
+  const found = readLabels(cells.map((cell) => [cell]));
   return found !== null && cells.every(({ text }) => number(text) === null);
 };
 

@@ -7,25 +7,35 @@ import { formatMessage } from "../sentences.js";
 
 /** @typedef {import("./answers.js").Want} Want */
 
-// The labels of rows and of columns, where each has one of its kind and no two are the same.
-export function labelsOf(words) {
-  const found = words.map(labelIn);
-  const kind = found[0]?.kind;
-  const even = kind && found.every((one) => one?.kind === kind);
-  return even && new Set(found.map(({ at }) => at)).size === found.length
-    ? { kind, at: found.map(({ at }) => at) }
+/** @typedef {{ kind: string, at: number[] }} Labels numbers of labels of one kind */
+
+/**
+ * Read the labels of rows or columns; null unless all are of one kind and no two are the same.
+ * @param {import("./lines.js").Cell[][]} words of each row or column @returns {Labels | null}
+ */
+export function readLabels(words) {
+  const labels = words.map(labelIn);
+  const kind = labels[0]?.kind;
+  if (!kind || labels.some((label) => label?.kind !== kind)) return null;
+  const at = labels.map((label) => label.at);
+  return new Set(at).size === at.length ? { kind, at } : null;
+}
+
+/**
+ * Read the labels of a block's column headers.
+ * @param {any} block @returns {Labels | null}
+ */
+export function readHeaderLabels({ headers, rows }) {
+  const extra = headers.length - rows[0].length;
+  return extra >= 0 && extra < 3
+    ? readLabels(headers.slice(extra).map((header) => [header]))
     : null;
 }
 
-export const headerLabels = ({ headers, rows }) => {
-  const extra = headers.length - rows[0].length;
-  return extra >= 0 && extra < 3 ? labelsOf(headers.slice(extra).map((one) => [one])) : null;
-};
-
-// Return whether labels say that rows are what is wanted as columns.
-export function liesBy(block, { by }) {
+// Return whether labels say that the rows of a block are the wanted columns.
+export function isTransposed(block, { by }) {
   if (by === "row" && TURNED.test(block.name)) return true;
-  const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];
+  const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
   if (by === "row") return headers?.kind === "row" || rows?.kind === "joint";
   return rows?.kind === "joint" && block.rows[0].length > 1 && !namesJoints(block.headers);
 }
@@ -36,33 +46,35 @@ const namesJoints = (headers) =>
 
 const TURNED = /(?:\.T|\^T|ᵀ|')$/; // behind the name of a transposed matrix
 
-export function transposed(block) {
+// Exchange rows and columns of a block.
+export function transpose(block) {
   const { rows, labels, headers } = block;
-  const own = headers.slice(headers.length - rows[0].length);
+  const columnHeaders = headers.slice(headers.length - rows[0].length);
   return {
     ...block,
     rows: rows[0].map((_, k) => rows.map((row) => row[k])),
-    labels: rows[0].map((_, k) => (own[k] ? [own[k]] : [])),
+    labels: rows[0].map((_, k) => (columnHeaders[k] ? [columnHeaders[k]] : [])),
     headers: labels.map((words) => words.at(-1) ?? NO_CELL),
   };
 }
 
 const NO_CELL = { text: "", from: 0, to: 0 };
 
-// In the order of names that the text lists apart from the values, as ROS does.
-/** @param {any} block @param {Want} want @param {string} text */
-export function inListedOrder(block, { by, turned, columns }, text) {
-  const [own] = block.rows;
+/**
+ * Order values by names of joints that the text lists apart from them, as ROS does.
+ * @param {any} block @param {Want} want @param {string} text
+ */
+export function orderByListedNames(block, { by, turned, columns }, text) {
   if (by !== "joint" || (!turned && columns === null) || block.said.length) return block;
-  const at = listedJoints(text, own.length);
-  if (!at || at.every((one, k) => !k || one > at[k - 1])) return block;
+  const at = findListedJoints(text, block.rows[0].length);
+  if (!at || at.every((joint, k) => !k || joint > at[k - 1])) return block;
   const order = at.map((_, k) => k).sort((p, q) => at[p] - at[q]);
   const rows = block.rows.map((row) => order.map((k) => row[k]));
   return { ...block, rows, said: [formatMessage("taken: by names")] };
 }
 
-// The numbers of so many joints whose names stand beside each other, null where none do.
-function listedJoints(text, size) {
+// Find the numbers of `size` joints whose names stand beside each other; null if none do.
+function findListedJoints(text, size) {
   const plain = plainCharacters(foldNames(foldCharacters(new SpannedText(text))));
   const words = plain.text.split(/[\s,;:=[\]{}"-]+/);
   const labels = words.map((word) => (/\p{L}/u.test(word) ? labelIn([{ text: word }]) : null));
@@ -75,9 +87,9 @@ function listedJoints(text, size) {
   return null;
 }
 
-// In the order of the labels.
-export function ordered(block, { by }) {
-  const [rows, headers] = [labelsOf(block.labels), headerLabels(block)];
+// Order rows and columns of a block by their labels.
+export function orderByLabels(block, { by }) {
+  const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
   const order = (label) => label.at.map((_, k) => k).sort((p, q) => label.at[p] - label.at[q]);
   const whole = rows && (by === "row" ? rows.kind === "row" : rows.kind === "joint");
   const down = whole ? order(rows) : block.rows.map((_, i) => i);
