@@ -1,5 +1,4 @@
-// The numbers that a reader gives to symbols of their own: "h = 0.333, phi_0 = pi/4", or as
-// Python's dictionary.
+// Reads the numbers of a reader's own symbols: "h = 0.333, phi_0 = pi/4", or Python's dictionary.
 
 import { number, plain } from "./formula.js";
 import { ArmError, quoteText } from "../sentences.js";
@@ -7,18 +6,19 @@ import { ArmError, quoteText } from "../sentences.js";
 const NAME = /^[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?$/;
 
 /**
- * Names and their numbers; an error in words where a text holds something else.
+ * Read names and their numbers.
  * @param {string} text
  * @returns {[string, number][]}
+ * @throws {ArmError} if the text holds something else
  */
-export function ownValues(text) {
+export function readSymbolValues(text) {
   const inner = text.trim().replace(/^\{|\}$/g, "");
   const parts = inner.split(/[,;\n]/).filter((part) => part.trim());
   return parts.map((part) => {
     const [name, typed, ...more] = part.split(/[=:]/);
-    const word = plain(name.replace(/^\s*(["'])(.*)\1\s*$/, "$2"));
-    const found = more.length ? null : number(typed ?? "");
-    if (found !== null && NAME.test(word)) return [word, found];
+    const symbol = plain(name.replace(/^\s*(["'])(.*)\1\s*$/, "$2"));
+    const x = more.length ? null : number(typed ?? "");
+    if (x !== null && NAME.test(symbol)) return [symbol, x];
     throw new ArmError(
       `your own symbols: ${quoteText(part.trim())} is not read; expected such as h = 0.333`,
     );

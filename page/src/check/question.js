@@ -5,7 +5,7 @@ import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { formatEntry, isAngle } from "../text.js";
 import { pose as poseOf } from "../../../judge/reading/numbers.js";
 import { readOwnTable } from "../../../judge/reading/table.js";
-import { ownValues } from "../../../judge/reading/values.js";
+import { readSymbolValues } from "../../../judge/reading/values.js";
 import { ArmError, capitalize, tryOrNull } from "../../../judge/sentences.js";
 import { applyOwnJoints } from "./own_joints.js";
 import { checkJacobian, checkTorques } from "./topics/jacobian.js";
@@ -212,7 +212,7 @@ export function findArm(question, arms) {
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
   const symbols = QUESTIONS[question.ask].fields.includes("values")
-    ? ownValues(question.values)
+    ? readSymbolValues(question.values)
     : [];
   const { rows, assumptions, isOrderGuessed, reading } = readOwnTable(
     question.table,

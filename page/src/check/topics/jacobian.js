@@ -2,7 +2,7 @@
 
 import { numbers, unnamed } from "../../../../judge/reading/numbers.js";
 import { compareJacobian } from "../../../../judge/topics/jacobian.js";
-import { ownValues } from "../../../../judge/reading/values.js";
+import { readSymbolValues } from "../../../../judge/reading/values.js";
 import { ArmError } from "../../../../judge/sentences.js";
 import { compareTorques } from "../../../../judge/topics/torques.js";
 
@@ -12,7 +12,7 @@ export function checkJacobian({ answer, q, unit, frame, first, values }, arm) {
     throw new ArmError(`frame is ${frame}; expected a whole number from 0 to ${arm.rows.length}`);
   }
   const how = { angles: unit, frame: Number(frame), angularFirst: first === "omega" };
-  return compareJacobian(answer, arm, q, { ...how, values: ownValues(values) });
+  return compareJacobian(answer, arm, q, { ...how, values: readSymbolValues(values) });
 }
 
 /** @type {import("../question.js").Checker} */
