@@ -1,7 +1,8 @@
-// One entry of a field or of an arm's table: a number or a short formula, perhaps with its unit. A
-// unit has a size s: what has one grows with it, what has none does not, and what is s² has two. A
-// bare number beside one with the unit that it would have had has that, too. In an angle pi counts
-// as radians, unless rad is said.
+// Reads an entry of a field or of an arm's table: a number or a short formula, perhaps with its
+// unit. The module finds the unit by scaling: it evaluates the formula with each unit 1, 2 and 3
+// times as large. A length grows in proportion, a bare number stays, and an area grows with the
+// square. A bare number beside a number in the field's usual unit has that unit too. In an angle,
+// pi counts as radians unless "rad" is typed.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError } from "../sentences.js";
@@ -35,20 +36,22 @@ const QUANTITIES = {
 };
 const UNITS = new Set(Object.values(QUANTITIES).flatMap(({ units }) => Object.keys(units)));
 const ANGLES = ["radians", "deg2rad", "asin", "acos", "atan"];
-const MOMENT = /\bN\s*[*·⋅]?\s*(m{1,2})\b/g;
-const COMMA = /^([^,]*\d|[^,\d]*),(\d+[^,]*)$/;
-// A name beside another or before a bracket is a product that may be a slip of the finger.
+const MOMENT = /\bN\s*\*?\s*(m{1,2})\b/g;
+const DECIMAL_COMMA = /^([^,]*),(\d[^,]*)$/;
+// A name beside a name or before a bracket would be a product, but is likely a typing error.
 const BESIDE = /([A-Za-z_]\w*)\s*(\(|\s(?=[A-Za-z_]))/g;
 
 class Refused extends Error {}
 
-function refuse(words = "") {
-  throw new Refused(words);
+/** @returns {never} */
+function refuse(reason = "") {
+  throw new Refused(reason);
 }
 
+// Parse an entry, with a decimal point or comma, as a tree.
 /** @param {string} typed */
-function parsed(typed) {
-  const pointed = typed.includes(".") ? typed : typed.trim().replace(COMMA, "$1.$2");
+function parseEntry(typed) {
+  const pointed = typed.includes(".") ? typed : typed.trim().replace(DECIMAL_COMMA, "$1.$2");
   const text = plain(pointed).replace(MOMENT, "N$1");
   for (const [, name, next] of text.matchAll(BESIDE))
     if (name !== "pi" && !(next === "(" && isFunction(name))) refuse();
@@ -61,60 +64,66 @@ function parsed(typed) {
 }
 
 const isUnit = ([kind, name]) => kind === "name" && UNITS.has(name);
-const parts = ([, ...of]) => of.filter(Array.isArray);
+const operandsOf = ([, ...operands]) => operands.filter(Array.isArray);
 
-// The units of a tree, each behind a factor, and its other names; none in a function or a power.
+// List the units of a tree, each behind a factor, and its other names, but not those in a function
+// or a power.
 /** @returns {{ units: string[], names: string[] }} */
 function namesIn(tree) {
   const [kind, first, second] = tree;
   if (kind === "call" || kind === "^") return { units: [], names: [] };
   if (kind === "name") return { units: [], names: [first] };
   const measured = kind === "*" && isUnit(second);
-  const found = (measured ? [first] : parts(tree)).map(namesIn);
+  const operands = (measured ? [first] : operandsOf(tree)).map(namesIn);
   return {
-    units: [...found.flatMap(({ units }) => units), ...(measured ? [second[1]] : [])],
-    names: found.flatMap(({ names }) => names),
+    units: [...operands.flatMap(({ units }) => units), ...(measured ? [second[1]] : [])],
+    names: operands.flatMap(({ names }) => names),
   };
 }
 
-// The value of a tree for what pi and the units are worth, and an angle that a function gives.
-/** @param {any[]} tree @param {Record<string, number>} worth @param {number} turn */
-function valueFor(tree, worth, turn) {
+/**
+ * Evaluate a tree for given sizes of pi, the units and the angles that functions return.
+ * @param {any[]} tree @param {Record<string, number>} sizes of pi and the units
+ * @param {number} turn factor of an angle that a function returns
+ */
+function evaluateWith(tree, sizes, turn) {
   const [kind, first, second] = tree;
-  const at = (part) => (isUnit(part) ? worth[part[1]] : valueFor(part, worth, turn));
-  if (kind === "name") return worth[first];
+  const evaluate = (part) => (isUnit(part) ? sizes[part[1]] : evaluateWith(part, sizes, turn));
+  if (kind === "name") return sizes[first];
   if (kind === "num" || kind === "^") return value(tree, () => refuse());
   if (kind === "call") return value(tree, () => refuse()) * (ANGLES.includes(first) ? turn : 1);
-  const numbers = (kind === "neg" ? [first] : [first, second]).map((part) => ["num", at(part)]);
+  const operands = kind === "neg" ? [first] : [first, second];
+  const numbers = operands.map((part) => ["num", evaluate(part)]);
   return value([kind, ...numbers], () => refuse());
 }
 
-const HAIR = 1e-9; // of the whole: less is what arithmetic leaves of none
+const ROUND_OFF = 1e-9; // as a share of the value
 
 /**
- * Compute the value of a tree without symbols in SI, its bare numbers in units of `bare`, where
- * that is said.
+ * Evaluate a tree without symbols in SI units.
  * @param {any[]} tree @param {Record<string, number>} units @param {string | null} bare
+ *   the unit of bare numbers
  */
 function inSI(tree, units, bare) {
-  const named = namesIn(tree);
-  const angle = "rad" in units;
-  const turns = angle && named.names.includes("pi") && !named.units.includes("rad");
-  const [one, two, three] = [1, 2, 3].map((s) => {
-    const worth = Object.fromEntries(Object.entries(units).map(([name, x]) => [name, x * s]));
-    return valueFor(tree, { ...worth, pi: Math.PI * (turns ? s : 1) }, angle ? s : 1);
+  const typed = namesIn(tree);
+  const isAngle = "rad" in units;
+  const hasTurns = isAngle && typed.names.includes("pi") && !typed.units.includes("rad");
+  const [once, twice, thrice] = [1, 2, 3].map((scale) => {
+    const sizes = Object.fromEntries(Object.entries(units).map(([name, x]) => [name, x * scale]));
+    const pi = Math.PI * (hasTurns ? scale : 1);
+    return evaluateWith(tree, { ...sizes, pi }, isAngle ? scale : 1);
   });
-  const near = (x) => Math.abs(x) <= HAIR * Math.max(Math.abs(one), Math.abs(two));
-  if (!near(three - 2 * two + one)) refuse("has two units");
-  const [measured, rest] = [two - one, 2 * one - two];
-  if (near(rest)) return one;
-  if (near(measured)) return one * (bare ? units[bare] : 1);
-  if (turns || named.units.some((unit) => unit !== bare))
+  const isZero = (x) => Math.abs(x) <= ROUND_OFF * Math.max(Math.abs(once), Math.abs(twice));
+  if (!isZero(thrice - 2 * twice + once)) refuse("has two units");
+  const [measured, rest] = [twice - once, 2 * once - twice];
+  if (isZero(rest)) return once;
+  if (isZero(measured)) return once * (bare ? units[bare] : 1);
+  if (hasTurns || typed.units.some((unit) => unit !== bare))
     refuse("mixes numbers with and without a unit; say the unit of each");
   return rest * units[bare] + measured;
 }
 
-// A tree as text, its units turned into SI.
+// Write a tree as text, its units turned into SI.
 function textOf(tree) {
   const [kind, first, second] = tree;
   if (kind === "num" || kind === "name") return String(first);
@@ -126,14 +135,15 @@ function textOf(tree) {
   return `${bracketed(textOf(first))}${kind}${bracketed(textOf(second), true)}`;
 }
 
-// Whole multiples of 15° as a share of pi, which stays exact.
+// Write a number with a unit in SI: whole multiples of 15° as a share of pi, which stays exact.
 function withUnit(text, unit) {
   const twelfths = Number(text) / 15;
   if (unit === "deg" && Number.isInteger(twelfths) && twelfths) {
     const common = [12, 6, 4, 3, 2, 1].find((n) => twelfths % n === 0);
-    const [over, under] = [twelfths / common, 12 / common];
-    const top = Math.abs(over) === 1 ? `${over < 0 ? "-" : ""}pi` : `${over}*pi`;
-    return under === 1 ? top : `${top}/${under}`;
+    const [numerator, denominator] = [twelfths / common, 12 / common];
+    const sign = numerator < 0 ? "-" : "";
+    const pis = Math.abs(numerator) === 1 ? `${sign}pi` : `${numerator}*pi`;
+    return denominator === 1 ? pis : `${pis}/${denominator}`;
   }
   const factor = { deg: "*pi/180", cm: "/100", mm: "/1000" }[unit] ?? "";
   return factor ? `${bracketed(text)}${factor}` : text;
@@ -142,21 +152,21 @@ function withUnit(text, unit) {
 const bracketed = (text, last = false) =>
   (last ? /[-+*/ ]/ : /[-+ ]/).test(text.replace(/e[-+]\d/g, "")) ? `(${text})` : text;
 
-// The tree of what is typed, whose units are of a quantity asked for.
+// Parse a typed text whose units must be among `units`.
 /** @param {string} typed @param {Record<string, number>} units */
 function treeOf(typed, units) {
   if (typed.length > LONGEST) refuse();
-  const tree = parsed(typed);
+  const tree = parseEntry(typed);
   const other = namesIn(tree).units.find((unit) => !(unit in units));
   if (other) refuse(`has the unit ${other === "deg" ? "°" : other}`);
   return tree;
 }
 
 /**
- * Read what a reader typed as { value } in SI, or { error } in words.
+ * Read a typed entry as a value in SI, or as an error message.
  * @param {string} typed
  * @param {keyof typeof QUANTITIES} kind
- * @param {string} [unit] what a bare number is in: deg or rad for an angle
+ * @param {string} [unit] the unit of bare numbers: deg or rad for an angle
  * @returns {{ value: number, error?: undefined } | { error: string, value?: undefined }}
  */
 export function readEntry(typed, kind, unit) {
@@ -173,11 +183,12 @@ export function readEntry(typed, kind, unit) {
     if (Math.abs(si) > most) return { error: `${shown} is too large for ${of} here` };
     return { value: si + 0 };
   } catch (fault) {
-    return { error: `${shown} ${told(fault, { of, such })}` };
+    return { error: `${shown} ${describeFault(fault, { of, such })}` };
   }
 }
 
-function told(fault, { of, such }) {
+// Return why an entry was refused; an error of another kind is thrown again.
+function describeFault(fault, { of, such }) {
   if (fault instanceof ArmError) return "divides by zero or is too large";
   if (!(fault instanceof Refused)) throw fault;
   return fault.message
@@ -186,10 +197,12 @@ function told(fault, { of, such }) {
 }
 
 /**
- * An entry of an arm's table in plain signs, its units turned into SI; or why it is none, in words
- * where there is more to say than that. Beside a symbol a number may be bare.
+ * Write an entry of an arm's table in plain characters, its units turned into SI.
+ *
+ * Beside a symbol a number may be bare. `fault` says why the text is no entry; it is empty if there
+ * is nothing to add.
  * @param {string} typed
- * @param {(keyof typeof QUANTITIES)[]} kinds what it may be
+ * @param {(keyof typeof QUANTITIES)[]} kinds of quantity that the entry may be
  * @returns {{ text: string } | { fault: string }}
  */
 export function formulaOf(typed, kinds) {
@@ -205,7 +218,6 @@ export function formulaOf(typed, kinds) {
   }
 }
 
-// Return whether what is typed so far may still become an entry: no error is said while a reader is
-// in the middle of one.
+// Return whether a text may be the beginning of an entry: no error is shown while a reader types.
 export const unfinished = (typed) =>
   /^\s*$|[-+*/(.,eE−–πp]\s*$/.test(typed) || /^[\s\d.,]*$/.test(typed);
