@@ -37,18 +37,21 @@ const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exac
  * @param {string[]} texts @param {number[]} [slacks] of the formulas among them
  */
 export function units(texts, slacks = []) {
-  const found = texts.map(literal);
-  if (found.some((one) => one?.digits >= FULL)) return texts.map(() => 0);
-  const placed = found.flatMap((one, i) => {
-    if (!one) return slacks[i] ? [2 * slacks[i]] : [];
-    return !one.bare && one.size > NOISE ? [one.unit] : [];
+  const numbers = texts.map(readLiteral);
+  if (numbers.some((number) => number?.digits >= FULL)) return texts.map(() => 0);
+  const typedUnits = numbers.flatMap((number, i) => {
+    if (!number) return slacks[i] ? [2 * slacks[i]] : [];
+    return !number.bare && number.size > NOISE ? [number.unit] : [];
   });
-  const whole = found.every((one) => one?.bare) && found.some((one) => one.size);
-  const finest = placed.length || whole ? Math.min(1, ...placed) : 0;
-  const unitOfOne = Math.max(finest, findUnitOfOne(found.filter((one) => one && !one.bare)));
-  const bareUnit = ({ size }) => (size && placed.length ? unitOfOne : finest);
-  const unit = (one, i) => (one ? (one.bare ? bareUnit(one) : one.unit) : 2 * (slacks[i] ?? 0));
-  return found.map(unit);
+  const areBare = numbers.every((number) => number?.bare) && numbers.some(({ size }) => size);
+  const finest = typedUnits.length || areBare ? Math.min(1, ...typedUnits) : 0;
+  const longer = numbers.filter((number) => number && !number.bare);
+  const unitOfOne = Math.max(finest, findUnitOfOne(longer));
+  const bareUnit = ({ size }) => (size && typedUnits.length ? unitOfOne : finest);
+  return numbers.map((number, i) => {
+    if (!number) return 2 * (slacks[i] ?? 0);
+    return number.bare ? bareUnit(number) : number.unit;
+  });
 }
 
 // Return the unit of a bare 1 beside other numbers: the finest of numbers of about its size, but
@@ -86,7 +89,7 @@ export function columnUnits(rows, typedUnits) {
 }
 
 // Read a plain number as typed; null for a formula.
-function literal(text) {
+function readLiteral(text) {
   const trimmed = text.trim();
   const match = NUMBER.exec(trimmed);
   if (!match || !(match[1] || match[2])) return null;
@@ -113,17 +116,17 @@ const isShort = (x, expected) => Math.abs(x) <= Math.abs(expected) && x * expect
  * @param {number[]} truth the right entries
  * @param {number[]} slack difference allowed in each entry besides
  */
-export function agreement({ values, units: places }, truth, slack) {
+export function agreement({ values, units: lastPlaces }, truth, slack) {
   const top = largest(truth);
   let [rounded, cut, oneOff] = [true, true, true];
   for (let i = 0; i < values.length; i++) {
-    const [x, expected, unit] = [values[i], truth[i], places[i]];
+    const [x, expected, unit] = [values[i], truth[i], lastPlaces[i]];
     const off = Math.abs(x - expected) - allowRoundOff(unit, top) - slack[i];
     if (off <= 0) continue;
     rounded &&= off <= HALF * unit;
     cut &&= off < unit && isShort(x, expected);
     oneOff &&= off <= ONE_OFF * Math.min(unit, COARSE * top);
-    if (!rounded && !cut && !oneOff) return "";
+    if (!rounded && !cut && !oneOff) return ""; // long before the end of a wrong trajectory
   }
   return rounded ? "rounded" : cut ? "cut" : "one off";
 }
@@ -133,31 +136,32 @@ export const agrees = (mine, truth, slack = truth.map(() => 0)) =>
   isRight(agreement(mine, truth, slack));
 
 // Flag the entries that are wrong by more than one in the last place; if none is, all that differ.
-export function beyond({ values, units: places }, truth, slack) {
+export function beyond({ values, units: lastPlaces }, truth, slack) {
   const top = largest(truth);
-  const past = (most) =>
+  const exceed = (units) =>
     values.map((x, i) => {
-      const room = allowRoundOff(places[i], top) + slack[i] + most * places[i];
-      return Math.abs(x - truth[i]) > room;
+      const allowed = allowRoundOff(lastPlaces[i], top) + slack[i] + units * lastPlaces[i];
+      return Math.abs(x - truth[i]) > allowed;
     });
-  const wrong = past(ONE_OFF);
-  return wrong.includes(true) ? wrong : past(HALF);
+  const wrong = exceed(ONE_OFF);
+  return wrong.includes(true) ? wrong : exceed(HALF);
 }
 
 /**
  * Return whether two more typed digits would distinguish `truth` from `other`.
  * @param {{ units: number[] }} mine @param {number[]} truth @param {number[]} other
  */
-export function tellable({ units: places }, truth, other) {
+export function tellable({ units: lastPlaces }, truth, other) {
   const least = 2 * allowSumRoundOff(truth);
-  return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(places[i] / 100, least));
+  return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(lastPlaces[i] / 100, least));
 }
 
 // Return the logarithm (base 10) of the number of values that the chosen entries could take.
-export function room({ values: mine, units: places }, truth, slack, chosen) {
+export function room({ values: mine, units: lastPlaces }, truth, slack, chosen) {
   const size = Math.max(largest(truth), largest(mine));
-  const values = (i) => size / (places[i] + 2 * slack[i] + allowSumRoundOff(truth));
-  return chosen.reduce((sum, is, i) => (is ? sum + Math.max(0, Math.log10(values(i))) : sum), 0);
+  const values = (i) => size / (lastPlaces[i] + 2 * slack[i] + allowSumRoundOff(truth));
+  const logarithms = chosen.map((isChosen, i) => (isChosen ? Math.log10(values(i)) : 0));
+  return logarithms.reduce((sum, logarithm) => sum + Math.max(0, logarithm), 0);
 }
 
 /**
