@@ -28,6 +28,7 @@ import {
  * @property {(() => Iterable<Mistake>)[]} [further] lists of mistakes that are tried only if the
  *   earlier lists explain nothing
  * @property {number | null} [tolerance] used instead of the typed digits
+ * @property {boolean} [isGradeOnly] whether the mistakes in a wrong answer are not asked for
  */
 /**
  * The result of judging entries.
@@ -39,7 +40,8 @@ import {
  */
 
 /** Judge entries. @param {EntriesQuestion} question @returns {EntriesVerdict} */
-export function judgeEntries({ mine, q, dof, right, mistakes, further = [], tolerance = null }) {
+export function judgeEntries(question) {
+  const { mine, q, dof, right, mistakes, further = [], tolerance = null } = question;
   const expected = right(q.values);
   const zeros = expected.map(() => 0);
   const alike = tolerance === null ? mistakes.filter(looksLike(mine, q, expected)) : [];
@@ -52,13 +54,19 @@ export function judgeEntries({ mine, q, dof, right, mistakes, further = [], tole
     return { grade, how, mistakes: alike, wrong: zeros.map(() => false) };
   const actual = tolerance === null ? mine : { values: mine.values, units: zeros };
   const wrong = beyond(actual, expected, slack);
-  if (grade === ROUNDED) return { grade, how, mistakes: [], wrong };
+  if (grade === ROUNDED || question.isGradeOnly) return { grade, how, mistakes: [], wrong };
   const answer = { mine, q, dof, expected, slack: tolerance === null ? slack : zeros, wrong };
-  for (const list of [() => mistakes, ...further]) {
+  const explanations = explainByFirstList(answer, [() => mistakes, ...further]);
+  return { grade, how, mistakes: explanations, wrong };
+}
+
+// Return the mistakes of the first list in which some explain an answer.
+function explainByFirstList(answer, lists) {
+  for (const list of lists) {
     const explanations = findExplanations(answer, list());
-    if (explanations.length) return { grade, how, mistakes: explanations, wrong };
+    if (explanations.length) return explanations;
   }
-  return { grade, how, mistakes: [], wrong };
+  return [];
 }
 
 // Return whether an answer also fits a mistake that only more digits could exclude.

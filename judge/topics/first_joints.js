@@ -19,7 +19,7 @@ import { makeVerdict } from "../verdict.js";
  * A question about torques at one pose q of a loaded arm. `taken` describes q and the masses.
  * @typedef {{ arm: Arm, q: import("../digits.js").Entries,
  *   load: import("../causes/torques.js").Load, tolerance: number | null,
- *   taken: string[] }} TorqueContext
+ *   isGradeOnly: boolean | undefined, taken: string[] }} TorqueContext
  */
 
 /**

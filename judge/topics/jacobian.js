@@ -162,7 +162,8 @@ function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, fr
 const listRowsWithout = (row) => ALL_ROWS.filter((i) => i !== row);
 
 /** @returns {import("../verdict.js").Verdict} */
-function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, takenBefore) {
+function judgeSelectedRows(typed, asked, takenBefore) {
+  const { arm, at, frame, tolerance = null, isGradeOnly } = asked;
   const steps = listJacobianSteps(arm, at.values, frame);
   const makeWhole = makeJacobian(arm, frame);
   const selection = selectRows(typed, arm, makeWhole(at.values));
@@ -176,7 +177,7 @@ function judgeSelectedRows(typed, { arm, at, frame, tolerance = null }, takenBef
     (list) => () => Array.from(list(arm, frame, steps), restrict),
   );
   const question = { mine: typed, q: at, dof: at.values.length, right, mistakes, tolerance };
-  const judged = judgeEntries({ ...question, further });
+  const judged = judgeEntries({ ...question, further, isGradeOnly });
   const rowNames = nameRows(selection);
   const rest = {
     taken: [...takenBefore, ...describeSelection(selection, arm)],

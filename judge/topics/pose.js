@@ -65,7 +65,8 @@ function judgePose(q, arm, T, options = {}) {
   );
 }
 
-function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null }) {
+function judgeJoints(q, arm, T, options) {
+  const { angles = "rad", tolerance = null, which = null, isGradeOnly } = options;
   const wants = jointShapes(arm, false);
   const read = answers(q, arm, angles, { wants, given: rowsGiven(T), which });
   const [answer, ...more] = read.answers;
@@ -74,7 +75,8 @@ function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null
   const known = lookup(arm, answer.values);
   const target = readTarget(T, arm, known);
   const units = target.formulas ? answer.units.map(() => 0) : answer.units;
-  const verdict = judgeTarget({ ...answer, units }, arm, target, tolerance, read.taken);
+  const question = { tolerance, taken: read.taken, isGradeOnly };
+  const verdict = judgeTarget({ ...answer, units }, arm, target, question);
   const tip = chainFrames(makeChain(arm, answer.values)).at(-1);
   const off = describeMiss(...measureTargetMiss(tip, target));
   const complete = askAboutDegrees(verdict, {
@@ -82,7 +84,7 @@ function judgeJoints(q, arm, T, { angles = "rad", tolerance = null, which = null
     values: answer.values,
     angles,
     key: "ik.degrees",
-    judgeInDegrees: () => judgeJoints(q, arm, T, { angles: "deg", tolerance, which }),
+    judgeInDegrees: () => judgeJoints(q, arm, T, { ...options, angles: "deg" }),
     makeHeadline: (cause) => formatMessage("pose cause", { arm: arm.name, off, cause }),
   });
   return { ...complete, typed: read.typed };
@@ -120,7 +122,7 @@ export function readTarget(T, arm, known, orPoint = true) {
 }
 
 /** @returns {import("../verdict.js").Verdict} */
-function judgeTarget(q, arm, T, tolerance, taken) {
+function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
   const mine = { values: T.values.flat(), units: T.units.flat() };
   const right = makeTipEntries(arm, T);
   const mistakes = [...listSingleMistakes(arm, T)];
@@ -128,7 +130,7 @@ function judgeTarget(q, arm, T, tolerance, taken) {
     listExchangedDigits(arm, q).map(([cause, undo]) => ({ cause, make: (x) => right(undo(x)) }));
   const further = [listDigitMistakes, () => listMistakePairs(arm, T)];
   const question = { mine, q, dof: q.values.length, right, mistakes, tolerance, further };
-  const judged = judgeEntries(question);
+  const judged = judgeEntries({ ...question, isGradeOnly });
   const coarseSlack = slackOf(q, q.values.length, right, Infinity);
   const isUnexplained = judged.grade === WRONG && tolerance === null && !judged.mistakes.length;
   const hasTooFewDigits = isUnexplained && agrees(mine, right(q.values), coarseSlack);

@@ -44,7 +44,7 @@ const SAMPLE = 5; // poses of a trajectory at which mistakes are tried before al
 export const compareTorques = completeVerdicts(judgeAllTorques);
 
 function judgeAllTorques(mine, arm, q, options = {}) {
-  const { tolerance = null, gravity = GRAVITY } = options;
+  const { tolerance = null, gravity = GRAVITY, isGradeOnly } = options;
   if (!arm.rows.every((row) => row.body))
     throw new ArmError(formatMessage("no masses", { arm: arm.name, rows: arm.rows.length }));
   const dof = movingRows(arm).length;
@@ -57,7 +57,7 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   const given = [...rowsOf(at.values, dof), ...wrenches];
   const request = { names: NAMES, given, which: options.which };
   const taken = [...(at.locked ?? []), ...describeModel(load)];
-  const context = { arm, q: at, load, tolerance, taken };
+  const context = { arm, q: at, load, tolerance, isGradeOnly, taken };
   const read = (wants) => {
     const what = `${arm.name}: your torques`;
     const typed = numbers(unnamed(mine), what, undefined, undefined, { ...request, wants });
@@ -79,12 +79,12 @@ function judgeAllTorques(mine, arm, q, options = {}) {
 
 /** @param {import("./first_joints.js").TorqueContext} context */
 function judgeTorques(typed, context) {
-  const { arm, q, load, tolerance, taken } = context;
+  const { arm, q, load, taken } = context;
   const count = load.wrenches.length;
   const arranged = arrangeByPose(typed, count, arm);
   if (arranged) {
     const said = [...typed.said, ...arranged.said, ...taken];
-    const verdict = judgeArrangedTorques({ ...arranged, said }, q, load, { arm, tolerance });
+    const verdict = judgeArrangedTorques({ ...arranged, said }, q, load, context);
     if (!arranged.isPerJoint) return { ...verdict, typed };
     return {
       ...verdict,
@@ -191,8 +191,8 @@ function reportWrongShape({ shape, values }, count, arm) {
 }
 
 /** @returns {import("../verdict.js").Verdict} */
-function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
-  const judged = judgeBySample(typed, at, load, { arm, tolerance });
+function judgeArrangedTorques(typed, at, load, { arm, tolerance, isGradeOnly }) {
+  const judged = judgeBySample(typed, at, load, { arm, tolerance, isGradeOnly });
   const causes = judged.mistakes.map(({ cause }) => cause);
   const expected = makeTorqueMaker(load, load.c.dof, at.values)()(at.values);
   const figures = measureErrors(typed.values, expected, judged, load.c.dof);
@@ -217,13 +217,14 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance }) {
 
 // Judge torques at all poses. If there are many, the mistakes are first tried at a few of them, and
 // only those that fit there at all poses.
-function judgeBySample(typed, at, load, { arm, tolerance }) {
+function judgeBySample(typed, at, load, { arm, tolerance, isGradeOnly }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
   const steps = listTorqueSteps(arm, load);
   const isEmpty = !typed.values.some(Boolean);
+  const request = { dof, tolerance, isGradeOnly };
   const judge = (mine, q, maker, mistakes, further) =>
-    judgeEntries({ mine, q, dof, right: maker(), mistakes, tolerance, further });
+    judgeEntries({ ...request, mine, q, right: maker(), mistakes, further });
   const judgeAll = (mine, q, poses) => {
     const maker = makeTorqueMaker(poses, dof, q.values);
     const pairs = isEmpty ? [] : [() => listMistakePairs(steps, maker)];
