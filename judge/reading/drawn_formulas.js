@@ -16,9 +16,10 @@ const OVERLINE = /^_{3,}/;
 const DRAWN_BRACKET = /[⎛-⎭]/g;
 // A bar stands between blanks, brackets and commas. A minus may stand so, too.
 const BAR = /(?<![^\s[(⎛-⎭])(?:─+|-+)(?![^\s\]),⎛-⎭])/g;
-const TERM = /^(?=.*[\dπp])(?:[-+*⋅\d. √π()]|pi)+$/;
+const TERM = /^(?=.*[\dπp])(?:[-+*·\d. √π()]|pi)+$/;
 const FRAME = /[\s⎛-⎭[\](),]/g; // characters of a line without entries
 const OPENING = /[⎛-⎭[]/;
+const UNREAD_SIGN = /\\\/|╲╱|[⎛-⎭].*─|^\s*\[.*[\s[]--+[\s\],]/; // a root or a bar
 const FLATTENED = /√\(|\)\/\(/;
 
 /**
@@ -102,7 +103,7 @@ function findTerm(line, start, end) {
 function findUnreadLine(typedLines, flatLines) {
   return flatLines.findIndex((line, k) => {
     const [typed, below = ""] = typedLines.slice(k, k + 2);
-    if (line.search(ROOT) >= 0 || isPower(typed, below) || isShifted(typed, below)) return true;
+    if (UNREAD_SIGN.test(line) || isPower(typed, below) || isShifted(typed, below)) return true;
     if (!FLATTENED.test(line)) return false;
     const brackets = line.match(DRAWN_BRACKET)?.length ?? 0;
     const isCut = brackets % 2 === 1 || /^\s*\[[^\]]*$/.test(line);
