@@ -8,7 +8,7 @@ import { Script } from "node:vm";
 const ROOT = new URL("..", import.meta.url).pathname;
 const EXPLORER = ["entry", "paste", "corrections"]; // tests of tests/explorer that read texts
 const SECONDS = 3; // processor time after which a change counts as not decided
-const changes = []; // of one decision each: { where, what, texts }, with the texts that it may change
+const changes = []; // Patches of a single decision each: { where, what, texts }, with the texts that it may change
 const sites = []; // for each call that the copy contains, its place and its changes
 let active = null; // the change that is switched on
 let textIndex = -1; // of the text that is judged without a change

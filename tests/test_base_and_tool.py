@@ -56,7 +56,7 @@ def test_right_angles_of_a_base_stay_exact():
     assert rows[0].entries == (0, "pi/2", 0.5, 0)
 
 
-def test_solutions_reach_targets_of_an_arm_with_base_and_tool():
+def test_solutions_reach_targets_with_base_and_tool():
     arm = STANFORD.with_base(POSES[6]).with_tool(POSES[7])
     q = np.array([0.3, 0.6, 0.5, 0.2, 0.7, -0.4])
     T = forward_kinematics(arm, q)

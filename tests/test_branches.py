@@ -76,14 +76,14 @@ def at_boundaries(arm, n, rng):
     return q
 
 
-def solved(form, arm, q, **start):
+def solve_poses(form, arm, q, **start):
     """The solutions for the poses of q, and the size of what is asked: a place, or a pose."""
     T = poses(arm, q)
     asked = T if arm.dof == 6 else T[:, :3, 3]
     return form(arm, asked, **start), (lambda T: T) if arm.dof == 6 else (lambda T: T[:, :3, 3])
 
 
-def apart(arm, one, other):
+def measure_difference(arm, one, other):
     """The largest difference of two joint vectors, whole turns aside."""
     off = np.abs(np.exp(1j * one) - np.exp(1j * other))
     return np.where(arm.turning, off, np.abs(one - other)).max(axis=-1)
@@ -92,13 +92,13 @@ def apart(arm, one, other):
 @pytest.mark.parametrize(("form", "arm"), CASES)
 def test_valid_solutions_reach_and_contain_the_pose(form, arm):
     q = at_boundaries(arm, 2500, np.random.default_rng(1))
-    found, asked = solved(form, arm, q, start=q)
+    found, asked = solve_poses(form, arm, q, start=q)
     n, branch = np.nonzero(found.valid)
     assert set(n) == set(range(len(q))), "a pose without a way"
     miss = asked(poses(arm, found.q[n, branch])) - asked(poses(arm, q[n]))
     assert np.abs(miss).max() < 1e-9
     nearest = np.full(len(q), np.inf)
-    np.minimum.at(nearest, n, apart(arm, found.q[n, branch], q[n]))
+    np.minimum.at(nearest, n, measure_difference(arm, found.q[n, branch], q[n]))
     # Branches coincide if the tip moves by less than 1e-10 between them, a tenth of the tolerance.
     rows = slice(None) if arm.dof == 6 else slice(3)
     lost = nearest > 1e-6
@@ -111,7 +111,7 @@ def test_as_many_branches_as_newton_finds(form, arm):
     """From 400 starts; both find them all, and no other. It takes 2 s for a pose."""
     rng = np.random.default_rng(2)
     for q in rng.uniform(-2.5, 2.5, (1, arm.dof)):
-        found, asked = solved(form, arm, q[None])
+        found, asked = solve_poses(form, arm, q[None])
         at = rng.uniform(-np.pi, np.pi, (400, arm.dof))
         at[:, ~arm.turning] = rng.uniform(-3, 3, (400, (~arm.turning).sum()))
         wanted = poses(arm, q[None])
@@ -128,11 +128,11 @@ def test_as_many_branches_as_newton_finds(form, arm):
         arrived = at[np.abs(miss).max(axis=1) < 1e-9]
         distinct = []
         for x in arrived:
-            if all(apart(arm, x, y) > 1e-5 for y in distinct):
+            if all(measure_difference(arm, x, y) > 1e-5 for y in distinct):
                 distinct.append(x)
         assert len(distinct) == found.valid.sum()
         for x in distinct:
-            assert apart(arm, found.q[0][found.valid[0]], x).min() < 1e-6
+            assert measure_difference(arm, found.q[0][found.valid[0]], x).min() < 1e-6
 
 
 def test_distance_out_of_reach_is_known_for_every_arm():

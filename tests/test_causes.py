@@ -118,7 +118,7 @@ def test_list_of_strings_is_one_value_per_joint():
     assert checks.compare_pose([["q1", 0], ["q2", 0]], two, [0.7, 0, 0]).grade == "right"
 
 
-def test_square_answer_is_read_by_columns_if_only_that_fits():
+def test_square_answer_is_read_by_columns_if_needed():
     found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
     three = found.q[:3].round(4)
     by_rows, by_columns = (checks.compare_branches(x, found) for x in (three, three.T))
@@ -212,7 +212,7 @@ def test_right_tip_with_wrong_orientation_misses_the_target():
     assert "misses the target by 0 mm and 28.6°" in str(report)
 
 
-# Trajectories whose table or joint values hold one mistake
+# Trajectories with a mistake in the table or in the joint values
 
 UR_TASK = Task(UR, [0.3, -1.2, 1.4, -0.7, -1.2, 0.4], "xz", 0.1, 5.0, 20)
 STANFORD_TASK = Task(KNOWN["STANFORD"], [0.3, 0.8, 0.5, 0.4, 0.9, 0.2], "xz", 0.08, 5.0, 20)
@@ -262,7 +262,7 @@ def test_exchanged_joints_of_trajectory_are_named():
     assert causes_of_trace(UR_TASK, rows, UR10E) == ("wrong", ("ik.exchanged:q_2:q_3",))
 
 
-def test_wrong_trajectory_from_a_round_start_is_not_called_drift():
+def test_wrong_trajectory_from_round_start_is_not_drift():
     """Each joint of the start has one decimal, so that half a unit moves the tip by 0.1 m."""
     task = Task(KNOWN["PANDA"], [0.1, -0.3, 0.2, 1.2, 0.1, 2.0, 0.1], "yz", 0.1, 5.0, 100)
     rows = task.run(method="rk4")

@@ -77,7 +77,7 @@ def test_chapter_runs_with_changed_arm(path, line):
     NotebookClient(notebook, timeout=300, kernel_name="python3", resources=folder).execute()
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     printed = "\n".join(output.text for output in outputs if output.output_type == "stream")
-    # A chapter may say that it needs a length other than 0; it has no other warning.
+    # A chapter may warn that it needs a length different from 0, and of nothing else.
     warned = [line for line in printed.split("\n") if "Warning:" in line]
     assert all("what follows needs" in line for line in warned), warned
     for mark in filter(lambda text: text.startswith("○"), printed.split("\n")):

@@ -251,7 +251,7 @@ def test_whole_turns_are_unwound_and_jumps_named():
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
-def test_large_steps_are_not_jumps_but_open_circle_is_named():
+def test_large_steps_report_open_circle_without_jumps():
     """Joint 5 turns by 0.3 rad per step. With dt = T/21 the circle stays open."""
     task, path = homework_circle(20)
     right, open_ = (task.run(method="rk4", dt=5 / n).round(4) for n in (20, 21))

@@ -8,7 +8,7 @@ import pytest
 
 import helpers
 
-OLD_NAMES = {"helpers.sheets"}  # importing one warns, which is an error in tests
+OLD_NAMES = {"helpers.sheets"}  # importing it warns, which is an error in tests
 MODULES = sorted(
     module.name
     for module in pkgutil.walk_packages(helpers.__path__, "helpers.")

@@ -63,7 +63,7 @@ def test_simulated_processor_changes_only_the_last_digit():
     code = "from math import sin; import numpy as np; x = np.arange(1.0, 99.0);"
     code += "print(*np.cos(x).tolist(), *map(sin, x), np.einsum('i,i', x, x / 7), np.sin(0.0))"
 
-    def printed(folder):
+    def run_code(folder):
         environment = os.environ | {"PYTHONPATH": str(folder)}
         done = subprocess.run(
             [sys.executable, "-c", code],
@@ -74,8 +74,8 @@ def test_simulated_processor_changes_only_the_last_digit():
         )
         return np.array(done.stdout.split(), float)
 
-    here, there = printed(ROOT / "tests"), printed(ROOT / "tools/elsewhere")
+    here, there = run_code(ROOT / "tests"), run_code(ROOT / "tools/elsewhere")
     units = np.abs(there - here) / np.spacing(np.abs(here))
     assert 1 <= units.max() <= 2
     assert 50 < (units > 0).sum() < 170
-    assert (there == printed(ROOT / "tools/elsewhere")).all()
+    assert (there == run_code(ROOT / "tools/elsewhere")).all()

@@ -53,26 +53,26 @@ def test_import_loads_neither_engine_nor_sympy():
 
 
 def test_threads_use_separate_engines():
-    def asked(k):
+    def list_causes(k):
         return checks.compare_jacobian(J if k % 2 else -J, ELBOW, Q).causes
 
     with ThreadPoolExecutor(4) as pool:
-        assert list(pool.map(asked, range(8))) == [("J.all signs",), ()] * 4
+        assert list(pool.map(list_causes, range(8))) == [("J.all signs",), ()] * 4
 
 
 @pytest.mark.parametrize("limits", [{"_SECONDS": 0.001}, {"_MEMORY": 1_000_000}], ids=str)
 def test_engine_recovers_after_exceeding_a_limit(monkeypatch, limits):
-    def wrong():
+    def compare_wrong_jacobian():
         return checks.compare_jacobian(J * [1.7, 0.3, -2] + 1, ELBOW, Q)
 
-    headline = wrong().headline
+    headline = compare_wrong_jacobian().headline
     with monkeypatch.context() as limited:
         limited.setattr(engine, "_engines", engine.threading.local())
         for name, value in limits.items():
             limited.setattr(engine, name, value)
         with pytest.raises(ArmError, match="the judge gave up"):
-            wrong()
-    assert wrong().headline == headline
+            compare_wrong_jacobian()
+    assert compare_wrong_jacobian().headline == headline
 
 
 def test_numbers_reach_the_engine_unchanged():

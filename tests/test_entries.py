@@ -19,7 +19,7 @@ SEEDS = range(25)
 PUSH = np.array([3.0, -5, 8, 1, -2, 0.5])
 
 
-def typed(rows, digits):
+def write_rows(rows, digits):
     """Each entry to its own number of decimals."""
     rows = np.atleast_2d(rows)
     return "\n".join(
@@ -64,9 +64,9 @@ CUT_LIKE_A_MISTAKE = {("torques", 18)}
 def test_rounded_or_cut_entries_are_right(about, seed):
     asked = Asked(about, seed)
     digits = asked.digits()
-    assert asked.judge(typed(asked.right, digits)).grade == "right"
+    assert asked.judge(write_rows(asked.right, digits)).grade == "right"
     unit = 10.0**-digits
-    cut = typed(np.trunc(asked.right / unit) * unit, digits)
+    cut = write_rows(np.trunc(asked.right / unit) * unit, digits)
     report = asked.judge(cut)
     expected = "so far" if (about, seed) in CUT_LIKE_A_MISTAKE else "right"
     assert report.grade == expected, cut
@@ -75,7 +75,7 @@ def test_rounded_or_cut_entries_are_right(about, seed):
 
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS)
-def test_one_unit_off_in_the_last_place_is_no_mistake(about, seed):
+def test_unit_off_in_last_place_is_no_mistake(about, seed):
     """In the largest entry, away from zero, so that it is not cut; q has no unwritten digits."""
     asked = Asked(about, seed, 15)
     digits = asked.digits()
@@ -83,7 +83,7 @@ def test_one_unit_off_in_the_last_place_is_no_mistake(about, seed):
     mine = np.array(asked.right)
     mine[place] = round(mine[place], digits[place])
     mine[place] += np.sign(mine[place]) * 10.0 ** -digits[place]
-    report = asked.judge(typed(mine, digits))
+    report = asked.judge(write_rows(mine, digits))
     assert (report.grade, report.causes) == ("rounded", ()), report
 
 
@@ -93,7 +93,7 @@ def test_rounding_of_each_joint_is_allowed_for(about, seed):
     """Joint 1 is given to nine decimals and the others to three: theirs are what counts."""
     asked = Asked(about, seed, 15)
     asked.q = " ".join(f"{x:.{9 if k == 0 else 3}f}" for k, x in enumerate(asked.q))
-    assert asked.judge(typed(asked.right, 5)).grade == "right"
+    assert asked.judge(write_rows(asked.right, 5)).grade == "right"
 
 
 @BOTH
@@ -104,7 +104,7 @@ def test_random_error_gets_no_cause_but_its_place(about, seed):
     mine = np.array(asked.right)
     place = tuple(int(asked.rng.integers(n)) for n in mine.shape)
     mine[place] += asked.rng.choice([-1, 1]) * asked.rng.uniform(0.1, 1) * np.abs(mine).max()
-    report = asked.judge(typed(mine, digits))
+    report = asked.judge(write_rows(mine, digits))
     joint = asked.m.joints[place[-1]] + 1
     assert (report.grade, report.causes) == ("wrong", ()), report
     where = f"column {place[-1] + 1}" if about == "jacobian" else f"joint {joint}"
@@ -118,14 +118,14 @@ def test_random_error_of_whole_newton_metres_gets_no_cause(seed):
     mine = np.array(asked.right)
     place = int(asked.rng.integers(len(mine)))
     mine[place] += asked.rng.choice([-1, 1]) * asked.rng.uniform(0.1, 1) * np.abs(mine).max()
-    assert not asked.judge(typed(mine, 0)).causes
+    assert not asked.judge(write_rows(mine, 0)).causes
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_random_errors_of_two_columns_get_no_cause(seed):
     asked = Asked("jacobian", seed)
     mine = asked.right + np.where(asked.rng.random(asked.right.shape) < 0.1, 0.377, 0)
-    assert not asked.judge(typed(mine, 3)).causes
+    assert not asked.judge(write_rows(mine, 3)).causes
 
 
 def test_whole_numbers_of_the_start_are_not_right():
@@ -137,11 +137,11 @@ def test_whole_numbers_of_the_start_are_not_right():
         .jacobian(PANDA_HOMEWORK.home)
     )
     for whole in (np.trunc(J), np.round(J)):
-        report = checks.compare_jacobian(typed(whole, 0), PANDA_HOMEWORK, PANDA_HOMEWORK.home)
+        report = checks.compare_jacobian(write_rows(whole, 0), PANDA_HOMEWORK, PANDA_HOMEWORK.home)
         assert report.grade != "right"
         assert not report.causes
     assert "give two more" in report.headline
-    assert checks.compare_jacobian(typed(J, 4), PANDA_HOMEWORK, PANDA_HOMEWORK.home).agrees
+    assert checks.compare_jacobian(write_rows(J, 4), PANDA_HOMEWORK, PANDA_HOMEWORK.home).agrees
 
 
 Q = [0.3, -0.23, 0.348, 1.07, 0.457, 2.75, 0.917]
@@ -153,7 +153,7 @@ def tau_of(links=loads.PANDA, g=9.81, machine=KNOWN["PANDA"]):
 
 
 def of_panda(tau, digits=4, arm=PANDA):
-    return checks.compare_torques(typed(tau, digits), arm, Q, [-5, 0, 0, 0, 0, 0])
+    return checks.compare_torques(write_rows(tau, digits), arm, Q, [-5, 0, 0, 0, 0, 0])
 
 
 def test_digits_that_a_known_mistake_shares_are_too_few():
@@ -207,7 +207,7 @@ def test_angular_columns_of_z_0_are_named(name):
     m = KNOWN[name]
     q = pose(m, np.random.default_rng(1))
     slips = dict(jacobians.before(m, q, np.random.default_rng(2)))
-    report = checks.compare_jacobian(typed(slips["J.z_0 angular"], 4), make_arm(m), q)
+    report = checks.compare_jacobian(write_rows(slips["J.z_0 angular"], 4), make_arm(m), q)
     assert report.causes == ("J.z_0 angular",), report
 
 
@@ -215,7 +215,9 @@ def test_deleted_row_of_a_locked_joint_is_named():
     m = KNOWN["PANDA.lock(3)"]
     q = pose(m, np.random.default_rng(1))
     mine = m.with_rows([row for row in m.rows if row[0] != "F"]).jacobian(q)
-    assert checks.compare_jacobian(typed(mine, 4), make_arm(m), q).causes == ("table.locked row",)
+    assert checks.compare_jacobian(write_rows(mine, 4), make_arm(m), q).causes == (
+        "table.locked row",
+    )
 
 
 # Joint angles
@@ -227,19 +229,19 @@ EIGHT = inverse.ur(
 
 
 def of_elbow(*answers, digits=4):
-    return checks.compare_branches(typed(answers, digits), FOUR)
+    return checks.compare_branches(write_rows(answers, digits), FOUR)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("found", [FOUR, EIGHT], ids=["ELBOW", "UR10E_HOMEWORK"])
-def test_rounded_branches_are_right_and_random_errors_have_no_cause(found, seed):
+def test_rounded_branches_are_right_random_errors_unnamed(found, seed):
     rng = np.random.default_rng(seed)
     q = np.array(found.q[found.valid])
     digits = rng.integers(3, 6, q.shape)
-    assert checks.compare_branches(typed(q, digits), found).agrees
+    assert checks.compare_branches(write_rows(q, digits), found).agrees
     place = tuple(int(rng.integers(n)) for n in q.shape)
     q[place] += rng.uniform(0.2, 1.2)
-    report = checks.compare_branches(typed(q, 4), found)
+    report = checks.compare_branches(write_rows(q, 4), found)
     assert (report.grade, report.causes) == ("wrong", ()), report
 
 
@@ -257,7 +259,7 @@ def test_mixed_branches_and_turned_shoulder_are_named():
 def test_forgotten_length_is_named_by_all_answers():
     """As if the shoulder stood on the floor: the formulas get z_c for z_c - d_1."""
     floor = inverse.elbow(ELBOW.with_values(d_1=1e-9), (0.3, 0.2, 0.4))
-    report = checks.compare_branches(typed(floor.q, 4), inverse.elbow(ELBOW, (0.3, 0.2, 0.4)))
+    report = checks.compare_branches(write_rows(floor.q, 4), inverse.elbow(ELBOW, (0.3, 0.2, 0.4)))
     assert report.causes == ("table.missing:d:1",), report
     assert "d in row 1 is missing" in report.headline
 
@@ -267,7 +269,7 @@ def test_branches_beyond_the_range_are_not_asked_for():
         STANFORD, forward_kinematics(STANFORD, [0.3, -0.4, 0.6, 0.5, 1.1, -0.2])
     )
     inside = found.q[found.q[:, 2] > 0]
-    report = checks.compare_branches(typed(inside, 4), found)
+    report = checks.compare_branches(write_rows(inside, 4), found)
     assert report.agrees
     assert "beyond the range of q_3" in str(report)
 

@@ -29,7 +29,7 @@ from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, 
 from helpers.statics import gravity_torque, potential_energy, static_torque
 from tests.machines import random_pair
 from tests.node import NODE, ask_node, needs_node
-from tests.test_tables import flip_x, flip_z, put, shift_zero
+from tests.test_tables import flip_x, flip_z, replace_rows, shift_zero
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "page"
@@ -52,7 +52,7 @@ def ask(job, **given):
     return ask_node("explorer_numbers.mjs", {"job": job, **given})
 
 
-def some(arm, count=1000):
+def draw_poses(arm, count=1000):
     """Joint vectors over the whole range, where one is known."""
     lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1),
         strict=True))  # fmt: skip
@@ -62,23 +62,23 @@ def some(arm, count=1000):
 @needs_node
 @every_arm
 def test_javascript_kinematics_match_python(arm):
-    qs, wrench = some(arm), [3.0, -2.0, 5.0, 0.7, -0.4, 0.2]
+    qs, wrench = draw_poses(arm), [3.0, -2.0, 5.0, 0.7, -0.4, 0.2]
     answers = ask("numbers", arm=arm_data(arm), qs=qs.tolist(), wrench=wrench)
     J = jacobian(arm, qs)
 
-    def close(key, expected):
+    def assert_close(key, expected):
         got = np.array([answer[key] for answer in answers])
         np.testing.assert_allclose(got, expected, rtol=0, atol=1e-10)
 
-    close("frames", link_frames(arm, qs))
-    close("columns", np.swapaxes(J, -1, -2))
-    close("gravity", gravity_torque(arm, qs) if arm.bodies else np.zeros(qs.shape))
-    close("push", np.swapaxes(J, -1, -2) @ wrench)
+    assert_close("frames", link_frames(arm, qs))
+    assert_close("columns", np.swapaxes(J, -1, -2))
+    assert_close("gravity", gravity_torque(arm, qs) if arm.bodies else np.zeros(qs.shape))
+    assert_close("push", np.swapaxes(J, -1, -2) @ wrench)
     singular = np.linalg.svd(J, compute_uv=False)
     got = np.array([answer["values"] for answer in answers])[:, : singular.shape[1]]
     np.testing.assert_allclose(got, singular, rtol=0, atol=1e-10)
     if arm.dof == 6:
-        close("determinant", np.linalg.det(J))
+        assert_close("determinant", np.linalg.det(J))
 
 
 @needs_node
@@ -106,7 +106,7 @@ LINKED = {
 
 
 @pytest.fixture(scope="module")
-def opened():
+def opened_link():
     """What each erratum's link opens, by its number."""
     fragments = {number: links[0] for number, links in LINKED.items() if links}
     arms = [arm_data(arm) for arm in ARMS]
@@ -114,33 +114,38 @@ def opened():
     return dict(zip(fragments, answers, strict=True))
 
 
-def distance(answer):
+def measure_distance(answer):
     return 1000 * math.dist(np.array(answer["pose"])[:3, 3], answer["patch"]["mark"])
 
 
 @needs_node
-def test_errata_except_two_link_to_explorer(opened):
+def test_errata_except_two_link_to_explorer(opened_link):
     """A dot too many (5) and a rounder g (8) are nothing that a picture could show."""
     assert {number for number, links in LINKED.items() if len(links) != 1} == {5, 8}
-    for number, answer in opened.items():
+    for number, answer in opened_link.items():
         assert answer["words"] == "", number
         assert {"arm", "q", "view"} <= set(answer["patch"]), number
 
 
 @needs_node
-def test_errata_links_place_tip_as_described(opened):
+def test_errata_links_place_tip_as_described(opened_link):
     """The place of the tip beside a mark, or an entry of its pose."""
     # hypot(0.4 cos(1.3323) - 0.3 - 0.3606, 0.5 + 0.4 sin(1.3323) - 0.001 - 0.75), in mm
-    assert distance(opened[12]) == pytest.approx(582.6, abs=0.1)  # "58 cm from its target"
-    behind, front = np.array(opened[13]["patch"]["mark"]), np.array(opened[13]["pose"])[:3, 3]
+    assert measure_distance(opened_link[12]) == pytest.approx(
+        582.6, abs=0.1
+    )  # "58 cm from its target"
+    behind, front = (
+        np.array(opened_link[13]["patch"]["mark"]),
+        np.array(opened_link[13]["pose"])[:3, 3],
+    )
     np.testing.assert_allclose(front, behind * (-1, -1, 1), atol=1e-5)
     assert behind[0] < 0 < front[0]
-    assert distance(opened[20]) == pytest.approx(0.63, abs=0.005)
-    above, below = np.array(opened[23]["pose"])[2, 3], opened[23]["patch"]["mark"][2]
+    assert measure_distance(opened_link[20]) == pytest.approx(0.63, abs=0.005)
+    above, below = np.array(opened_link[23]["pose"])[2, 3], opened_link[23]["patch"]["mark"][2]
     assert above - 0.5 == pytest.approx(0.5 - below, abs=1e-5)  # the shoulder is at 0.5 m
-    poses = {number: np.array(answer["pose"]) for number, answer in opened.items()}
+    poses = {number: np.array(answer["pose"]) for number, answer in opened_link.items()}
     np.testing.assert_allclose(poses[1][:3, 3], (0, -0.679, 0.649), atol=1e-6)
-    assert not opened[1]["patch"]["q"], "the arm of the headings has no joint"
+    assert not opened_link[1]["patch"]["q"], "the arm of the headings has no joint"
     np.testing.assert_allclose(poses[17][:3, 1], (-1, 0, 0), atol=1e-6)
     assert poses[27][0, 3] == pytest.approx(0, abs=1e-6)
     np.testing.assert_allclose(poses[18][:, 0], (1, 0, 0, 0), atol=1e-6)
@@ -149,39 +154,39 @@ def test_errata_links_place_tip_as_described(opened):
     assert np.linalg.norm(poses[4][:3, 3]) > 0.5, "the fourth column is the place"
     centre = poses[11][:3, 3] - (0, 0, 0.1)  # below the start, where the arm draws its circle
     np.testing.assert_allclose(centre, (0, 0.3561, 1.328), atol=1e-4)
-    _, phi = opened[16]["patch"]["q"][0], math.pi - opened[16]["patch"]["q"][1]
+    _, phi = opened_link[16]["patch"]["q"][0], math.pi - opened_link[16]["patch"]["q"][1]
     squared = 0.4**2 + 0.3**2 - 2 * 0.4 * 0.3 * math.cos(phi)
     assert np.sum(poses[16][:3, 3] ** 2) == pytest.approx(squared, abs=1e-6)
 
 
 @needs_node
-def test_errata_links_open_described_view(opened):
-    assert "its tip is 7.8 mm and" in opened[2]["table"]
+def test_errata_links_open_described_view(opened_link):
+    assert "its tip is 7.8 mm and" in opened_link[2]["table"]
     tips = [ask("numbers", arm=arm, qs=[UR10E_HOMEWORK.home], wrench=[0] * 6)[0]["frames"][-1]
-            for arm in (opened[9]["patch"]["arm"], arm_data(UR10E_HOMEWORK))]  # fmt: skip
+            for arm in (opened_link[9]["patch"]["arm"], arm_data(UR10E_HOMEWORK))]  # fmt: skip
     apart = 1000 * (np.array(tips[0]) - tips[1])[:3, 3]
     assert np.abs(apart[1:]).round(1) == pytest.approx([34.6, 56.8])
-    assert opened[9]["patch"]["view"] == opened[2]["patch"]["view"] == "table"
+    assert opened_link[9]["patch"]["view"] == opened_link[2]["patch"]["view"] == "table"
     for number in (6, 24):
-        assert opened[number]["patch"]["view"] == "torque"
-        assert opened[number]["energy"] == pytest.approx(
+        assert opened_link[number]["patch"]["view"] == "torque"
+        assert opened_link[number]["energy"] == pytest.approx(
             potential_energy(PANDA, PANDA.home), abs=1e-9
         )
-        assert opened[number]["energy"] > 0
-        assert len(opened[number]["gravity"]) == 7
-    kinds = [row["kind"] for row in opened[25]["patch"]["arm"]["rows"]]
+        assert opened_link[number]["energy"] > 0
+        assert len(opened_link[number]["gravity"]) == 7
+    kinds = [row["kind"] for row in opened_link[25]["patch"]["arm"]["rows"]]
     assert [k + 1 for k, kind in enumerate(kinds) if kind == "revolute"] == [1, 2, 4, 5, 6, 7]
-    assert opened[25]["patch"]["view"] == opened[3]["patch"]["view"] == "jacobian"
-    assert opened[3]["patch"]["arm"]["name"] == "Panda (homework)"
+    assert opened_link[25]["patch"]["view"] == opened_link[3]["patch"]["view"] == "jacobian"
+    assert opened_link[3]["patch"]["arm"]["name"] == "Panda (homework)"
 
 
 @needs_node
-def test_errata_links_count_branches_as_described(opened):
+def test_errata_links_count_branches_as_described(opened_link):
     """Four for slip 22, infinitely many for 14, whose joint 1 is free; two shoulders, at angles of
     no quarter turn, for 15."""
     said = {}
     for number in (14, 15, 22):
-        patch = opened[number]["patch"]
+        patch = opened_link[number]["patch"]
         assert patch["view"] == "branches"
         said[number] = ask("verdicts", arm=patch["arm"], qs=[patch["q"]])[0]
     assert said[22]["counted"].startswith("Four solutions")
@@ -194,10 +199,10 @@ def test_errata_links_count_branches_as_described(opened):
 
 
 @needs_node
-def test_errata_links_trace_as_described(opened):
+def test_errata_links_trace_as_described(opened_link):
     runs = {
         number: ask("runs", arm=patch["arm"], start=patch["q"], runs=patch["runs"])
-        for number, patch in ((n, opened[n]["patch"]) for n in (10, 19, 21))
+        for number, patch in ((n, opened_link[n]["patch"]) for n in (10, 19, 21))
     }
     assert runs[10][0]["failedStep"] == 0
     assert runs[10][1]["failedStep"] is None
@@ -207,7 +212,7 @@ def test_errata_links_trace_as_described(opened):
     }
     assert off == {19: [0.127, 0.654], 21: [0.127, 1.145]}
     assert math.degrees(runs[19][1]["largestTilt"]) == pytest.approx(12.3, abs=0.05)
-    views = {n: opened[n]["patch"]["view"] for n in (7, 10, 11, 19, 21)}
+    views = {n: opened_link[n]["patch"]["view"] for n in (7, 10, 11, 19, 21)}
     assert {*views.values()} == {"homework"}, views
 
 
@@ -218,9 +223,9 @@ def test_reported_rank_matches_numpy(arm):
     turn."""
     rng = np.random.default_rng(11)
     turns = rng.integers(-2, 3, (12, arm.dof)) * np.pi / 2
-    qs = np.vstack([np.zeros(arm.dof), turns, some(arm, 12)])
-    # All rows that the arm can move if it has as many joints, else the linear ones alone.
-    movable = np.flatnonzero(np.abs(jacobian(arm, some(arm, 12))).max(axis=(0, 2)) > 1e-12)
+    qs = np.vstack([np.zeros(arm.dof), turns, draw_poses(arm, 12)])
+    # All rows that the arm can move if it has as many joints, else the linear rows.
+    movable = np.flatnonzero(np.abs(jacobian(arm, draw_poses(arm, 12))).max(axis=(0, 2)) > 1e-12)
     rows = movable if len(movable) <= arm.dof else [0, 1, 2]
     ranks = np.linalg.matrix_rank(jacobian(arm, qs)[:, rows], rtol=1e-6)
     for answer, rank in zip(ask("ranks", arm=arm_data(arm), qs=qs.tolist()), ranks, strict=True):
@@ -234,7 +239,7 @@ def test_reported_rank_matches_numpy(arm):
 def test_fading_directions_match_singular_values(arm, turns):
     """By singular values of the tip's velocity; the tool may turn or keeps its direction. From
     joint 3 on the arm is nearly straight in half of the poses."""
-    qs = some(arm, 60)
+    qs = draw_poses(arm, 60)
     qs[::2, 2:] *= 0.02
     asked = {"arm": arm_data(arm), "qs": qs.tolist(), "turns": turns}
     for J, found in zip(jacobian(arm, qs), ask("fading", **asked), strict=True):
@@ -273,7 +278,7 @@ def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
         assert len(ways) - len(families) == isolated
     target = link_frames(arm, q)[-1]
     here, there = (SOLVERS[arm](arm, target, np.full(arm.dof, value)) for value in (0.2, 0.5))
-    moves = (apart(arm, here.q, there.q) > 1e-3)[here.valid]
+    moves = (measure_difference(arm, here.q, there.q) > 1e-3)[here.valid]
     assert moves.any() == bool(free), "what the closed form says"
 
 
@@ -282,7 +287,7 @@ def test_same_arm_agrees_with_compare_tables():
     """With every slip of the corpus, and with every choice of frames that is free."""
     pairs, wanted = [], []
     for arm in (PANDA, STANFORD, UR10E, ELBOW):
-        for mine in (*alike(arm), *unlike(arm)):
+        for mine in (*list_same_arms(arm), *list_other_arms(arm)):
             pairs.append([arm_data(mine), arm_data(arm)])
             wanted.append(compare_tables(mine, arm).figures.get("same machine", False))
     assert wanted.count(True) >= 15
@@ -354,20 +359,22 @@ def test_failed_trace_blames_arm_only_if_singular():
         assert (np.linalg.matrix_rank(jacobian(kept, kept.home)) < 6) == stuck
 
 
-def alike(arm):
+def list_same_arms(arm):
     """Tables of the same arm: other zeros, axes turned round, angles typed short."""
     yield shift_zero(arm, len(arm.rows) - 1, 0.7)
     for k in range(len(arm.rows) - 1):
         yield from (shift_zero(arm, k, 0.7), flip_x(arm, k), flip_z(arm, k))
     rounded = [{key: round(arm.number(getattr(row, key)), 4) for key in ("alpha", "theta")}
                for row in arm.rows]  # fmt: skip
-    yield put(arm, 0, *(replace(row, **r) for row, r in zip(arm.rows, rounded, strict=True)))
+    yield replace_rows(
+        arm, 0, *(replace(row, **r) for row, r in zip(arm.rows, rounded, strict=True))
+    )
 
 
-def unlike(arm):
+def list_other_arms(arm):
     for k, row in enumerate(arm.rows):
         for key, entry in (("a", "{} + 0.02"), ("alpha", "{} + 0.4"), ("alpha", "-({})")):
-            yield put(arm, k, replace(row, **{key: entry.format(getattr(row, key))}))
+            yield replace_rows(arm, k, replace(row, **{key: entry.format(getattr(row, key))}))
     yield Arm(arm.name, arm.rows[:-1], arm.values)
 
 
@@ -375,7 +382,7 @@ def unlike(arm):
 @every_arm
 def test_copied_table_reads_back_as_same_arm(arm):
     """As Python reads tables, without a setting."""
-    q = some(arm, 1)[0]
+    q = draw_poses(arm, 1)[0]
     back = Arm.from_table(ask("copied", arm=arm_data(arm)))
     assert [row.joint.kind for row in back.rows] == [row.joint.kind for row in arm.rows]
     np.testing.assert_allclose(link_frames(back, q), link_frames(arm, q), atol=1e-8)
@@ -409,17 +416,17 @@ def test_traced_circle_stops_at_workspace_boundary():
 @needs_node
 @pytest.mark.parametrize("arm", SOLVERS, ids=lambda arm: arm.name)
 def test_branches_match_closed_forms(arm):
-    for q in some(arm, 10):
+    for q in draw_poses(arm, 10):
         known = SOLVERS[arm](arm, link_frames(arm, q)[-1])
         known = np.array(known.q[known.valid])
         found = np.array(ask("ways", arm=arm_data(arm), q=q.tolist()))
-        gaps = apart(arm, known[:, None], found[None])
+        gaps = measure_difference(arm, known[:, None], found[None])
         assert gaps.shape[0] == gaps.shape[1]
         assert gaps.min(axis=0).max() < 1e-7
         assert gaps.min(axis=1).max() < 1e-7
 
 
-def apart(arm, p, q):
+def measure_difference(arm, p, q):
     """The largest difference of two joint vectors, whole turns aside."""
     slides = [arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints]
     return np.where(slides, np.abs(p - q), np.abs(2 * np.sin((p - q) / 2))).max(axis=-1)
@@ -446,7 +453,7 @@ def test_bundles_are_up_to_date(tmp_path):
 @every_arm
 def test_arm_survives_round_trip_to_browser(arm):
     back = arm_from(arm.name, json.loads(json.dumps(arm_data(arm)))["rows"])
-    qs = some(arm, 5)
+    qs = draw_poses(arm, 5)
     np.testing.assert_array_equal(link_frames(back, qs), link_frames(arm, qs))
     np.testing.assert_array_equal(back.limits, arm.limits)
     np.testing.assert_array_equal(back.effort_limits, arm.effort_limits)

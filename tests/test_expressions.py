@@ -27,7 +27,7 @@ _LEAVES = st.one_of(
 _SIGNS = {"+": np.add, "-": np.subtract, "*": np.multiply}
 
 
-def _joined(parts):
+def _join_formulas(parts):
     sign, (left, x), (right, y) = parts
     return f"({left}) {sign} ({right})", float(_SIGNS[sign](x, y))
 
@@ -36,7 +36,7 @@ def _joined(parts):
 formulas = st.recursive(
     _LEAVES,
     lambda smaller: st.one_of(
-        st.tuples(st.sampled_from(sorted(_SIGNS)), smaller, smaller).map(_joined),
+        st.tuples(st.sampled_from(sorted(_SIGNS)), smaller, smaller).map(_join_formulas),
         smaller.map(lambda part: (f"-({part[0]})", -part[1])),
         st.tuples(smaller, st.integers(1, 7)).map(
             lambda parts: (f"({parts[0][0]}) / {parts[1]}", parts[0][1] / parts[1])

@@ -13,7 +13,7 @@ from tools.pictures import svg_size, visit_image
 PANELS = ((12, 8, 93, 166), (207, 17, 186, 166))
 
 
-def figure(*panels, wide=400, high=200):
+def make_drawing(*panels, wide=400, high=200):
     """A drawing with these panels."""
     views = "".join(
         f'<view id="panel-{k}" viewBox="{" ".join(map(str, box))}"/>'
@@ -31,7 +31,7 @@ def test_svg_size_is_read_in_points_or_pixels(width, expected):
     assert svg_size(ET.fromstring(f'<svg width="{width}" height="{height}"/>')) == expected
 
 
-def shown(tmp_path, svg, **attributes):
+def render_picture(tmp_path, svg, **attributes):
     """The HTML of a picture on a page."""
     (tmp_path / "a.svg").write_text(svg, encoding="utf-8")
     builder = SimpleNamespace(images={"a.svg": "b.svg"}, srcdir=tmp_path, imgpath="_images")
@@ -42,14 +42,14 @@ def shown(tmp_path, svg, **attributes):
 
 
 def test_image_tag_has_size_and_label(tmp_path):
-    html = shown(tmp_path, figure(), width="70%")
+    html = render_picture(tmp_path, make_drawing(), width="70%")
     assert re.findall('src="(.*?)"', html) == ["_images/b.svg"]
     assert 'alt="" loading="lazy" src="_images/b.svg" width="533" height="267">' in html
     assert 'class="picture" style="width: 70%" role="img" aria-label="A &quot;b&quot;">' in html
 
 
 def test_panels_are_views_of_one_file(tmp_path):
-    html = shown(tmp_path, figure(*PANELS))
+    html = render_picture(tmp_path, make_drawing(*PANELS))
     assert 'class="picture many"' in html
     views = re.findall(r'src="([^"]*)" class="panel" style="(.*?)"', html)
     assert views == [
@@ -62,7 +62,7 @@ def test_panels_are_views_of_one_file(tmp_path):
     ("widths", "small"), [((90,) * 4, True), ((90,) * 3, False), ((90, 171) * 2, False)]
 )
 def test_four_small_panels_are_marked_small(tmp_path, widths, small):
-    html = shown(tmp_path, figure(*((0, 0, wide, 100) for wide in widths)))
+    html = render_picture(tmp_path, make_drawing(*((0, 0, wide, 100) for wide in widths)))
     assert ('class="picture many small"' in html) == small
 
 

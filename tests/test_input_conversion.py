@@ -136,7 +136,7 @@ def test_invalid_numbers_are_rejected(mine, words):
         ([], []),
     ],
 )
-def test_unit_of_a_number_is_that_of_its_last_place(texts, expected):
+def test_unit_of_number_is_its_last_place(texts, expected):
     assert read_numbers(texts, "yours").units == pytest.approx(np.array(expected), rel=1e-12, abs=0)
 
 
@@ -187,7 +187,7 @@ def test_invalid_expression_is_rejected(expression):
 SLED = Arm("sled", [revolute(a=0.3), prismatic(alpha=H), revolute(a=0.1)])
 
 
-def joints(q, angles="rad"):
+def convert_joints(q, angles="rad"):
     return ask_judge("joints", q=to_plain_data(q), arm=judge_data(SLED), angles=angles)
 
 
@@ -208,7 +208,7 @@ def joints(q, angles="rad"):
     ],
 )
 def test_joint_vector_is_read_with_units(q, angles, values, units):
-    typed = joints(q, angles)
+    typed = convert_joints(q, angles)
     assert typed["values"] == pytest.approx(values)
     assert typed["units"] == pytest.approx(units)
 
@@ -217,46 +217,48 @@ def test_joint_vector_is_read_with_units(q, angles, values, units):
 @pytest.mark.parametrize("angles", ["rad", "deg"])
 def test_wrong_number_of_joint_values_is_rejected(q, count, angles):
     with pytest.raises(ArmError) as refused:
-        joints(q, angles)
+        convert_joints(q, angles)
     assert f"q has {count} values" in str(refused.value)
     with pytest.raises(ArmError, match="sled: q is None; expected one value for each of q_1"):
-        joints([None])
+        convert_joints([None])
     with pytest.raises(ArmError, match="q has 1 value; expected one value"):
-        joints(1, angles)
+        convert_joints(1, angles)
 
 
 # Functions
 
 
-def given(function, q=Q3):
+def call_function(function, q=Q3):
     return functions.call_student_function(function, np.array(q), "yours")
 
 
-def shapes(*given):
+def list_shapes(*given):
     return [np.shape(one) for one in given]
 
 
 @pytest.mark.parametrize(
     ("function", "expected"),
     [
-        (lambda q: shapes(q), [(3,)]),
-        (lambda q, /: shapes(q), [(3,)]),
-        (lambda q, k=1: shapes(q), [(3,)]),
-        (lambda q, *more: shapes(q, *more), [(3,)]),
-        (lambda *q: shapes(*q), [(), (), ()]),
-        (lambda a, b, c: shapes(a, b, c), [(), (), ()]),
+        (lambda q: list_shapes(q), [(3,)]),
+        (lambda q, /: list_shapes(q), [(3,)]),
+        (lambda q, k=1: list_shapes(q), [(3,)]),
+        (lambda q, *more: list_shapes(q, *more), [(3,)]),
+        (lambda *q: list_shapes(*q), [(), (), ()]),
+        (lambda a, b, c: list_shapes(a, b, c), [(), (), ()]),
     ],
 )
 def test_function_gets_arguments_of_its_signature(function, expected):
-    assert given(function) == expected
+    assert call_function(function) == expected
 
 
 def test_function_gets_the_values_of_q():
-    assert given(lambda a, b, c: (a, b, c)) == (0.5, 0.7, -0.4)
-    assert given(lambda q: q.tolist()) == [0.5, 0.7, -0.4]
-    assert given(max) == 0.7, "a function that has no signature"
-    assert given(lambda v: v.tolist(), [0.5]) == [0.5]
-    assert given(lambda v: math.sin(v) if v.__class__ is float else v["no"], [0.5]) == math.sin(0.5)
+    assert call_function(lambda a, b, c: (a, b, c)) == (0.5, 0.7, -0.4)
+    assert call_function(lambda q: q.tolist()) == [0.5, 0.7, -0.4]
+    assert call_function(max) == 0.7, "a function that has no signature"
+    assert call_function(lambda v: v.tolist(), [0.5]) == [0.5]
+    assert call_function(
+        lambda v: math.sin(v) if v.__class__ is float else v["no"], [0.5]
+    ) == math.sin(0.5)
 
 
 def test_function_of_one_joint_takes_any_argument():
@@ -270,7 +272,7 @@ def test_function_of_one_joint_takes_any_argument():
 @pytest.mark.parametrize("function", [lambda dh, q: 0, lambda a, b: 0, lambda q, *, k: 0])
 def test_function_with_wrong_signature_is_rejected(function):
     with pytest.raises(ArmError) as refused:
-        given(function)
+        call_function(function)
     said = str(refused.value)
     assert said.startswith("yours: your function failed (TypeError: ")
     assert "it was called with q of 3 values. Wrap it" in said
@@ -278,17 +280,17 @@ def test_function_with_wrong_signature_is_rejected(function):
 
 
 def test_function_error_is_passed_on_and_q_is_copied():
-    def refuses(q):
+    def refuse_arguments(q):
         q[:] = 9
         raise ArmError("in its own words")
 
     q = Q3.copy()
     with pytest.raises(ArmError, match=r"^in its own words$"):
-        functions.call_student_function(refuses, q, "yours")
+        functions.call_student_function(refuse_arguments, q, "yours")
     assert q.tolist() == Q3.tolist()
 
 
-# What the two checkers take that the page does not
+# Inputs that both checkers accept and the page refuses
 
 
 def test_jacobian_with_extra_dimensions_is_read():

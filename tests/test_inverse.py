@@ -148,7 +148,7 @@ def test_branch_names_describe_elbow_and_shoulder():
     assert (towards == ["front" in name for name in names]).all()
 
 
-def test_target_out_of_reach_has_a_distance_and_no_branch():
+def test_target_out_of_reach_has_distance_without_branch():
     found = elbow(ELBOW, [(1.0, 0.0, 0.5), (0.05, 0.0, 0.5), (0.0, 0.0, 2.0)])
     assert not found.valid.any()
     assert np.isnan(found.q).all()
@@ -213,7 +213,7 @@ def test_straight_wrist_leaves_joint_4_free(solver, arm, flipped):
         < 1e-6
     )
     assert (same.sum(axis=1) == 1).all()
-    assert (found.times[same] == 2).all()  # both wrists, which are one here
+    assert (found.times[same] == 2).all()  # both wrists, which are equal here
     assert found.free[same][:, 3].all()
     assert np.allclose(found.q[same][:, 3], 1.1)
     assert tip_errors(arm, found, T).max() < 1e-10
@@ -539,7 +539,7 @@ def test_solve_prefers_limits_to_reaching_the_target():
     assert solve(narrow, T, PANDA.home, limits=False).reached
 
 
-def test_restarts_cover_limits_or_half_a_turn_and_a_metre():
+def test_restarts_cover_limits_or_default_range():
     """Without iterations the answer is the start that is nearest to the target."""
     rows = [
         revolute(limits=(0.2, 0.7)), revolute(a=1, limits=(-np.inf, 0.5)), prismatic(),

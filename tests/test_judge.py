@@ -181,7 +181,7 @@ def test_degrees_read_as_radians_are_named(topic, decimals):
 
 
 @pytest.mark.parametrize("topic", COMPARE_AT)
-def test_angle_above_a_turn_is_asked_about_in_wrong_answer(topic):
+def test_wrong_answer_asks_about_angle_above_turn(topic):
     text, exact = write_degrees(2)
     report = COMPARE_AT[topic](text, exact + 0.1 * np.arange(1, 7))
     assert (report.grade, report.causes) == ("wrong", ())
@@ -263,7 +263,7 @@ def test_page_examples_name_their_mistakes():
 
 
 @needs_node
-def test_answers_are_judged_in_the_joint_angles_of_a_table():
+def test_answers_are_judged_in_joint_angles_of_table():
     """Axes 2 and 3 of this table point the other way; the Jacobian is that of the browser tests."""
     joints = "R 0 -1.57079632679 0.5 0, R 0.4 0 0 0, R 0.3 0 0 0"
     J = "-0.2841 0.3039 0.0778; 0.52 0.166 0.0425; 0 -0.5925 -0.2866; 0 -0.4794 -0.4794; "
@@ -278,7 +278,7 @@ def test_answers_are_judged_in_the_joint_angles_of_a_table():
 
 
 @needs_node
-def test_pose_in_own_joint_angles_reaches_the_given_tool_frame():
+def test_pose_in_own_joint_angles_reaches_tool_frame():
     """The last frame of this table lies the other way round than the reference's."""
     mine = PANDA.with_row(7, d=0.207).with_row(6, theta=0.4)
     joints = ", ".join(

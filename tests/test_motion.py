@@ -323,7 +323,7 @@ def test_exact_method_uses_given_jacobian():
         trace(HOMEWORK, HOMEWORK.home, path, method="exact", jacobian=lambda arm, q: np.eye(6))
 
 
-def careless(function):
+def spoil_inputs(function):
     """The function, which spoils what it was given."""
 
     def spoiling(*given):
@@ -339,8 +339,15 @@ def careless(function):
 @pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
 def test_callbacks_cannot_change_arrays_of_trace(method):
     path = panda_circle(30)
-    spoilt = replace(path, velocity=careless(path.velocity), position=careless(path.position))
-    how = {"jacobian": careless(same_jacobian), "rates": careless(plain_inverse())}
+    spoilt = replace(
+        path,
+        velocity=spoil_inputs(path.velocity),
+        position=spoil_inputs(path.position),
+    )
+    how = {
+        "jacobian": spoil_inputs(same_jacobian),
+        "rates": spoil_inputs(plain_inverse()),
+    }
     run = trace(HOMEWORK, HOMEWORK.home, spoilt, method=method, **how)
     wanted = trace(HOMEWORK, HOMEWORK.home, path, method=method, jacobian=same_jacobian)
     np.testing.assert_array_equal(run.q, wanted.q)
@@ -350,7 +357,7 @@ def test_callbacks_cannot_change_arrays_of_trace(method):
 def test_path_copies_its_arrays():
     centre, times = np.array([0.5, 0.0, 0.6]), np.array([0.0, 1.0])
     round_it = circle(centre, 0.1, "yz", 5.0, 4)
-    clock = careless(lambda t: np.stack([t, t, t], axis=-1))
+    clock = spoil_inputs(lambda t: np.stack([t, t, t], axis=-1))
     path = Path(times, clock, clock, [1, 0, 0])
     wanted = round_it.positions
     centre += 1.0
@@ -411,7 +418,7 @@ def test_rest_to_rest_follows_quintic():
     slope = (path.position(t + h) - path.position(t - h)) / (2 * h)
     np.testing.assert_allclose(path.velocity(t), slope, atol=1e-8)
     for end in (h, 5 - h):
-        assert np.linalg.norm(path.velocity(end)) < 1e-10  # of the order of h squared
+        assert np.linalg.norm(path.velocity(end)) < 1e-10  # error of order h squared
     off_circle = np.linalg.norm(path.position(t) - [1, 2, 3], axis=1)
     np.testing.assert_allclose(off_circle, 0.1, atol=1e-15)
 
@@ -444,7 +451,7 @@ def test_report_says_if_no_limits_are_known():
     assert repr(run).startswith("Stanford arm, 20 steps in 5 s\nlargest position error")
 
 
-def test_report_says_how_far_a_line_leads_out_of_reach():
+def test_report_contains_distance_out_of_reach():
     start = np.array([0.2, 0.6, -1.0])
     first = tip(ELBOW, start)
     end = first + 0.8 * np.array([np.cos(0.2), np.sin(0.2), 0])

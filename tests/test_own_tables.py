@@ -85,7 +85,7 @@ def test_rounded_right_angle_is_taken_with_a_warning(typed, taken):
     assert f"{typed}, is taken as {taken}" in arm.source
 
 
-def test_right_angle_of_four_decimals_is_reported_in_source_alone():
+def test_right_angle_of_four_decimals_is_reported_in_source():
     arm = Arm.from_table("a alpha d theta\n0.3 1.5708 0.1 q1\n0.2 0 0 q2")
     assert arm.rows[0].alpha == "pi/2"
     assert "1.5708, is taken as pi/2" in arm.source

@@ -50,7 +50,7 @@ def test_skeleton_passes_through_frame_origins(arm):
     )
 
 
-def views(text):
+def list_views(text):
     found = ET.fromstring(text).iterfind("{*}view")
     return [[int(side) for side in view.get("viewBox").split()] for view in found]
 
@@ -68,7 +68,7 @@ def test_svg_views_cover_all_ink_once():
     bare.set_axis_off()
     bare.plot([0, 1], "o", clip_on=False)
     figure.legend(loc="outside upper center")
-    boxes = views(format_svg(figure))
+    boxes = list_views(format_svg(figure))
     assert len(boxes) == 5
     figure.set_layout_engine("none")  # keep the layout of the first drawing
     file = BytesIO()
@@ -88,7 +88,7 @@ def test_svg_views_cover_all_ink_once():
 @pytest.mark.parametrize("rows", [1, 7])
 def test_single_column_figure_has_no_views(rows):
     figure, _ = plt.subplots(rows, 1, figsize=(5.6, 7), sharex=True)
-    assert views(format_svg(figure)) == []
+    assert list_views(format_svg(figure)) == []
 
 
 # Flat figures, and what is drawn from numbers
@@ -98,7 +98,7 @@ def points(line):
     return np.transpose(line.get_data() if not hasattr(line, "get_data_3d") else line.get_data_3d())
 
 
-def through(ax, wanted):
+def passes_through(ax, wanted):
     """Return whether one of the lines has all these points among its corners."""
     gaps = (points(line)[:, None] - wanted for line in ax.lines)
     return any((np.linalg.norm(gap, axis=2).min(axis=0) < 1e-9).all() for gap in gaps)
@@ -116,7 +116,7 @@ def test_arm_2d_is_projection_of_arm(plane, columns):
     _, ax = plt.subplots()
     plot_arm(ax, ELBOW, [0.3, 0.4, -0.9], plane)
     T = link_frames(ELBOW, [0.3, 0.4, -0.9])
-    assert through(ax, T[:, columns, 3])
+    assert passes_through(ax, T[:, columns, 3])
     assert ax.get_xlabel() == f"${plane[0]}$ (m)"
 
 

@@ -23,7 +23,7 @@ lines = st.lists(
 )
 
 
-def straight(lines, *inputs):
+def run_lines(lines, *inputs):
     """Line after line, each from two values so far; every value is a result."""
     values = [*inputs, *CONSTANTS]
     for operation, first, second in lines:
@@ -40,8 +40,8 @@ def rows_of(program, inputs):
 @given(lines=lines, seed=st.integers(0, 99))
 def test_recorded_program_matches_formula(lines, seed):
     inputs = np.random.default_rng(seed).uniform(-1, 1, (3, 5))
-    program = record_program(partial(straight, lines), 3)
-    wanted = np.array([straight(lines, *column) for column in inputs.T]).T
+    program = record_program(partial(run_lines, lines), 3)
+    wanted = np.array([run_lines(lines, *column) for column in inputs.T]).T
     np.testing.assert_allclose(rows_of(program, inputs), wanted, rtol=1e-12, atol=1e-12)
     one = program.run_on_floats(inputs[:, 0].tolist())
     np.testing.assert_allclose(one, wanted[:, 0], rtol=1e-12, atol=1e-12)
@@ -79,11 +79,11 @@ def test_threads_do_not_share_memory(arm):
     found = [None] * 8
     meet = threading.Barrier(8)
 
-    def work(i):
+    def compute_batch(i):
         meet.wait()
         found[i] = jacobian(arm, batches[i])
 
-    threads = [threading.Thread(target=work, args=(i,)) for i in range(8)]
+    threads = [threading.Thread(target=compute_batch, args=(i,)) for i in range(8)]
     for thread in threads:
         thread.start()
     for thread in threads:

@@ -62,7 +62,7 @@ def test_formula_of_4000_terms_is_evaluated(sign):
 @pytest.mark.parametrize(
     "form", ["sin ", "-", "+", "2^", "(|)", "2^(|)/3", "sin(|)", "-cos -(|)"], ids=str
 )
-def test_a_formula_is_as_deep_as_may_be_and_no_deeper(form):
+def test_formula_depth_has_a_limit(form):
     start, _, end = form.partition("|")
     most = {"2^(|)/3": 30, "sin(|)": 30, "-cos -(|)": 20}.get(form, 60)
     deep = reading.ask_reader("formula", text=start * most + "x" + end * most, what="y", known=None)
@@ -125,12 +125,12 @@ def test_table_is_read_from_any_container(held, options):
     np.testing.assert_allclose([[arm.number(e) for e in r.entries] for r in arm.rows], NUMBERS)
 
 
-def matrix(theta, alpha, a, d):
+def compute_link_matrix(theta, alpha, a, d):
     c, s, ca, sa = math.cos(theta), math.sin(theta), math.cos(alpha), math.sin(alpha)
     return [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
 
 
-def stacked(matrices):
+def stack_rows(matrices):
     return [row for A in matrices for row in A]
 
 
@@ -142,10 +142,10 @@ def test_tables_at_the_edges_are_read():
     assert reading.list_rows(read) == [("revolute", 0.4, math.pi, 0.5, 0)]
 
 
-@pytest.mark.parametrize("as_held", [list, np.array, stacked, lambda matrices: matrices * 2])
+@pytest.mark.parametrize("as_held", [list, np.array, stack_rows, lambda matrices: matrices * 2])
 def test_link_matrices_are_read_as_table_rows(as_held):
     rows = [(0.7, -0.4, 0.3, 0.25), (-2.1, 2.2, 0.15, -0.6)]
-    held = as_held([matrix(*row) for row in rows])
+    held = as_held([compute_link_matrix(*row) for row in rows])
     [read] = reading.read_tables(held, lengths="m", angles="rad")
     found = [
         [row["numbers"][name] for name in ("theta", "alpha", "a", "d")] for row in read["rows"]
@@ -235,7 +235,7 @@ def test_exchanged_headers_are_corrected():
         ("Link('theta', 0.3, 'a', 0.1), Link('theta', 0.3, 'd', 0.1)", "PR"),
     ],
 )
-def test_row_slides_if_stated_or_if_its_angle_is_fixed(text, kinds):
+def test_row_slides_if_stated_or_angle_is_fixed(text, kinds):
     [read] = reading.read_tables(text)
     assert "".join(row["kind"][0].upper() for row in read["rows"]) == kinds
 
@@ -384,7 +384,7 @@ def test_numbers_of_stored_tables_have_owners():
             continue
         count += 1
         assert not list_wrong_marks(table), case["answer"]
-    assert count > 70  # of 94; the others are refused, or use symbols of their arm
+    assert count > 70  # of 94; the rest is refused or uses symbols of its arm
 
 
 # JavaScript does not count a pattern's steps, so its time is measured: a text four times as long
@@ -401,7 +401,7 @@ def test_reading_time_grows_linearly_with_length(text, kind):
     assert long < 9 * short, (short, long)
 
 
-def test_right_angles_of_a_table_become_formulas_of_an_arm():
+def test_right_angles_of_table_become_formulas():
     quarters = "-3 * pi / 2", "-pi", "-pi/2", 0, "pi/2", "pi", "3 * pi / 2"
     for k, wanted in zip(range(-3, 4), quarters, strict=True):
         for near, told in ((0.9e-4, True), (-0.9e-4, True), (1.1e-4, False)):

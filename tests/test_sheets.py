@@ -48,12 +48,12 @@ every_arm = pytest.mark.parametrize("sheet", SHEETS.values(), ids=SHEETS)
 
 
 @cache
-def pose(sheet):
+def draw_pose(sheet):
     """A random pose of an arm, the same for all its answers."""
     return tuple(np.random.default_rng(7).uniform(-3, 3, sheet.arm.dof).tolist())
 
 
-def true(sheet, what, q):
+def compute_expected(sheet, what, q):
     """Return an answer at q by the numeric functions."""
     arm, index = sheet.arm, int("0" + re.sub(r"\D", "", what))
     frames = kinematics.link_frames(arm, q)
@@ -70,14 +70,14 @@ def true(sheet, what, q):
     return answers_by_letter[what[0]]()
 
 
-def check(sheet, what, got, q):
-    expected = true(sheet, what, q)
+def check_answer(sheet, what, got, q):
+    expected = compute_expected(sheet, what, q)
     largest = max(1.0, np.abs(expected).max())
     got = np.reshape(np.asarray(got, float), np.shape(expected))
     np.testing.assert_allclose(got, expected, rtol=0, atol=TOLERANCE * largest)
 
 
-def moved(text, arm, q):
+def set_joints(text, arm, q):
     """A block with other joint values put in, where it gives them."""
     for variable, value in zip(arm.variables, q, strict=True):
         text = re.sub(rf"(?m)^{variable} = [^;\n]+", f"{variable} = {value!r}", text)
@@ -91,13 +91,13 @@ def page(sheet):
 
 
 @cache
-def given(language, sheet, item):
+def read_program(language, sheet, item):
     """The block that the page has to copy for an answer."""
     data = re.search(r'\n<script type="application/json">(.+)</script>\n', page(sheet))[1]
     return json.loads(data)[item.name.replace("_", "-").lower()][language]
 
 
-def run(text):
+def run_program(text):
     exec(text, names := {})
     return names
 
@@ -108,8 +108,10 @@ def run(text):
 @every_arm
 def test_numpy_blocks_match_numeric_view(sheet, capsys):
     for item in sheet.answers:
-        names = run(moved(given("NumPy", sheet, item), sheet.arm, pose(sheet)))
-        check(sheet, item.name, names[item.name], pose(sheet))
+        names = run_program(
+            set_joints(read_program("NumPy", sheet, item), sheet.arm, draw_pose(sheet))
+        )
+        check_answer(sheet, item.name, names[item.name], draw_pose(sheet))
         assert capsys.readouterr().out
 
 
@@ -117,8 +119,8 @@ def test_numpy_blocks_match_numeric_view(sheet, capsys):
 def test_numpy_blocks_hold_the_home_pose(sheet):
     """All blocks begin with the same joint values, so that one of them is run."""
     home = np.array(sheet.arm.home)
-    first, *others = (given("NumPy", sheet, item) for item in sheet.answers)
-    check(sheet, sheet.answers[0].name, run(first)[sheet.answers[0].name], home)
+    first, *others = (read_program("NumPy", sheet, item) for item in sheet.answers)
+    check_answer(sheet, sheet.answers[0].name, run_program(first)[sheet.answers[0].name], home)
     for text in others:
         for variable, value in re.findall(r"(?m)^(q_\d+) = ([^\n#]+)", text):
             expected = home[sheet.arm.variables.index(variable)]
@@ -128,37 +130,37 @@ def test_numpy_blocks_hold_the_home_pose(sheet):
 @every_arm
 def test_sympy_blocks_match_numeric_view(sheet):
     for item in sheet.answers:
-        names = run(given("SymPy", sheet, item))
+        names = run_program(read_program("SymPy", sheet, item))
         letters = [sp.Symbol(name) for name in (*sheet.symbol_values, *sheet.arm.variables)]
         value = sp.Matrix([names[item.name]]) if item.is_number else names[item.name]
-        got = sp.lambdify(letters, value)(*sheet.symbol_values.values(), *pose(sheet))
-        check(sheet, item.name, got, pose(sheet))
+        got = sp.lambdify(letters, value)(*sheet.symbol_values.values(), *draw_pose(sheet))
+        check_answer(sheet, item.name, got, draw_pose(sheet))
 
 
 @every_arm
 def test_matlab_blocks_match_numeric_view(sheet):
     """MATLAB is rarely at hand, so each block is turned into Python by its few rules."""
     for item in sheet.answers:
-        text = re.sub(r"\s*\.\.\.\n\s*", " ", given("MATLAB", sheet, item))
+        text = re.sub(r"\s*\.\.\.\n\s*", " ", read_program("MATLAB", sheet, item))
         assert not re.search(r"[^;\[]$", text, re.M)
         text = text.replace(".*", "*").replace(".^", "**").replace("^", "**")
         text = re.sub(r"(?s)= \[\n(.*)\n\];", r"= [[\1]]", text).replace(";\n    ", "], [")
         names = {"cos": np.cos, "sin": np.sin, "sqrt": np.sqrt, "pi": np.pi}
-        exec(moved(text.replace(";]]", "]]"), sheet.arm, pose(sheet)), names)
-        check(sheet, item.name, names[item.name], pose(sheet))
+        exec(set_joints(text.replace(";]]", "]]"), sheet.arm, draw_pose(sheet)), names)
+        check_answer(sheet, item.name, names[item.name], draw_pose(sheet))
 
 
 @every_arm
 def test_program_lines_have_at_most_110_characters(sheet):
     for item in sheet.answers:
         for language in ("SymPy", "NumPy", "MATLAB"):
-            assert max(map(len, given(language, sheet, item).splitlines())) <= 110, item.name
+            assert max(map(len, read_program(language, sheet, item).splitlines())) <= 110, item.name
 
 
 # Formulas to read
 
 
-def entries(item, shown, elsewhere):
+def read_entries(item, shown, elsewhere):
     """The TeX of an answer's entries as a reader finds them: lines that go on are joined, and a
     name in the matrix stands for its line below, or elsewhere."""
     written = {}
@@ -170,13 +172,13 @@ def entries(item, shown, elsewhere):
             written[label] = formula.strip()
     whole = written.get(displays.format_name(item), "")
     if "matrix" not in whole:
-        return [*map(plain, written.values())]
+        return [*map(strip_brackets, written.values())]
     inner = re.sub(r"\\left\[\\begin\{\w+\}(?:\{c+\})?|\\end\{\w+\}\\right\]", "", whole)
     found = [text.strip() for text in re.split(r"&|\\\\", inner)]
-    return [plain((written | elsewhere).get(text, text)) for text in found]
+    return [strip_brackets((written | elsewhere).get(text, text)) for text in found]
 
 
-def plain(tex):
+def strip_brackets(tex):
     return re.sub(r"\\left|\\right| ", "", tex)
 
 
@@ -191,13 +193,13 @@ def test_displayed_formulas_are_complete(sheet):
     for item in sheet.answers:
         shown, whole = (
             displays.format_symbols(sheet, item),
-            [plain(sp.latex(x)) for x in item.value],
+            [strip_brackets(sp.latex(x)) for x in item.value],
         )
-        assert entries(item, shown, vectors) == whole or shown[0] in PARALLEL
+        assert read_entries(item, shown, vectors) == whole or shown[0] in PARALLEL
         missing = [display for display in shown if f"$$\n{display}\n$$" not in page(sheet)]
         assert not missing, f"the page of {sheet.arm.name} lacks these formulas"
-        copied = re.findall(r"(?s)\\\[\n(.*?)\n\\\]", given("LaTeX", sheet, item))
-        assert entries(item, copied, {}) == whole
+        copied = re.findall(r"(?s)\\\[\n(.*?)\n\\\]", read_program("LaTeX", sheet, item))
+        assert read_entries(item, copied, {}) == whole
 
 
 @every_arm
@@ -215,7 +217,7 @@ def test_matrices_are_displayed_as_matrices(sheet):
 def test_latex_block_explains_abbreviations():
     sheet = SHEETS["ur10e_homework"]
     legend = "% $c_{1} = \\cos{(q_{1})}$\n% $s_{1} = \\sin{(q_{1})}$\n\\["
-    assert given("LaTeX", sheet, sheet.axes[3]).startswith(legend)
+    assert read_program("LaTeX", sheet, sheet.axes[3]).startswith(legend)
 
 
 @every_arm
@@ -225,7 +227,7 @@ def test_page_numbers_match_numeric_view(sheet):
         shown = displays.format_numbers(item, item.home_values)
         assert f"In numbers:\n\n$$\n{shown}\n$$" in page(sheet)
         numbers = [float(text) for text in re.findall(r"-?[\d.]+", shown.split(" = ")[1])]
-        expected = np.ravel(true(sheet, item.name, np.array(sheet.arm.home)))
+        expected = np.ravel(compute_expected(sheet, item.name, np.array(sheet.arm.home)))
         np.testing.assert_allclose(numbers, expected, rtol=0, atol=5.1e-5)
 
 

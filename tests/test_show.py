@@ -28,7 +28,7 @@ def test_long_bracket_is_broken_into_lines():
     made = typeset.convert_to_mathml(
         show.matrices({"J": sp.Matrix([entry])})._repr_markdown_().strip("$")
     )
-    assert made.count("<mtr>") == 3  # the matrix has one row, and in it are two lines
+    assert made.count("<mtr>") == 3  # the matrix has a single row of two lines
     assert "linebreak" not in made
 
 

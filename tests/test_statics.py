@@ -20,7 +20,7 @@ from helpers.statics import (
 from tests.laws import SHAPES, central_differences, joint_vectors, random_arms, slow_energy
 
 
-def loaded(arm: Arm, seed: int = 1) -> Arm:
+def add_bodies(arm: Arm, seed: int = 1) -> Arm:
     rng = np.random.default_rng(seed)
     bodies = [
         Body(float(m), tuple(map(float, c)))
@@ -33,7 +33,7 @@ def loaded(arm: Arm, seed: int = 1) -> Arm:
     return replace(arm, bodies=bodies)
 
 
-ARMS = [PANDA, PANDA.lock(3), UR10E, loaded(STANFORD), loaded(ELBOW)]
+ARMS = [PANDA, PANDA.lock(3), UR10E, add_bodies(STANFORD), add_bodies(ELBOW)]
 every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: f"{arm.name}, {arm.dof} joints")
 
 
@@ -61,7 +61,7 @@ def test_gravity_torque_is_gradient_of_energy(arm, gravity):
 @settings(max_examples=40)
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
 def test_gravity_torque_of_random_arms(arm, seed):
-    arm, gravity = loaded(arm, seed), (0.3, -0.2, -9.0)
+    arm, gravity = add_bodies(arm, seed), (0.3, -0.2, -9.0)
     q = joint_vectors(arm, (), seed)
     slope = central_differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
     np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-6)

@@ -72,7 +72,7 @@ def test_unknown_symbol_is_rejected_with_known_ones(names, arm, unknown):
     assert str(error.value) == said
 
 
-def test_joint_of_an_arm_on_a_fixed_row_is_no_symbol_to_give():
+def test_joint_after_fixed_row_is_no_symbol():
     arm = ELBOW.with_base((0, 0, 2.5, "pi", 0, 0))
     with pytest.raises(ArmError, match=r"by their rows, and row 1 is fixed$"):
         look_up(["q_1", "q_2"], arm, np.zeros(arm.dof))

@@ -42,7 +42,7 @@ POLAR = Arm(
 REFERENCES = (*ARMS, instructors_arm(), ELBOW.with_values(d=0.1), SCARA, SKEW, POLAR)
 
 
-def same(report):
+def is_same_machine(report):
     return report.figures.get("same machine", False)
 
 
@@ -55,45 +55,49 @@ def maps_tip(report, mine, arm):
     return np.allclose(*(T[:, :3, 3] for T in tips), atol=1e-6)
 
 
-def _plus(entry, number):
+def _write_sum(entry, number):
     return f"{entry} + {number}"
 
 
-def put(arm, i, *rows):
+def replace_rows(arm, i, *rows):
     """The arm with these rows from row i on."""
     return replace(arm, rows=[*arm.rows[:i], *rows, *arm.rows[i + len(rows) :]], bodies=())
 
 
-def over(row):
+def reverse_axis(row):
     """A row whose axis points the other way: its joint counts backwards."""
-    return replace(row, alpha=_plus(row.alpha, "pi"), d=f"-({row.d})", theta=f"-({row.theta})")
+    return replace(row, alpha=_write_sum(row.alpha, "pi"), d=f"-({row.d})", theta=f"-({row.theta})")
 
 
 def flip_z(arm, i):
     row, following = arm.rows[i : i + 2]
-    return put(arm, i, replace(row, alpha=_plus(row.alpha, "pi")), over(following))
+    return replace_rows(
+        arm, i, replace(row, alpha=_write_sum(row.alpha, "pi")), reverse_axis(following)
+    )
 
 
 def flip_x(arm, i):
     row, following = arm.rows[i : i + 2]
-    turned = replace(row, theta=_plus(row.theta, "pi"), a=f"-({row.a})", alpha=f"-({row.alpha})")
-    return put(arm, i, turned, replace(following, theta=_plus(following.theta, "pi")))
+    turned = replace(
+        row, theta=_write_sum(row.theta, "pi"), a=f"-({row.a})", alpha=f"-({row.alpha})"
+    )
+    return replace_rows(arm, i, turned, replace(following, theta=_write_sum(following.theta, "pi")))
 
 
 def shift_zero(arm, i, by):
     moved = "d" if arm.rows[i].joint.kind == "prismatic" else "theta"
-    return plus(arm, i, moved, by)
+    return add_to_entry(arm, i, moved, by)
 
 
-def plus(arm, i, name, by):
+def add_to_entry(arm, i, name, by):
     row = arm.rows[i]
-    return put(arm, i, replace(row, **{name: _plus(getattr(row, name), by)}))
+    return replace_rows(arm, i, replace(row, **{name: _write_sum(getattr(row, name), by)}))
 
 
 def slide_normal(arm, i, by):
     """Axes i + 1 and i + 2 are parallel: their common normal is moved along them."""
     assert arm.numeric[i].sin_alpha == 0
-    return plus(plus(arm, i, "d", by), i + 1, "d", -by * arm.numeric[i].cos_alpha)
+    return add_to_entry(add_to_entry(arm, i, "d", by), i + 1, "d", -by * arm.numeric[i].cos_alpha)
 
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
@@ -123,7 +127,7 @@ def test_wrong_length_or_twist_is_detected(arm, size):
     """Unless it is one of the free choices, each given here by hand with its reason."""
     for i in range(len(arm.rows)):
         for name in ("a", "alpha", "d"):
-            mine = plus(arm, i, name, size)
+            mine = add_to_entry(arm, i, name, size)
             free = (
                 (name == "alpha" and i == len(arm.rows) - 1)  # the last frame's tilt
                 or (
@@ -132,7 +136,7 @@ def test_wrong_length_or_twist_is_detected(arm, size):
                 or (name == "d" and _slides_along(arm, i))  # the slide's zero takes it up
             )
             report = compare_tables(mine, arm)
-            assert same(report) == free, (arm.name, i + 1, name)
+            assert is_same_machine(report) == free, (arm.name, i + 1, name)
             is_zero = free and (arm.rows[i].joint.kind == "prismatic" or _slides_along(arm, i))
             assert report.agrees == (is_zero and name == "d"), (arm.name, i + 1, name)
 
@@ -146,7 +150,7 @@ def _slides_along(arm, i):
 
 
 def test_verdict_matches_numeric_search():
-    judged = {seed for seed in SEEDS if same(compare_tables(*random_pair(seed)))}
+    judged = {seed for seed in SEEDS if is_same_machine(compare_tables(*random_pair(seed)))}
     assert judged == SAME_MACHINES
 
 
@@ -172,7 +176,7 @@ def test_slides_leave_lengths_free(mine, reference):
     options = {"columns": "a alpha d theta", "lengths": "m", "angles": "rad"}
     both = [Arm.from_table(text.replace(";", "\n"), **options) for text in (mine, reference)]
     assert same_machine(*both)
-    assert same(compare_tables(*both))
+    assert is_same_machine(compare_tables(*both))
 
 
 def test_entries_of_arm_are_quoted():
@@ -212,7 +216,7 @@ LEANING = "0.1 0.4 0.3 0; 0.3 pi/2 0.2 q1; 0.2 0 0.1 q2"
 ROOTED = "0.1 0 0 0; 0.3 0 0.2 q2; 0.2 pi/2 0 q3; 0.25 0 0.1 q4"
 
 
-def said(typed, reference, **options):
+def compare_rows(typed, reference, **options):
     with warnings.catch_warnings():  # some references begin with a fixed row
         warnings.simplefilter("ignore")
         arm = Arm.from_table(reference.replace(";", "\n"), columns="a alpha d theta", name="Ref")
@@ -258,7 +262,7 @@ def test_one_mistake_is_named_among_rounded_lengths(right, wrong, causes):
     ],
 )
 def test_whole_millimetres_count_as_rounded(typed, lengths, grade):
-    assert said(f"{typed} 0 0 q1", "0.3006 0 0 q1", lengths=lengths).grade == grade
+    assert compare_rows(f"{typed} 0 0 q1", "0.3006 0 0 q1", lengths=lengths).grade == grade
 
 
 @pytest.mark.parametrize(
@@ -288,14 +292,14 @@ def test_one_mistake_in_other_frames_is_located(arm, mine, where):
         ("0.5", "0.9", "0.4", "51.5662° in yours and 22.9183° in the reference: 28.6479° off"),
         ("-0.5", "-0.9", "-0.4", "-51.5662° in yours and -22.9183° in the reference: 28.6479° off"),
         ("0.5", "pi", "pi-0.1", "180° in yours and 174.27° in the reference: 5.7296° off"),
-        # Two slides along one line hold by the sum.
+        # Only the sum of two slides along a line counts.
         ("0", "0.2; 0 0.5 d4 0.7", "0.1; 0 0.5 d4 0.3",
          "51.5662° in yours and 22.9183° in the reference: 28.6479° off"),
     ],
 )  # fmt: skip
 def test_angle_about_slide_is_reported_as_theta(twist, theta, wanted, angles):
     row = "0.3 pi/2 0.2 q1; 0 1 0 q2; 0 {} d3 {}; 0 0 0.3 q4"
-    report = said(row.format(twist, theta) + "; 0 0 0 0", row.format(twist, wanted))
+    report = compare_rows(row.format(twist, theta) + "; 0 0 0 0", row.format(twist, wanted))
     told = next(f for f in report.findings if "slide" in f.words)
     assert told.where == "row 3, theta"
     between = "about the slide between the common normals before and after it is "
@@ -316,14 +320,14 @@ def test_angle_about_slide_is_reported_as_theta(twist, theta, wanted, angles):
     ],
 )
 def test_wrong_entry_is_quoted(entry, instead, words):
-    report = said(GENERIC.replace(entry, instead, 1), GENERIC)
+    report = compare_rows(GENERIC.replace(entry, instead, 1), GENERIC)
     assert report.headline == f"Your table does not describe the same arm as Ref: {words}."
 
 
 @pytest.mark.parametrize(
     ("typed", "reference", "options", "lines"),
     [
-        # One more fixed row, so that rows do not correspond and axes are compared.
+        # An additional fixed row, so that rows do not correspond and axes are compared.
         ("0 pi/2 0.4 q1; 0.35 0 0 q2; 0.2 1 0.05 q3; 0.1 0 0.3 q4; 0 0 0 0", ELBOWED, {}, [
             "Row 2, a: the distance from axis 2 to axis 3 is 0.35 m in yours and 0.3 m in the "
             "reference: 50 mm too long.",
@@ -358,7 +362,7 @@ def test_wrong_entry_is_quoted(entry, instead, words):
             "reference: 100 mm too short.",
             "Row 3, d: the offset along axis 3 is 0.3 m in yours and 0.1 m in the reference: "
             "200 mm too long."]),
-        # Across a slide two axes are as far apart and as skew as wanted, by a sign the other way.
+        # Axes 2 and 4 have the right distance and twist, in the opposite direction.
         ("0 pi/2 0.2 q1; 0 1 0.1 q2; -0.2 0.5 d3 0; 0.125 0 0.3 q4; 0 0 0 0",
          SLIDING.replace("0.4;", "0;"), {}, [
             "Row 2, a: the shortest line from axis 2 to axis 4 has a different direction than in "
@@ -368,7 +372,7 @@ def test_wrong_entry_is_quoted(entry, instead, words):
     ],
 )  # fmt: skip
 def test_differences_between_axes_are_described(typed, reference, options, lines):
-    report = said(typed, reference, **options)
+    report = compare_rows(typed, reference, **options)
     assert report.headline == "Your table does not describe the same arm as Ref."
     assert [f.words for f in report.findings] == lines
     places = [line.partition(":")[0].lower() for line in lines if line.startswith("Row")]
@@ -429,7 +433,7 @@ JOINTS = "The reference counts these joints differently: {}\n"
     ],
 )  # fmt: skip
 def test_table_with_other_joint_zeros_is_right_by_map(typed, reference, options, messages):
-    report = said(typed, reference, **options)
+    report = compare_rows(typed, reference, **options)
     assert (report.grade, report.causes) == ("right by map", ()), str(report)
     assert [words for words in messages if words not in f"{report}\n"] == [], str(report)
 
@@ -467,8 +471,8 @@ def test_table_with_other_joint_zeros_is_right_by_map(typed, reference, options,
     ],
 )  # fmt: skip
 def test_base_and_tip_of_the_question_are_no_choice(typed, reference, options, grade, message):
-    report = said(typed, reference, **options)
-    assert same(report), str(report)
+    report = compare_rows(typed, reference, **options)
+    assert is_same_machine(report), str(report)
     assert report.grade == grade, str(report)
     assert message in report.headline
 
@@ -496,7 +500,7 @@ def test_first_rows_of_a_table_are_right_so_far(arm):
             report = compare_tables(mine, arm)
             assert (report.grade, report.causes) == ("so far", ()), (count, str(report))
             assert report.figures == {"right": first.dof, "of": arm.dof}
-        longer = put(first, 1, replace(first.rows[1], a=0.87, joint=Joint()))
+        longer = replace_rows(first, 1, replace(first.rows[1], a=0.87, joint=Joint()))
         assert compare_tables(longer, arm).grade == "wrong", count
 
 

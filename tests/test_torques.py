@@ -26,17 +26,17 @@ LOCKED = "all joints; 2 is locked, so its 0.7 is set aside"
 OFF = np.eye(3)
 
 
-def torques(q, F=F):
+def compute_torques(q, F=F):
     """Return the right torques at one pose or several."""
     if np.ndim(q) > 1:
-        return np.array([torques(x, F) for x in q])
+        return np.array([compute_torques(x, F) for x in q])
     return weight(MIXED, HEAVY, q) - force(MIXED, F, q)
 
 
-TAU, TAU2, TAU3 = torques(BENT), torques(Q2), torques(Q3)
+TAU, TAU2, TAU3 = compute_torques(BENT), compute_torques(Q2), compute_torques(Q3)
 
 
-def verdict(mine, q=BENT, **options):
+def compare(mine, q=BENT, **options):
     report = compare_torques(mine, ARM, q, **({"wrench": F} | options))
     assert (report.topic, report.arm) == ("torques", "your arm")
     return report
@@ -60,7 +60,7 @@ def verdict(mine, q=BENT, **options):
     ],
 )
 def test_other_layouts_of_torques_are_read_and_noted(mine, q, taken):
-    report = verdict(np.round(mine, 5), q)
+    report = compare(np.round(mine, 5), q)
     assert (report.grade, report.taken) == ("right", (*taken, LINKS))
     assert report.figures["right"] == 3
     assert "to the digits you gave" in report.headline
@@ -73,9 +73,9 @@ def test_other_layouts_of_torques_are_read_and_noted(mine, q, taken):
 def test_square_matrix_is_not_transposed(by, cause):
     mine = (TAU3 @ by if np.ndim(by) else by * TAU3).round(4)
     for some, causes in ((mine, (cause,)), (mine.T, ())):
-        report = verdict(some, Q3)
+        report = compare(some, Q3)
         assert (report.taken, report.causes) == ((LINKS,), causes)
-    nearly = verdict((TAU3 + 0.1 * OFF[2][:, None] * OFF[1]).round(4), Q3)
+    nearly = compare((TAU3 + 0.1 * OFF[2][:, None] * OFF[1]).round(4), Q3)
     assert str(nearly.findings[0]) == "Joint 3: off by up to 0.1 N."
 
 
@@ -91,7 +91,7 @@ def test_square_matrix_is_not_transposed(by, cause):
     ],
 )
 def test_wrong_shape_is_reported(mine, q, shape, wanted):
-    report = verdict(mine, q)
+    report = compare(mine, q)
     (finding,) = report.findings
     key = "tau.energy" if shape is None else "tau.shape"
     assert (report.grade, report.causes, finding.what) == ("wrong", (key,), "shape")
@@ -105,10 +105,10 @@ def test_wrong_shape_is_reported(mine, q, shape, wanted):
 def test_degrees_apply_only_to_revolute_joints():
     q = np.array([[30.0, 0.25, -45.0], [10.0, 0.5, 60.0]])
     turned = np.where([True, False, True], np.radians(q), q)
-    tau = torques(turned).round(5)
+    tau = compute_torques(turned).round(5)
     for mine, at in ((tau, q), (tau.T, q), (tau[0], q[0]), (tau[1], q[1:])):
-        assert verdict(mine, at, angles="deg").agrees
-    assert verdict(torques(q).round(5), q, angles="deg").causes == ("tau.degrees",)
+        assert compare(mine, at, angles="deg").agrees
+    assert compare(compute_torques(q).round(5), q, angles="deg").causes == ("tau.degrees",)
 
 
 def test_loads_of_any_number_type_are_read():
@@ -116,14 +116,14 @@ def test_loads_of_any_number_type_are_read():
         "wrench": [Fraction(int(2 * x), 2) for x in F],
         "gravity": (sp.Integer(0), 0, sp.Rational(-981, 100)),
     }
-    for mine, agrees in ((TAU, True), (torques(BENT, 0 * F), False), (1.02 * TAU, False)):
-        assert verdict(mine.round(4), **load).agrees == agrees
-    mine = np.round([torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)], 4)
+    for mine, agrees in ((TAU, True), (compute_torques(BENT, 0 * F), False), (1.02 * TAU, False)):
+        assert compare(mine.round(4), **load).agrees == agrees
+    mine = np.round([compute_torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)], 4)
     for wrench, agrees in (([F, 2 * F], True), ([[F], [2 * F]], True), (F, False)):
-        assert verdict(mine, Q2, wrench=wrench).agrees == agrees
-    mine = np.round([torques(BENT, F), torques(BENT, 2 * F)], 4)
-    assert verdict(mine, BENT, wrench=[F, 2 * F]).agrees
-    assert verdict(-mine, BENT, wrench=[F, 2 * F]).causes == ("tau.all signs",)
+        assert compare(mine, Q2, wrench=wrench).agrees == agrees
+    mine = np.round([compute_torques(BENT, F), compute_torques(BENT, 2 * F)], 4)
+    assert compare(mine, BENT, wrench=[F, 2 * F]).agrees
+    assert compare(-mine, BENT, wrench=[F, 2 * F]).causes == ("tau.all signs",)
 
 
 # Torques of the first joints only
@@ -171,13 +171,13 @@ def test_text_with_other_torques_than_the_first_is_refused(text):
 # Functions
 
 
-def failing(q):
+def raise_key_error(q):
     raise KeyError("no such run")
 
 
 def torques_at_one_pose(q):
     assert np.shape(q) == (3,)
-    return torques(q)
+    return compute_torques(q)
 
 
 def test_function_is_called_for_each_pose():
@@ -186,16 +186,16 @@ def test_function_is_called_for_each_pose():
         lambda q: torques_at_one_pose(q)[:, None],
         lambda a, b, c: torques_at_one_pose([a, b, c]),
     ):
-        assert verdict(mine, Q2).agrees
-    assert verdict(torques_at_one_pose).agrees
-    assert verdict(lambda q: torques_at_one_pose(q)[:2], Q2).causes == ("tau.shape",)
+        assert compare(mine, Q2).agrees
+    assert compare(torques_at_one_pose).agrees
+    assert compare(lambda q: torques_at_one_pose(q)[:2], Q2).causes == ("tau.shape",)
     for mine, words in (
-        (failing, "your arm: your torques: your function failed .KeyError: .no such run"),
+        (raise_key_error, "your arm: your torques: your function failed .KeyError: .no such run"),
         (lambda q: None, "your arm: your torques"),
     ):
         for q in (Q2, BENT):
             with pytest.raises(ArmError, match=words):
-                verdict(mine, q)
+                compare(mine, q)
 
 
 # Grades, and messages about joints
@@ -210,7 +210,7 @@ def test_rounded_q_widens_torque_tolerance(digits, share, grades):
     off = share * 10.0**-digits * np.array([1, -1, 1])
     for q in (BENT.round(digits), BENT.round(digits)[None], Q3.round(digits)):
         shown = "\n".join(", ".join(f"{x:.{digits}f}" for x in y) for y in np.atleast_2d(q))
-        assert verdict(torques(q + off).round(6), shown).grade in grades
+        assert compare(compute_torques(q + off).round(6), shown).grade in grades
 
 
 @pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.001, "rounded"), (0.5, "wrong")])
@@ -218,9 +218,9 @@ def test_rounded_q_widens_torque_tolerance(digits, share, grades):
 def test_error_at_any_pose_counts(off, grade, at):
     """The judge tries five of sixty poses first, and the second is not among them."""
     q = np.linspace(BENT, 1.3 * BENT, 60)
-    mine = torques(q)
+    mine = compute_torques(q)
     mine[at, 1] += off
-    report = verdict([[f"{x:.3f}" for x in row] for row in mine], q)
+    report = compare([[f"{x:.3f}" for x in row] for row in mine], q)
     assert report.grade == grade
     assert report.figures["right"] == (2 if grade == "wrong" else 3)
     assert report.figures["worst"] == pytest.approx(off, abs=6e-4)
@@ -243,8 +243,8 @@ def test_error_at_any_pose_counts(off, grade, at):
     ],
 )  # fmt: skip
 def test_wrong_joints_are_described(mine, said, options):
-    report = verdict(mine.round(4), Q3, **options)
+    report = compare(mine.round(4), Q3, **options)
     assert [f.words for f in report.findings] == said
     assert (report.grade == "wrong") == bool(said)
-    alone = verdict(mine[0].round(4), **options)
+    alone = compare(mine[0].round(4), **options)
     assert [f.words for f in alone.findings] == [x.replace("up to ", "") for x in said]

@@ -13,14 +13,14 @@ from helpers.inputs import ArmError
 FACE = Path(__file__).parents[1] / "book" / "assets" / "vendor" / "stix" / "stix-two-math.woff2"
 
 
-def heard(markup):
+def list_symbols(markup):
     return re.findall(r"<(m[ion]|mfrac|msub|mtr)\b[^>]*>([^<]*)", markup)
 
 
 def test_mathml_holds_formula_without_tex():
     made = typeset.convert_to_mathml(r"\frac{1}{2} q_3")
     said = [("mfrac", ""), ("mn", "1"), ("mn", "2"), ("msub", ""), ("mi", "q"), ("mn", "3")]
-    assert heard(made) == said
+    assert list_symbols(made) == said
     assert "annotation" not in made
     assert "frac{" not in made
 

@@ -122,7 +122,7 @@ XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="a"/
 TEN = robot(*map(link, "abcdefghij"), *map(joint, "123456789", "abcdefghi", "bcdefghij"))
 
 
-def one(*how, **more):
+def make_pair(*how, **more):
     """A link on a base, by joint m."""
     return robot(*LINKS[:2], joint("m", "base", "upper", *how, **more))
 
@@ -131,24 +131,39 @@ def one(*how, **more):
     ("source", "words"),
     [
         (GRIPPER, r"beyond base are left, right; expected one. Say which .* with base and tip"),
-        (one(inside=MIMIC), "joint m follows joint shoulder .mimic.; .* tip = 'base', or remove"),
-        (one("planar"), "joint m is planar; a table has rows for .* it, with base = 'upper'"),
-        (one("floating"), "joint m is floating; a table has rows for .* beyond it, with base ="),
+        (
+            make_pair(inside=MIMIC),
+            "joint m follows joint shoulder .mimic.; .* tip = 'base', or remove",
+        ),
+        (make_pair("planar"), "joint m is planar; a table has rows for .* it, with base = 'upper'"),
+        (
+            make_pair("floating"),
+            "joint m is floating; a table has rows for .* beyond it, with base =",
+        ),
         (robot(link("a"), link("b")), "links without a parent are a, b; expected one"),
         (LOOP, "two: links a, b go round in a circle; .* Remove the joint that closes the loop"),
         (LOOP.replace("</robot>", '<link name="w"/></robot>'), "links a, b go round in a circle"),
         (robot(*LINKS, *JOINTS, joint("extra", "base", "tool")), "that carry link tool are 2; exp"),
         (robot(link("a"), link("a")), "links called a are 2; expected one"),
         (robot(link("a"), joint("j", "a", "b")), "names a link 'b'; there"),
-        (one().replace("child", "kid"), "the child of joint m has no link; expected link="),
+        (make_pair().replace("child", "kid"), "the child of joint m has no link; expected link="),
         (robot("<link/>"), "a link has no name; expected name="),
         (robot(), "two: links without a parent are ; expected one"),
-        (one(inside='<limit lower="1" upper="-1"/>'), "m has limits 1 to -1; expected lower <= up"),
-        (one(inside='<limit lower="low"/>'), "m: lower is 'low'; expected a finite number"),
-        (one(xyz="0 0 nan"), "the xyz of m is '0 0 nan'; expected three finite numbers"),
-        (one().replace('<axis xyz="0 0 1', '<axis xyz="0 0 0'), "the axis of m is 0 0 0; expected"),
-        (one().replace('"2"', '"-1"'), "the mass of upper is -1.0; expected a number of kg, 0 or"),
-        (one().replace("value", "val"), "the mass of upper is nan; expected"),
+        (
+            make_pair(inside='<limit lower="1" upper="-1"/>'),
+            "m has limits 1 to -1; expected lower <= up",
+        ),
+        (make_pair(inside='<limit lower="low"/>'), "m: lower is 'low'; expected a finite number"),
+        (make_pair(xyz="0 0 nan"), "the xyz of m is '0 0 nan'; expected three finite numbers"),
+        (
+            make_pair().replace('<axis xyz="0 0 1', '<axis xyz="0 0 0'),
+            "the axis of m is 0 0 0; expected",
+        ),
+        (
+            make_pair().replace('"2"', '"-1"'),
+            "the mass of upper is -1.0; expected a number of kg, 0 or",
+        ),
+        (make_pair().replace("value", "val"), "the mass of upper is nan; expected"),
         (BOMB, "has a document type, which a robot description does not need"),
         (OUTSIDE, "has a document type"),
         ("<a>" * 10**5 + "</a>" * 10**5, "is a <a>; expected"),
@@ -157,7 +172,7 @@ def one(*how, **more):
         ("<sdf/>", "the text is an SDF model of Gazebo; give the robot's URDF"),
         ("<mujoco/>", "the text is an MJCF model of MuJoCo; give the robot's URDF"),
         (XACRO, "the text holds xacro macros; expand them first, by `xacro arm.urdf.xacro >"),
-        (one(rpy="${pi/2} 0 0"), "the text holds xacro macros"),
+        (make_pair(rpy="${pi/2} 0 0"), "the text holds xacro macros"),
         ("nowhere.urdf", "source is 'nowhere.urdf'; expected a file that exists"),
         ("a" * 5000, "cannot be read|expected a file that exists"),
     ],

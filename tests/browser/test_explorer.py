@@ -50,11 +50,11 @@ def at_rest(page, locator):
     locator.scroll_into_view_if_needed()
     seen = []
 
-    def stands():
+    def is_still():
         seen.append(locator.bounding_box())
         return len(seen) > 1 and seen[-1] == seen[-2]
 
-    until(page, stands)
+    until(page, is_still)
     return seen[-1]
 
 
@@ -141,7 +141,7 @@ document.addEventListener("DOMContentLoaded", () => {{
 
 
 @pytest.fixture(scope="module")
-def usual(browser):
+def usual_page(browser):
     """A reader by day, on a wide screen, who comes again and again, and reads no formulas. Pictures
     are drawn by the processor: here where a test looks at them, at half the pixels; other readers
     see them all."""
@@ -151,27 +151,27 @@ def usual(browser):
 
 
 @pytest.fixture
-def visit(browser, usual):
+def visit(browser, usual_page):
     visits = []
 
     def enter(fragment="", name="explorer", drawn=False, **kwargs):
-        if usual in visits:
+        if usual_page in visits:
             kwargs["script"] = USUAL
         if kwargs:
             visits.append(Visit(browser, fragment, name=name, **kwargs))
         else:
-            usual.enter(fragment, name, drawn)
-            visits.append(usual)
+            usual_page.enter(fragment, name, drawn)
+            visits.append(usual_page)
         return visits[-1]
 
     yield enter
     troubles = [trouble for one in visits for trouble in one.troubles]
-    usual.troubles.clear()
+    usual_page.troubles.clear()
     for one in visits:
-        if one is not usual:
+        if one is not usual_page:
             one.context.close()
     if troubles:
-        usual.leave()
+        usual_page.leave()
     assert troubles == []
 
 
@@ -350,7 +350,7 @@ def test_static_torques_follow_the_force_ball(visit):
     field.fill("-5")
     here.page.get_by_role("button", name="Fit").click()
     box = here.page.locator(".stage canvas").bounding_box()
-    ball = orange(here.page)
+    ball = find_force_ball(here.page)
     here.page.mouse.move(box["x"] + ball[0], box["y"] + ball[1])
     here.page.mouse.down()
     here.page.mouse.move(box["x"] + ball[0] + 5, box["y"] + ball[1] - 60, steps=6)
@@ -359,7 +359,7 @@ def test_static_torques_follow_the_force_ball(visit):
     assert float(pushed.replace(MINUS, "-")) < -1, "the ball above the tip pushes down"
 
 
-def orange(page):
+def find_force_ball(page):
     """Return the pixel of the force's ball, the rightmost of its colour."""
     from io import BytesIO
 
@@ -446,7 +446,7 @@ def test_branches_are_chosen_in_picture_and_list(visit):
     expect(ways).to_have_count(8)
     wanted = forward_kinematics(UR10E, q)
 
-    def arrived():
+    def wait_for_arrival():
         until(here.page, lambda: np.abs(here.q() - q).max() > 0.1)
         until(
             here.page, lambda: np.allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5)
@@ -462,17 +462,17 @@ def test_branches_are_chosen_in_picture_and_list(visit):
     assert 0.01 < share < 0.3, "the ghosts, and nothing around them"
     x, y = ghosts[len(ghosts) // 2]
     canvas.click(position={"x": x, "y": y})
-    arrived()
+    wait_for_arrival()
     for i in (3, 6):
         ways.nth(i).click()
         expect(ways.nth(i)).to_have_attribute("aria-current", "true")
-        arrived()
+        wait_for_arrival()
 
 
 # Follow the chapters' instructions and compare with what they announce.
 
 
-def typed(page, label, text):
+def type_value(page, label, text):
     field = page.get_by_label(label, exact=True)
     field.fill(text)
     field.press("Enter")
@@ -486,18 +486,18 @@ def test_chapter_1_offset_slides_on_parallel_axes(
     page.locator("[data-cell='2-d']").fill("0.1639")
     assert "163.9 mm" in verdict.inner_text()
     page.locator("[data-cell='4-d']").fill("0")
-    typed(page, "Joint 3, angle, typed", "70")
-    typed(page, "Joint 5, angle, typed", "-40")
+    type_value(page, "Joint 3, angle, typed", "70")
+    type_value(page, "Joint 5, angle, typed", "-40")
     assert "0.0 mm and 0.0°" in verdict.inner_text()
 
     page.get_by_role("button", name="Back to the first table").click()
-    typed(page, "Joint 3, angle, typed", "0")
+    type_value(page, "Joint 3, angle, typed", "0")
     for row in (2, 3):
         page.locator(f"[data-cell='{row}-alpha']").fill("0")
     for joint in (1, 2, 4, 5, 6):
-        typed(page, f"Joint {joint}, angle, typed", "25")
+        type_value(page, f"Joint {joint}, angle, typed", "25")
     assert "0.0 mm and 0.0°" in verdict.inner_text()
-    typed(page, "Joint 3, angle, typed", "25")
+    type_value(page, "Joint 3, angle, typed", "25")
     assert "0.0 mm" not in verdict.inner_text()
 
 
@@ -518,12 +518,12 @@ def test_chapter_2_joints_3_and_5_restore_rank(visit):
     lost = "Here the tip cannot move along y, move along z nor turn about x."
     assert verdict.inner_text() == f"Singular: rank 3 of 6. {lost}"
     for joint in (1, 6):
-        typed(page, f"Joint {joint}, angle, typed", "30")
+        type_value(page, f"Joint {joint}, angle, typed", "30")
         assert "rank 3 of 6" in verdict.inner_text()
-        typed(page, f"Joint {joint}, angle, typed", "0")
-    typed(page, "Joint 3, angle, typed", "30")
+        type_value(page, f"Joint {joint}, angle, typed", "0")
+    type_value(page, "Joint 3, angle, typed", "30")
     assert "rank 5 of 6" in verdict.inner_text()
-    typed(page, "Joint 5, angle, typed", "30")
+    type_value(page, "Joint 5, angle, typed", "30")
     assert verdict.inner_text().startswith("Rank 6")
 
 
@@ -534,7 +534,7 @@ def test_chapter_3_only_one_circle_winds(visit):
     spans = page.locator(".plots .past .span").all_inner_texts()
     assert spans == [f"{MINUS}360.0° … 0.0°"] * 2
     for joint, angle in {1: "0", 2: "25", 4: "85", 5: "0", 6: "150", 7: "0"}.items():
-        typed(page, f"Joint {joint}, angle, typed", angle)
+        type_value(page, f"Joint {joint}, angle, typed", angle)
     page.get_by_role("button", name="Draw a circle from here").click()
     expect(verdict).to_have_text("All joints stay within their limits.")
     assert page.locator(".plots .past").count() == 0
@@ -555,7 +555,7 @@ def test_chapter_4_pushed_pen_overloads_joint_6(visit):
     page.get_by_label("F z, N", exact=True).fill("-60")
     verdict = page.locator(".torque .verdict")
     expect(verdict).to_have_text("Too much for joint 6.")
-    typed(page, "Joint 6, angle, typed", "90")
+    type_value(page, "Joint 6, angle, typed", "90")
     expect(verdict).to_contain_text("Every joint can hold this.")
     page.get_by_role("tab", name="Circle trace").click()
     page.get_by_label("What the plots show").select_option("torque")
@@ -648,7 +648,7 @@ def pixel_of(page, frame):
     )
 
 
-def dragged(page, start, by, steps=8):
+def drag_mouse(page, start, by, steps=8):
     page.mouse.move(*start)
     page.mouse.down()
     page.mouse.move(start[0] + by[0], start[1] + by[1], steps=steps)
@@ -662,7 +662,7 @@ def test_arm_is_dragged_by_links_and_tip(visit):
     start = here.q()
     page.locator(".stage").scroll_into_view_if_needed()
     for frame, by in ((4, (30, 15)), (4, (300, 400)), (-1, (500, -80))):
-        dragged(page, pixel_of(page, frame), by)
+        drag_mouse(page, pixel_of(page, frame), by)
         lower, upper = PANDA.limits
         assert ((here.q() >= lower - 1e-9) & (here.q() <= upper + 1e-9)).all()
         turned = np.flatnonzero(np.abs(here.q() - start) > 1e-6)
@@ -678,7 +678,7 @@ def test_arm_is_dragged_by_links_and_tip(visit):
         np.testing.assert_allclose(here.q(), start, atol=1e-12)
 
     page.get_by_role("button", name="Pin the tip").click()
-    dragged(page, pixel_of(page, 3), (35, 20))
+    drag_mouse(page, pixel_of(page, 3), (35, 20))
     page.mouse.up()
     assert np.abs(here.q() - start).max() > 0.05
     poses = forward_kinematics(PANDA, np.array([here.q(), start]))
@@ -699,7 +699,7 @@ def test_dragged_tip_explains_why_it_stops(visit):
     page = visit("#arm=Elbow arm&view=pose").page
     said = []
     for x in ("0.6", "0.69", "0.9"):
-        typed(page, "Tip x, typed", x)
+        type_value(page, "Tip x, typed", x)
         said.append(page.locator(".why").text_content())
     assert said[:2] == ["", "Nearly singular along the arrow."]
     assert re.fullmatch(r"Joint 3 straight: 20\d mm short\.", said[2])
@@ -707,7 +707,7 @@ def test_dragged_tip_explains_why_it_stops(visit):
     page.get_by_role("button", name="Pin the tip").click()
     page.get_by_role("button", name="Tip pinned (place): nothing is free").wait_for()
     page = visit("#arm=Panda&view=pose").page
-    typed(page, "Tip z, typed", "-1")
+    type_value(page, "Tip z, typed", "-1")
     assert "Joint 2 at its limit" in page.locator(".why").text_content()
 
 

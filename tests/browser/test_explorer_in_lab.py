@@ -130,7 +130,7 @@ def test_sliders_and_python_share_one_arm(browser, lab):
     expect(slider).to_have_value("0.5", timeout=60_000)
     expect(page.get_by_label("F z, N", exact=True)).to_have_value("−7", timeout=60_000)
 
-    run(4)  # the same explorer again: two views, one state
+    run(4)  # a second view of the same explorer, which shares its state
     views = page.locator("section.explorer")
     expect(views).to_have_count(2, timeout=60_000)
     run(5)

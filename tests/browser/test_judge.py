@@ -91,7 +91,7 @@ def ask(page, answer, q="0.5, 0.7, -0.4"):
     page.get_by_label("Your answer", exact=True).fill(answer)
 
 
-def serious(page, part=".arm-judge"):
+def list_serious_findings(page, part=".arm-judge"):
     """List the serious findings of axe in a part of the page."""
     page.add_script_tag(path=AXE)
     return page.locator(part).first.evaluate(BAD)
@@ -104,7 +104,7 @@ def verdict(page, words):
 @wide
 def test_link_restores_typed_answer(page):
     verdict(page, "joint i turns about the axis of the frame before it")
-    assert page.locator(".arm-judge td.off").count() == 15  # of 18: the last two axes are one
+    assert page.locator(".arm-judge td.off").count() == 15  # of 18: last two axes coincide
     ask(page, ELBOW)
     verdict(page, "The Jacobian of Elbow arm is right at this pose, to the digits you gave.")
     assert page.locator(".arm-judge td.off").count() == 0
@@ -234,7 +234,7 @@ def test_formulas_are_read_while_typed(page):
     assert cell.locator("sub").all_text_contents() == ["3", "23"]  # of a_3 and c_23
     page.set_viewport_size({"width": 320, "height": 700})
     assert page.evaluate(OUTSIDE) == []
-    assert serious(page) == []
+    assert list_serious_findings(page) == []
     page.get_by_role("button", name="Copy link").click()
     page.get_by_text("The link").first.wait_for()
     assert "values=L+%3D+0.4" in page.url
@@ -291,7 +291,7 @@ def test_form_fits_and_passes_axe(page):
         page.get_by_role("region", name="How your answer is read").evaluate("e => e.tabIndex") == 0
     )
     page.evaluate(EVERYTHING)
-    assert serious(page, "html") == []
+    assert list_serious_findings(page, "html") == []
 
 
 SIX_COLUMNS = """-0.154 0 1 0 0 0
@@ -309,15 +309,15 @@ def chapter(browser):
     page = context.new_page()
     page.add_init_script(UNDRAWN)
 
-    def opened(name):
+    def open_page(name):
         page.goto((HTML / f"{name}.html").as_uri())
         return page
 
-    yield opened
+    yield open_page
     context.close()
 
 
-def near(place):
+def scroll_to(place):
     """Scroll until a small judge is live: what comes to life on the way moves the page."""
     for _ in range(300):
         place.evaluate(THERE)
@@ -366,10 +366,10 @@ def test_chapter_form_hides_given_fields(chapter):
     page = chapter("02_jacobian")
     for name in ("judge", "explorer"):  # far away
         assert page.locator(f"script[src$='{name}.js']").count() == 0
-    place = near(page.locator(".arm-judge").nth(1))
+    place = scroll_to(page.locator(".arm-judge").nth(1))
     place.get_by_label("Your answer", exact=True).fill("1 2 3")
     place.locator(".verdict", has_text="Type the pose").wait_for()
-    place = near(page.locator(".arm-judge").nth(2))
+    place = scroll_to(page.locator(".arm-judge").nth(2))
     assert place.locator("label:visible").all_text_contents() == ["Your answer"]
     answer = place.get_by_label("Your answer", exact=True)
     answer.fill(SIX_COLUMNS)
@@ -391,7 +391,7 @@ def test_chapter_form_hides_given_fields(chapter):
     ],
 )
 def test_chapter_form_judges_its_question(chapter, name, number, answer, words):
-    place = near(chapter(name).locator(".arm-judge").nth(number))
+    place = scroll_to(chapter(name).locator(".arm-judge").nth(number))
     place.get_by_label("Your answer", exact=True).fill(answer)
     place.locator(".verdict", has_text=words).wait_for()
 
@@ -588,11 +588,11 @@ def test_form_works_where_storage_is_refused(browser):
 
 def test_chapter_form_keeps_its_answer(chapter):
     page = chapter("02_jacobian")
-    place = near(page.locator(".arm-judge").nth(2))
+    place = scroll_to(page.locator(".arm-judge").nth(2))
     answer = place.get_by_label("Your answer", exact=True)
     answer.fill(SIX_COLUMNS)
     reload_with_storage(page, lambda: chapter("02_jacobian"))
-    near(place)
+    scroll_to(place)
     assert answer.input_value() == SIX_COLUMNS
     place.locator(".verdict", has_text="The Jacobian of Stanford arm is right").wait_for()
 
@@ -638,11 +638,11 @@ def test_numbers_are_filled_in_one_by_one_on_phone(page):
     page.get_by_text("Joint values one by one").click()
     assert page.get_by_label("q 1", exact=True).input_value() == "0"
     assert page.evaluate(OUTSIDE) == []
-    assert serious(page) == []
+    assert list_serious_findings(page) == []
 
 
 @both
-def test_pasted_text_shows_what_each_number_is_taken_for(page):
+def test_pasted_text_shows_meaning_of_each_number(page):
     ask(page, f"q = 0.5 0.7 -0.4\nJ =\n{WRONG}")
     verdict(page, "check vz")
     marked = page.locator(".arm-judge .marked")
@@ -657,7 +657,7 @@ def test_pasted_text_shows_what_each_number_is_taken_for(page):
     marked.get_by_text("0.5925: entry of vz, joint 2, read as 0.5925", exact=True).wait_for()
     assert marked.locator("pre").inner_text().strip() == f"q = 0.5 0.7 -0.4\nJ =\n{WRONG}"
     assert page.evaluate(OUTSIDE) == []
-    assert serious(page) == []
+    assert list_serious_findings(page) == []
 
 
 @wide

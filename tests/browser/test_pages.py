@@ -162,7 +162,7 @@ ONLY_COLOURS = (
 )
 
 
-def serious(page):
+def list_serious_findings(page):
     """List the serious findings of axe in both themes."""
     page.set_viewport_size(SIZES["wide"])
     page.evaluate(CALM)
@@ -180,7 +180,7 @@ def serious(page):
 
 
 def test_page_passes_axe_in_both_themes(visit):
-    found = serious(visit.page)
+    found = list_serious_findings(visit.page)
     assert not found, "\n".join(found)
 
 
@@ -193,7 +193,7 @@ def test_axe_detects_planted_faults(browser, name, pale):
     page.evaluate("document.querySelectorAll('details').forEach(d => d.open = true)")
     page.evaluate("document.querySelector('article').append(document.createElement('button'))")
     page.add_style_tag(content=f"[data-theme=dark] {pale} {{ color: #555 !important }}")
-    first, *others = serious(page)
+    first, *others = list_serious_findings(page)
     assert first.startswith("button-name")
     assert [found.split(":")[0] for found in others] == ["color-contrast"]
     reader.context.close()

@@ -30,7 +30,7 @@ def test_arm_list_shows_a_name_on_phone(browser):
     page.goto((HTML / "03_circle_tracing.html").as_uri())
     instrument = page.locator(".cell .arm-explorer:not([data-figure])").first
     instrument.evaluate(THERE)
-    instrument.locator("canvas").wait_for()  # the still list has given way to the live one
+    instrument.locator("canvas").wait_for()  # the live list has replaced the still list
     arms = page.locator("section.explorer select.name").first
     arms.wait_for()
     assert arms.evaluate("list => list.getBoundingClientRect().width") > 120

@@ -253,7 +253,7 @@ def test_search_opens_by_key_and_arrows_choose(browser):
     reader.context.close()
 
 
-def test_contents_show_the_current_page_and_what_was_read(browser):
+def test_contents_show_current_and_read_pages(browser):
     """The first page leads on to chapter 1; a list of pages is scrolled to the current one."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "intro.html").as_uri())
@@ -278,7 +278,7 @@ def test_contents_show_the_current_page_and_what_was_read(browser):
 GROUND = "getComputedStyle(document.body).backgroundColor"
 
 
-def drawn(page):
+def find_figure_theme(page):
     """Whether the first figure that is seen is turned for a dark page."""
     how = "all => getComputedStyle(all.find((i) => i.offsetWidth)).filter"
     return "dark" if page.locator("figure img").evaluate_all(how) != "none" else "light"
@@ -289,11 +289,11 @@ def test_theme_follows_system_until_chosen(browser):
     page = context.new_page()
     page.goto((HTML / "robot_data.html").as_uri())
     dark = page.evaluate(GROUND)
-    assert drawn(page) == "dark"
+    assert find_figure_theme(page) == "dark"
     page.emulate_media(color_scheme="light")
     page.wait_for_function(f"{GROUND} !== '{dark}'")
     light = page.evaluate(GROUND)
-    assert drawn(page) == "light"
+    assert find_figure_theme(page) == "light"
     button = page.locator("button.colours")
     for name in ("light", "dark"):
         button.click()
@@ -329,7 +329,7 @@ def test_page_without_scripts_follows_system(browser):
     context.close()
 
 
-# Instructions that need a script; the explorer's page has no others.
+# Instructions that need a script. The explorer's page has only such instructions.
 ASKED = re.compile(
     r"[^.\n]*\b(?:[Dd]rag(?! at)\w*|Point at|[Cc]lick\w*|sliders?|[Pp]ress (?:Play|Draw|Back|Find))\b[^.\n]*"
 )

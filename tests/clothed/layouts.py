@@ -56,7 +56,7 @@ class Layout:
     labelled: bool = True
 
 
-# Lists of one number per joint: the grid has one row.
+# Lists with a number for each joint, so the grid has a single row.
 
 
 def _pairs(grid: Grid) -> list[tuple[str, str]]:
@@ -549,7 +549,7 @@ TABLE_LAYOUTS = {
     "braces": Layout("code", 1.5, _braces, labelled=False),
     "spaced columns": Layout("text", 5, _spaced, commas=True),
 }
-#: Joint vectors, one a row, are also written line by line.
+#: Joint vectors in rows are also written line by line.
 ROW_LAYOUTS = {
     "labelled rows": Layout("text", 7, _labelled_rows, commas=True),
     "bracketed rows": Layout("text", 7, _bracket_rows),

@@ -14,7 +14,7 @@ _HEADERS = {
     "theta": ("theta", "θ", "theta_i", "θ_i", "θ"),
 }
 _LATEX_HEADERS = {"a": "a_i", "alpha": r"\alpha_i", "d": "d_i", "theta": r"\theta_i"}
-#: Column orders with weights: Spong's, Siciliano's, Corke's, and that of calculators.
+#: Column orders with weights, by Spong, Siciliano, Corke and calculators.
 _ORDERS = {
     ("a", "alpha", "d", "theta"): 55,
     ("theta", "d", "a", "alpha"): 25,

@@ -103,7 +103,7 @@ def test_doubtful_files_are_listed_and_not_placed():
     placed, messages = sort_files(**{
         "twinada_1_2_answers.json": "{}",
         "twinada_3_4_answers.json": write_answers("cd"),
-        "bergbo_5_6_answers.json": write_answers("gh"),  # another's sheet, in Bo's own name
+        "bergbo_5_6_answers.json": write_answers("gh"),  # another student's sheet under Bo's name
         "nobody_7_8_homework.pdf": "%PDF",
         "anon_x_9_answers.json": write_answers("gh"),
         "Participant_11_assignsubmission_file_x.json": "{}",

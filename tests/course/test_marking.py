@@ -266,7 +266,7 @@ def test_table_of_another_shape_is_worth_nothing():
         assert mark("table", other) == 0
 
 
-def test_rows_of_the_first_joints_earn_half_of_their_share():
+def test_rows_of_first_joints_earn_half_their_share():
     assert mark("table", TABLE[:3]) == MISTAKE_SHARE * 3 / 4
 
 
@@ -339,7 +339,7 @@ def test_hints_show_no_number_and_no_right_entry(arm):
             assert not NUMBER.search(hint.replace("8000", "")), hint
 
 
-def test_hint_is_the_same_for_right_and_for_unknown_work():
+def test_hint_is_equal_for_right_and_unknown_work():
     right = mark_part(ELBOWS, "p", get_value("p").tolist())
     wrong = mark_part(ELBOWS, "p", (get_value("p") + 0.05).tolist())
     assert right.hint == wrong.hint

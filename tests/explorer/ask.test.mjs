@@ -29,23 +29,23 @@ for (const [fragment, words] of [
   });
 }
 
-test("other fragments hold no question", () => {
+test("other fragments contain no question", () => {
   assert.deepEqual(parseQuestionLink("#sec-check-table", ARMS), { question: null, message: "" });
   assert.deepEqual(parseQuestionLink("", ARMS), { question: null, message: "" });
 });
 
-test("a typed table says how it was read", () => {
+test("a typed table reports how it was read", () => {
   const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, 0, d2, 0" };
   assert.equal(findArm(own, []).reading, "columns a α d θ; the standard convention; lengths in m");
 });
 
-test("a typed table has the joint kinds of its variables", () => {
+test("a typed table takes joint kinds from its variables", () => {
   const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0" };
   const { rows } = findArm(own, []);
   assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
   assert.equal(rows[1].alpha, -Math.PI / 2);
   assert.equal(findArm({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta, Math.PI / 2);
-  const headed = "theta d(mm) a alpha(deg)\nq1 500 0 90\nq2 0 400 0"; // as its heads say, in their units
+  const headed = "theta d(mm) a alpha(deg)\nq1 500 0 90\nq2 0 400 0"; // by the column headers, in their units
   assert.deepEqual(findArm({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]), [[0, 0.5], [0.4, 0]]);
   for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "0, 0, 1000, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
     assert.throws(() => findArm({ ...own, table }, []), /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/);

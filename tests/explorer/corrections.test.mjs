@@ -11,7 +11,7 @@ import { EMPTY, findQuestionFault, judgeQuestion } from "../../page/src/check/qu
 
 const spanOf = (text, word) => ({ from: text.indexOf(word), to: text.indexOf(word) + word.length });
 
-test("a number is taken with its sign but not with a minus between numbers", () => {
+test("a span includes a sign but no subtraction", () => {
   const signOf = (text, digits) => {
     const { from, to } = includeSign(text, spanOf(text, digits));
     return text.slice(from, to);
@@ -22,18 +22,18 @@ test("a number is taken with its sign but not with a minus between numbers", () 
   );
 });
 
-test("the word of a number ends at blanks and separators", () => {
+test("a word ends at blanks and separators", () => {
   const text = "| 2 | **7.67l2**, 3";
   const { from, to } = includeWord(text, spanOf(text, "7.67"));
   assert.equal(text.slice(from, to), "**7.67l2**");
 });
 
-test("a number alone on its line is commented in place", () => {
+test("a lone number is commented in place", () => {
   const text = "1.5\n99\n2.5";
   assert.equal(putBehindHash(text, spanOf(text, "99")), "1.5\n# 99\n2.5");
 });
 
-test("a number among others moves behind a hash at the end of its line", () => {
+test("a number among several moves behind a hash", () => {
   const text = "1.5 99 2.5\n3 4 5";
   const once = putBehindHash(text, spanOf(text, "99 "));
   assert.equal(once, "1.5 2.5  # 99 \n3 4 5");
@@ -58,7 +58,7 @@ const VERDICT = {
   wrong: [false, true],
 };
 
-test("marks say the place and the value of each entry", () => {
+test("marks name position and value of each entry", () => {
   const answer = "1 | 1.5\n2 | -2\n99";
   const tokens = [
     { from: 0, to: 1, owner: "label" },
@@ -87,7 +87,7 @@ function describeTable(answer) {
   return marks.map(({ from, to, kind, isWrong, description }) => [answer.slice(from, to), kind, isWrong, description]);
 }
 
-test("each number of a table is an entry with its column or a label", () => {
+test("each number of a table is entry or label", () => {
   const answer = "i | a | alpha | d | theta\n1 | 0 | pi/2 | 0.5 | q1\n2 | 0.4 | 0 | 0 | q2\n3 | 0.35 | 0 | 0 | q3";
   const marks = describeTable(answer);
   assert.deepEqual(marks.slice(0, 5), [
@@ -101,7 +101,7 @@ test("each number of a table is an entry with its column or a label", () => {
   assert.deepEqual(wrong, [["0.35", "entry", true, "entry of row 3, a, read as 0.35 m, wrong"]]);
 });
 
-test("numbers of a table typed by columns are entries of their rows", () => {
+test("numbers of a table typed by columns belong to rows", () => {
   const marks = describeTable("theta | q1 | q2 | q3\nd | 0.5 | 0 | 0\na | 0 | 0.4 | 0.3\nalpha | 90 | 0 | 0");
   const twist = marks.find(([text]) => text === "90");
   const length = marks.find(([text]) => text === "0.3");
@@ -112,7 +112,7 @@ test("numbers of a table typed by columns are entries of their rows", () => {
 const wrongIn = (marks) =>
   marks.filter(([, , isWrong]) => isWrong).map(([text, , , description]) => [text, description]);
 
-test("numbers of link matrices say which entry they give", () => {
+test("numbers of link matrices name their entries", () => {
   const turn = (q, a) =>
     `cos(${q}) -sin(${q}) 0 ${a}*cos(${q})\nsin(${q}) cos(${q}) 0 ${a}*sin(${q})\n0 0 1 0\n0 0 0 1`;
   const first = "cos(q1) 0 sin(q1) 0\nsin(q1) 0 -cos(q1) 0\n0 1 0 0.5\n0 0 0 1";
@@ -126,7 +126,7 @@ test("numbers of link matrices say which entry they give", () => {
   ]);
 });
 
-test("numbers of a matrix that is no link matrix are marked", () => {
+test("numbers of other matrices are marked", () => {
   const link = "[[cos(q1), 0, sin(q1), 0], [sin(q1), 0, -cos(q1), 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]";
   const marks = describeTable(`${link}\n${link.replace("0, 1, 0, 0.5", "0, 2, 0, 0.5").replaceAll("q1", "q2")}`);
   assert.equal(marks.filter(([, kind]) => kind === "entry").length, 24);
@@ -163,7 +163,7 @@ test("numbers of parallel lists are entries of their rows", () => {
   );
 });
 
-test("a misspelt number is marked in the answer, not one of the pose", () => {
+test("a misspelt number is marked in the answer only", () => {
   const elbow = { key: "ELBOW", name: "Elbow arm", rows: ELBOW_ROWS, home: [0, 0, 0], values: [] };
   const rows = ["1 2 3", "4 5 6", "7 8 9", "1 2 3", "4 5 6", "7 8 9"];
   const question = { ...EMPTY, ask: "jacobian", arm: "ELBOW", q: "0.1 0.2 0.3", answer: rows.join("\n") };
@@ -175,7 +175,7 @@ test("a misspelt number is marked in the answer, not one of the pose", () => {
   assert.equal(outcome.tokens, undefined);
 });
 
-test("only a plain list is split into a grid of numbers", () => {
+test("only plain lists become a grid of numbers", () => {
   assert.deepEqual(splitNumbers(" [0.5, −pi/2; 3] "), ["0.5", "−pi/2", "3"]);
   assert.deepEqual(splitNumbers(""), []);
   for (const text of ["q1 = 0.5", "| 1 | 2 |", "np.array([1, 2])"]) assert.equal(splitNumbers(text), null, text);
@@ -193,7 +193,7 @@ function fakeStorage() {
 } // prettier-ignore
 const give = (storage) => Object.defineProperty(globalThis, "localStorage", { ...storage, configurable: true });
 
-test("each question keeps its last answer until all are cleared", () => {
+test("a question keeps its last answer until cleared", () => {
   give({ value: fakeStorage() });
   const memory = new AnswerMemory("check");
   const [first, second] = ["jacobian", "torques"].map((ask) => ({
@@ -212,7 +212,7 @@ test("each question keeps its last answer until all are cleared", () => {
   assert.equal(memory.load(first), null);
 });
 
-test("a browser that refuses its storage keeps nothing and raises nothing", () => {
+test("a refused storage keeps and raises nothing", () => {
   give({ get: () => { throw new Error("refused"); } }); // prettier-ignore
   const memory = new AnswerMemory("check");
   memory.save({ ...EMPTY, answer: "1" });

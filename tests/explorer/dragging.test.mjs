@@ -31,7 +31,7 @@ const line = (from, to, n = 12) =>
   Array.from({ length: n }, (_, i) => from.map((v, k) => v + ((i + 1) / n) * (to[k] - v)));
 
 for (const arm of ARMS) {
-  test(`${arm.name}: a tip dragged out of reach and back restores its joints`, () => {
+  test(`${arm.name}: dragging out of reach and back restores joints`, () => {
     const start = BENT[arm.name] ?? arm.home;
     const { o } = tip(arm, start);
     const far = [o[0] + 2, o[1] + 1, o[2] + 0.5];

@@ -21,7 +21,7 @@ const makeArm = (twist) => ({
   rows: [turn(0.15, Math.PI / 2, 0.4), turn(0.4, twist), turn(0.35, 0)],
 });
 
-test("the ellipses cross once for each way", () => {
+test("the ellipses cross once for each branch", () => {
   for (const twist of [0.7, 0.3, 0])
     for (const q of [
       [0.4, 0.5, 1],
@@ -34,7 +34,7 @@ test("the ellipses cross once for each way", () => {
     }
 });
 
-test("the ellipses do not cross where the place is out of reach", () => {
+test("the ellipses do not cross out of reach", () => {
   const [one, other] = sampleEllipses(makeArm(0.7), [2, 0, 0.4]);
   assert.deepEqual(findCrossings(one, other), []);
 });

@@ -1,4 +1,4 @@
-// Dropped files: text of common encodings is read, other files are refused.
+// Dropped files are read if they are text of a common encoding, and refused otherwise.
 
 import assert from "node:assert/strict";
 import test from "node:test";

@@ -24,7 +24,7 @@ test("combined causes join names and messages", () => {
   assert.equal(joinCauseMessages([two, combineCauses(TWO, ONE)]), causeMessage(two));
 });
 
-test("a sentence inside another starts in lower case", () => {
+test("a nested sentence starts in lower case", () => {
   const sentences = ["The sign", "A", "NM", "A_i is", "q_1 is", "It_is"];
   assert.deepEqual(sentences.map(uncapitalize), ["the sign", "a", "NM", "A_i is", "q_1 is", "it_is"]);
 });

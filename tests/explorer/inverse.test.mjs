@@ -55,14 +55,14 @@ function assertSame(arm, q) {
   const [closed, structured] = solveBoth(arm, q);
   const summary = (branches) => branches.map(({ free, times }) => `${free} ${times}`).sort();
   assert.deepEqual(summary(structured), summary(closed), `${arm.name} at ${q}`);
-  if (closed.some(({ free }) => free.some(Boolean))) return; // a free joint moves the others
+  if (closed.some(({ free }) => free.some(Boolean))) return; // a free joint moves the remaining joints
   for (const branch of closed) {
     const gaps = structured.map((other) => distance(onCircle(arm, branch), onCircle(arm, other)));
     assert.ok(Math.min(...gaps) < 1e-8, `${arm.name} at ${q}: ${branch.name}`);
   }
 }
 
-test("the arms here have a closed form of the chapters", () => {
+test("these arms have a closed form", () => {
   assert.deepEqual([ELBOW, STANFORD, WRIST, UR].map(findClosedForm), [
     "elbow",
     "stanford",
@@ -71,7 +71,7 @@ test("the arms here have a closed form of the chapters", () => {
   ]);
 });
 
-test("closed forms and structure give the same branches of random poses", () => {
+test("closed forms and structure agree at random poses", () => {
   const random = makeRandom(7);
   for (const arm of [ELBOW, STANFORD, WRIST, UR]) {
     for (let k = 0; k < 40; k++)
@@ -82,7 +82,7 @@ test("closed forms and structure give the same branches of random poses", () => 
   }
 });
 
-test("closed forms and structure give the same branches of singular poses", () => {
+test("closed forms and structure agree at singular poses", () => {
   const random = makeRandom(8);
   for (const arm of [ELBOW, STANFORD, WRIST]) {
     for (let k = 0; k < 50; k++)

@@ -59,7 +59,7 @@ test("a link refuses invalid runs", () => {
   }
 });
 
-test("a link refuses a run or a start that does not fit", () => {
+test("a link refuses an unsuitable run or start", () => {
   const run = "runs=euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_";
   for (const [part, fault] of [["run=2", /it plays a run that it does not have/], ["start=1,2", /its runs begin at joint values that the Panda does not have/]]) {
     const { patch, message } = read(`#arm=Panda&view=homework&${run}&${part}`);

@@ -26,7 +26,7 @@ test("fixed rows make the typed pose", () => {
   }
 });
 
-test("a 4x4 pose is read row by row, others are refused", () => {
+test("only a 4x4 pose is read row by row", () => {
   const { pose } = readPose("[[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]", "rad");
   assert.deepEqual([pose.x, pose.o], [[0, 1, 0], [0.1, 0.2, 0.3]]);
   assert.match(readPose("1 2 3", "rad").error, /3 numbers; expected x, y, z, roll, pitch, yaw/);
@@ -48,7 +48,7 @@ test("a pose with few decimals becomes the nearest rotation", () => {
   for (const cosine of ["0.87", "0.868"]) assert.match(readPose(turned(cosine), "rad").error, /no rigid pose/);
 });
 
-test("a base and a tool leave the joints their limits", () => {
+test("base and tool leave the joint limits unchanged", () => {
   const { pose } = readPose("0 0 0.5 0 30 0", "deg");
   const { rows } = makeTypedArm([...makePoseRows(pose), ...PANDA.rows, ...makePoseRows(pose)], PANDA);
   const limits = rows.filter(({ kind }) => kind !== "fixed").map(({ lower }) => lower);

@@ -10,7 +10,7 @@ import { ELBOW, STANFORD } from "./arms.mjs";
 
 const LINK = { from: [100, 0], to: [100, 200] }; // upright, 20 px thick
 
-test("a label at the end of its axis stays there if it is free", () => {
+test("a free label stays at its axis end", () => {
   assert.deepEqual(findLabelSpot([40, 50], 22, [], [LINK], 10), [40, 50]);
 });
 
@@ -19,7 +19,7 @@ test("a label on a link moves off it", () => {
   assert.ok(Math.abs(x - 100) > 19 && Math.hypot(x - 100, y - 100) <= 30);
 });
 
-test("a label beside another one does not cover it", () => {
+test("neighbouring labels do not overlap", () => {
   const labels = [{ spot: [40, 50], width: 22 }];
   const [x, y] = findLabelSpot([40, 50], 22, labels, [LINK], 10);
   assert.ok(Math.abs(x - 40) > 22 || Math.abs(y - 50) > 15);
@@ -40,7 +40,7 @@ test("the time axis has numbers with their unit", () => {
   assert.deepEqual(formatTimeTicks(5), ["0", "t = 2.5 s", "5 s"]);
 });
 
-test("keys stand for undo and redo", () => {
+test("keys trigger undo and redo", () => {
   const press = (key, keys = {}) => getStepOfKey({ key, ctrlKey: true, metaKey: false, shiftKey: false, ...keys });
   assert.deepEqual([press("z"), press("Z", { shiftKey: true }), press("y"), press("a")], ["undo", "redo", "redo", null]);
   assert.equal(press("y", { ctrlKey: false, metaKey: true }), "redo");

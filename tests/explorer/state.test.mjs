@@ -40,7 +40,7 @@ for (const [how, event] of [
   });
 }
 
-test("another radius resets the drawn circle", () => {
+test("a new radius resets the drawn circle", () => {
   const store = playing();
   store.dispatch({ type: "setCircle", radius: 0.2 });
   const { trace, wantedPath, progress, playing: on } = store.state;
@@ -48,13 +48,13 @@ test("another radius resets the drawn circle", () => {
   assert.deepEqual(store.state.circle, { normal: "x", radius: 0.2 });
 });
 
-test("moving a joint stops the play and keeps the path", () => {
+test("moving a joint stops playback and keeps the path", () => {
   const store = playing();
   store.dispatch({ type: "moveJoints", q: PANDA.home.map((v) => v + 0.2) });
   assert.deepEqual([store.state.playing, store.state.trace], [false, path]);
 });
 
-test("a play ends at the last pose of the trace", () => {
+test("playback ends at the last pose of the trace", () => {
   const store = playing();
   store.dispatch({ type: "seek", progress: 1 });
   store.state.q.forEach((v, k) => assert.ok(Math.abs(v - path[1][k]) < 1e-12));
@@ -105,7 +105,7 @@ test("a changed length keeps the limits, not the masses", () => {
   assert.match(describeTable(store.state, store.derived), /Its joints keep the limits of the Panda\.$/);
 });
 
-test("a changed angle drops the limits and says so", () => {
+test("a changed angle drops the limits with a message", () => {
   const store = start();
   store.dispatch({ type: "editTable", rows: changeRow(PANDA, 2, { theta: 0.1 }) });
   const { arm } = store.state;
@@ -113,7 +113,7 @@ test("a changed angle drops the limits and says so", () => {
   assert.match(describeTable(store.state, store.derived), /The limits of the Panda are not those of this table/);
 });
 
-test("a changed offset of a sliding joint drops the limits", () => {
+test("a changed offset of a slide drops the limits", () => {
   const store = start(STANFORD);
   store.dispatch({ type: "editTable", rows: changeRow(STANFORD, 2, { d: 0.1 }) });
   assert.ok(store.state.arm.rows.every(({ lower }) => lower === null));
@@ -186,7 +186,7 @@ test("undo restores the chosen run and edited runs", () => {
   assert.equal(store.state.runs, runs);
 });
 
-test("opening the homework records its start and no undo step", () => {
+test("opening the homework records only its start", () => {
   const store = start();
   store.dispatch({ type: "setFields", view: "homework" });
   const { arm, circle } = store.state;
@@ -221,7 +221,7 @@ test("undoing the choice of an arm restores its base", () => {
   assert.deepEqual([store.state.arm.name, store.state.base.name], [PANDA.name, PANDA.name]);
 });
 
-test("the starting run takes the circle of the arm's data", () => {
+test("the starting run uses the arm's own circle", () => {
   const base = { ...PANDA, circle: { normal: "y", seconds: 20 } };
   assert.deepEqual(makeStartingRun(base, base), { ...DEFAULT_RUN, normal: "y", seconds: 20 });
   assert.equal(makeStartingRun({ ...base, rows: base.rows.slice(1) }, base), null);

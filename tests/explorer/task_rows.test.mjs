@@ -16,14 +16,14 @@ const SCARA = { name: "scara", home: [0, 1, 0.1, 0], rows: [link(0.3), link(0.2,
 
 const rankAt = (arm, q) => describeRank(new Store(makeInitialState({ arm, q })).derived);
 
-test("an arm is solved for the motions that it has", () => {
+test("an arm is solved for its possible motions", () => {
   const rows = [TWO, THREE, UPRIGHT, SCARA, ELBOW, STANFORD, PANDA].map(taskRows);
   const all = [0, 1, 2, 3, 4, 5];
   assert.deepEqual(rows, [[0, 1], [0, 1, 5], [0, 2, 4], [0, 1, 2, 5], [0, 1, 2], all, all]);
   assert.deepEqual([TWO, THREE, UPRIGHT, SCARA, ELBOW].map(isPlanar), [true, true, true, false, false]);
 });
 
-test("a bent planar arm is not singular, a straight one is", () => {
+test("only a straight planar arm is singular", () => {
   assert.deepEqual(rankAt(THREE, [0.3, 0.5, -0.4]), { singular: false, text: "Rank 3: the tip can move along every direction of its plane and turn in it." });
   assert.equal(rankAt(TWO, [0.3, 0]).singular, true);
   assert.match(rankAt(TWO, [0, 0]).text, /rank 1 of 2. Here the tip cannot move along x/);

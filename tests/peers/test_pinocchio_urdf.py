@@ -60,7 +60,7 @@ ARMS = {
     ),
 }  # fmt: skip
 
-# Arms of robots with several chains: file, base link, tip link. All other joints stay at 0.
+# Arms of robots with several chains: file, base link, tip link. The remaining joints stay at 0.
 LIMBS = {
     "Talos": ("talos_data/robots/talos_reduced.urdf", "base_link", "gripper_left_base_link"),
     "Tiago": ("tiago_description/robots/tiago_no_hand.urdf", "base_footprint", "arm_tool_link"),
