@@ -131,6 +131,9 @@ function mapHalves(J, convert, halves) {
 export const transpose = (flat, [rows, width]) =>
   flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
+/** Return column k of a matrix that is given row by row. @template T @param {T[]} flat */
+export const selectColumn = (flat, k, width) => flat.filter((_, i) => i % width === k);
+
 /** Join the linear rows of a Jacobian with the angular rows of a second one. */
 export const joinHalves = (linear, angular) => [
   ...linear.slice(0, linear.length / 2),

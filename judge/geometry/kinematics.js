@@ -80,6 +80,10 @@ function keptByRows(make) {
 export const movingRows = keptByRows((rows) =>
   rows.flatMap(({ kind }, i) => (kind === "fixed" ? [] : [i])),
 );
+/** Return the indices, from 0, of the rows that do not move. @type {(arm: Rows) => number[]} */
+export const fixedRows = keptByRows((rows) =>
+  rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : [])),
+);
 /** Return the joints' numbers, counted from 1. @type {(arm: Rows) => number[]} */
 export const jointNumbers = keptByRows((rows) => movingRows({ rows }).map((i) => i + 1));
 /** Return for each joint whether it is revolute. @type {(arm: Rows) => boolean[]} */

@@ -1,6 +1,12 @@
 // Reads the numbers that a reader types, or that Python holds.
 
-import { movingRows, jointNumbers, revoluteFlags, jointNames } from "../geometry/kinematics.js";
+import {
+  fixedRows,
+  movingRows,
+  jointNumbers,
+  revoluteFlags,
+  jointNames,
+} from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { findAnswer, NoFitError } from "./answers.js";
@@ -231,7 +237,7 @@ export function ofMoving(typed, arm) {
  * @param {Arm} arm @param {number[]} values one for each row of the arm, pose after pose
  */
 export function setAside({ rows }, values) {
-  const locked = rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
+  const locked = fixedRows({ rows });
   const theirs = values.filter((_, k) => locked.includes(k % rows.length));
   const shown = [...new Set(theirs.map((x) => formatNumber(x, 6)))];
   return formatMessage("taken: locked", {

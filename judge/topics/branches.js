@@ -3,6 +3,7 @@
 import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
 import { causeName, causeMessage } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
+import { isOutsideLimits } from "../geometry/arm.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { solveTarget } from "../geometry/target.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
@@ -191,11 +192,10 @@ function noteOutOfRange({ arm, branches }, hits) {
   if (!isPartial(branches, hits)) return [];
   const missing = branches.filter((_, b) => !hits.has(b));
   const turns = revoluteFlags(arm);
-  const beyond = movingRows(arm).flatMap((row, k) => {
-    const { lower, upper } = arm.rows[row];
-    const isInside = (x) => (lower ?? -Infinity) <= x && x <= (upper ?? Infinity);
-    return turns[k] || missing.some(({ q }) => isInside(q[k])) ? [] : [jointNames(arm)[k]];
-  });
+  const rows = movingRows(arm).map((row) => arm.rows[row]);
+  const beyond = jointNames(arm).filter(
+    (_, k) => !turns[k] && missing.every(({ q }) => isOutsideLimits(rows[k], q[k])),
+  );
   return beyond.length ? [formatMessage("ik out of range", { joints: joinList(beyond) })] : [];
 }
 

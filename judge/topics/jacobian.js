@@ -11,7 +11,7 @@ import { causeName, joinCauseMessages } from "../causes/ranking.js";
 import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
-import { norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
+import { fixedRows, norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
 import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task_rows.js";
 import { lookup, numbers, pose } from "../reading/numbers.js";
@@ -266,7 +266,7 @@ function reportRight({ grade, how, wrong }, typed, arm, half) {
   const keys = { [RIGHT]: half === null ? "J right" : "J half right", [SO_FAR]: "J so far" };
   const width = typed.shape[1];
   const roundedColumns = jointNumbers(arm).flatMap((_, k) =>
-    selectColumn(wrong, k, width).includes(true)
+    chains.selectColumn(wrong, k, width).includes(true)
       ? [formatMessage("column", { column: k + 1 })]
       : [],
   );
@@ -305,14 +305,12 @@ function reportWrong(causes, findWrongColumns, arm) {
   return makeJacobianVerdict(arm, WRONG, headline, { findings });
 }
 
-const selectColumn = (list, k, width) => list.filter((_, i) => i % width === k);
-
 // Describe each wrong column. It is that of a different joint, or wrong in some rows.
 function listWrongColumns({ values, units, shape }, columns, wrong, arm, rowNames) {
   const width = shape[1];
   return jointNumbers(arm).flatMap((joint, k) => {
     const [isWrong, typedValues, typedUnits] = [wrong, values, units].map((list) =>
-      selectColumn(list, k, width),
+      chains.selectColumn(list, k, width),
     );
     if (!isWrong.includes(true)) return [];
     const fits = (entries) => agrees({ values: typedValues, units: typedUnits }, entries);
@@ -331,14 +329,15 @@ function listWrongColumns({ values, units, shape }, columns, wrong, arm, rowName
 
 // Return each joint's number and column in the chosen frame, then those that locked joints would
 // have if they could turn.
+/** @returns {[number, number[]][]} */
 function computeAllColumns(arm, q, frame) {
   const chain = chains.makeChain(arm, q);
   const T = chains.chainFrames(chain);
-  const locked = arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [i] : []));
+  const locked = fixedRows(arm);
   const unlocked = { ...chain, at: locked, turns: locked.map(() => true), dof: locked.length };
   return [chain, unlocked].flatMap((c) => {
     const J = chains.flatJacobian(c, T);
     const rotated = frame ? chains.rotateIntoFrame(J, T[frame]) : J;
-    return c.at.map((i, k) => [i + 1, selectColumn(rotated, k, c.dof)]);
+    return c.at.map((i, k) => [i + 1, chains.selectColumn(rotated, k, c.dof)]);
   });
 }

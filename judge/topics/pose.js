@@ -6,6 +6,7 @@ import { combineCauses, makeCause, causeName, joinCauseMessages } from "../cause
 import { listTableMistakes } from "../causes/chain.js";
 import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
+import { isOutsideLimits } from "../geometry/arm.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
 import { findClosedForm, needsPose } from "../geometry/inverse.js";
 import { orthonormalize, solveTarget } from "../geometry/target.js";
@@ -16,7 +17,7 @@ import {
   minus,
   norm,
   jointNames,
-  jointNumbers,
+  movingRows,
   rotationBetween,
 } from "../geometry/kinematics.js";
 import { describeMiss } from "../matching.js";
@@ -241,10 +242,7 @@ function listWrongEntries(T, wrong) {
 }
 
 function* noteBeyondLimits(arm, { values }) {
-  const beyond = jointNumbers(arm).flatMap((row, k) => {
-    const { lower, upper } = arm.rows[row - 1];
-    const isInside = (lower ?? -Infinity) <= values[k] && values[k] <= (upper ?? Infinity);
-    return isInside ? [] : [jointNames(arm)[k]];
-  });
+  const rows = movingRows(arm).map((row) => arm.rows[row]);
+  const beyond = jointNames(arm).filter((_, k) => isOutsideLimits(rows[k], values[k]));
   if (beyond.length) yield formatMessage("beyond limits", { joints: joinList(beyond) });
 }

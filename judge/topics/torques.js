@@ -10,7 +10,7 @@ import {
 import { causeName, joinCauseMessages } from "../causes/ranking.js";
 import { RIGHT, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
-import { transpose } from "../geometry/chains.js";
+import { selectColumn, transpose } from "../geometry/chains.js";
 import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
 import {
@@ -263,11 +263,10 @@ function reportZeroTorques(causes, arm) {
 }
 
 const nameJoint = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
-const selectJoint = (list, k, dof) => list.filter((_, i) => i % dof === k);
 const listWrongJoints = (wrong, arm) => {
   const dof = movingRows(arm).length;
   return jointNumbers(arm).flatMap((_, k) =>
-    selectJoint(wrong, k, dof).includes(true) ? [k] : [],
+    selectColumn(wrong, k, dof).includes(true) ? [k] : [],
   );
 };
 
@@ -299,7 +298,7 @@ function reportWrongTorques(causes, wrong, typed, expected, arm) {
 function describeWrongJoint(arm, k, typed, expectedTorques) {
   const dof = movingRows(arm).length;
   const [actual, expected] = [typed.values, expectedTorques].map((list) =>
-    selectJoint(list, k, dof),
+    selectColumn(list, k, dof),
   );
   const largestError = Math.max(...subtractEach(actual, expected).map(Math.abs));
   const isNegated = actual.every(

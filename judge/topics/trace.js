@@ -5,6 +5,7 @@ import { askAboutDegrees } from "./degrees.js";
 import {
   cross,
   dot,
+  fixedRows,
   movingRows,
   linkFrames,
   minus,
@@ -12,6 +13,7 @@ import {
   rotationBetween,
 } from "../geometry/kinematics.js";
 import { DEG, RAD } from "../geometry/angles.js";
+import { pick } from "../geometry/task_rows.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { jointShapes, numbers, asDegrees, rowsOf, setAside } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
@@ -23,7 +25,7 @@ import {
   measureStep,
   removeWholeTurns,
 } from "./trace_steps.js";
-import { blurOf, isDriftOfEuler, unitsWithoutTrimming } from "./trace_units.js";
+import { boundTipError, isDriftOfEuler, unitsWithoutTrimming } from "./trace_units.js";
 import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import {
   followsPathByEuler,
@@ -86,7 +88,7 @@ function judgeTypedTrace(typed, arm, path, options = {}) {
   if (!read) return reportWrongShape(typed, arm, path);
   const trajectory = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const { q, units, unit, taken } = trajectory;
-  const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, units[k], arm));
+  const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
   if (unit === "rad" && followsOnlyInDegrees(trajectory, arm, path, allowed))
     return reportCause(arm, makeCause("trace.degrees"), [], taken, {});
   const verdict = judgeTrajectory(trajectory, arm, path, allowed, tolerance !== null);
@@ -147,9 +149,7 @@ function arrangeBySteps(typed, arm, count, unit) {
   }
   if (hasLockedColumns(rows, arm)) {
     taken.push(setAside(arm, rows.flat()));
-    [rows, units] = [rows, units].map((list) =>
-      list.map((row) => row.filter((_, i) => arm.rows[i].kind !== "fixed")),
-    );
+    [rows, units] = [rows, units].map((list) => list.map((row) => pick(row, movingRows(arm))));
   }
   const first = rows.map(([x]) => x);
   const isTime = first.every((x) => !x) || first.slice(1).every((x, k) => x - first[k] > 0);
@@ -164,7 +164,7 @@ function arrangeBySteps(typed, arm, count, unit) {
 
 // Return whether rows include constant values of the locked joints.
 function hasLockedColumns(rows, arm) {
-  const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
+  const locked = fixedRows(arm);
   const isConstant = (i) => rows.every((row) => row[i] === rows[0][i]);
   return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
 }
