@@ -18,7 +18,7 @@ import { listTableMistakes } from "./chain.js";
 /** @typedef {import("../matching.js").Solutions} Solutions */
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 
-const COARSEST_DIGIT = 0.0175; // rad or m: with a coarser one some mistake would fit anything
+const COARSEST_DIGIT = 0.0175; // rad or m: with coarser digits some mistake would fit any answer
 const QUARTER = Math.PI / 2;
 const NUDGE = 1e-6; // rad or m: a difference for a derivative
 
@@ -48,8 +48,8 @@ export function explainWrongAnswer(right, answer, number, tolerance) {
   };
 }
 
-// Explain joint values by a mix of two branches, by one mistake, or by one mistake with a wrong
-// shoulder; if none fits, name the joints that occur in no branch.
+// Explain joint values by a mix of two branches, by a single mistake, or by a single mistake with a
+// wrong shoulder. If nothing fits, name the joints that occur in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
 function findBranchCauses(right, answer, tolerance) {
   const fits = matchJointsByBranch(right, answer, tolerance);
@@ -62,7 +62,7 @@ function findBranchCauses(right, answer, tolerance) {
   return { causes: [], words: formatMessage(key, { joints: joinList(strayJoints) }) };
 }
 
-// Add slip 12 to a mix of branches: in a planar arm both give the other elbow's second angle.
+// Add slip 12 to a mix of branches, since in a planar arm both give the other elbow's second angle.
 function addElbowFormula(mixed, right, answer, tolerance) {
   const [elbow] = listJointMistakes(right.arm).filter(([{ keys }]) =>
     keys.includes("ik.plus for minus"),
@@ -87,8 +87,8 @@ export const looksLikeMistake = (right, answer) =>
     }),
   );
 
-// List the mistakes without which an answer would equal a branch or reach the target by another
-// table; if there are none, those without which only the shoulder would differ.
+// List the mistakes without which an answer would equal a branch or reach the target by a wrong
+// table. If there are none, list those without which only the shoulder would differ.
 function listCauses(right, answer, tolerance) {
   const undone = [...listJointMistakes(right.arm), ...listQuarterTurns(right, answer)]
     .map(([cause, undo]) => ({ cause, corrected: undoMistake(answer, undo) }))
@@ -133,7 +133,8 @@ const exceedsDigits = ({ arm }, { values, units }, corrected) => {
 };
 
 /**
- * List theta_1 = +-pi/2 kept from the singular case of an offset shoulder: slips 14 and 15.
+ * List theta_1 = +-pi/2, which is right only in the singular case of an offset shoulder (slips 14
+ * and 15).
  * @returns {[Cause, (q: number[]) => number[]][]}
  */
 function listQuarterTurns({ branches }, { values: [first], units: [unit] }) {
@@ -144,14 +145,15 @@ function listQuarterTurns({ branches }, { values: [first], units: [unit] }) {
   ]);
 }
 
-// Return whether an answer is a branch with the first joint of another: report E's list, chapter 5.
+// Return whether an answer is a branch with the first joint of a different branch. Chapter 5 has an
+// example, the list of report E.
 const isOnlyShoulderWrong = (fits) =>
   fits[0].length > 2 &&
   fits.some(([first]) => first) &&
   fits.some(([first, ...rest]) => !first && rest.every(Boolean));
 
-// Explain an answer whose every joint occurs in some branch: name the branch with most of its
-// joints, and one that has the others; null if a joint occurs in none.
+// Explain an answer in which every joint occurs in some branch. Name the branch with most of its
+// joints, and a branch that has the others. The result is null if a joint occurs in no branch.
 /** @returns {{ causes: Cause[], words: string } | null} */
 function explainMixedBranches({ arm, branches }, fits) {
   const names = jointNames(arm);

@@ -1,6 +1,6 @@
-// Mistakes in an arm's table or in its joint values, whatever is computed from them. Each is a
-// function that changes a chain. The comments say where a mistake was seen: a slip of homework.md
-// by its number, or work that was handed in.
+// Lists mistakes in an arm's table and in its joint values, whatever is computed from them. Each is
+// a function that changes a chain. The comments name where a mistake was seen, which is a slip of
+// homework.md by its number, or work that was handed in.
 
 import { DEG, RAD } from "../geometry/angles.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
@@ -13,7 +13,7 @@ import { makeCause } from "./ranking.js";
 /** @typedef {import("../geometry/chains.js").Chain} Chain */
 /** @typedef {import("./ranking.js").Cause} Cause */
 /**
- * A mistake, and what it makes of a chain.
+ * The cause of a mistake, and the function that changes a chain by it.
  * @typedef {[Cause, (c: Chain) => Chain]} ChainMistake
  */
 
@@ -30,7 +30,7 @@ const changeRows = (change) => (c) => ({
   rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })),
 });
 
-/** Lengths of another arm or another length. @param {Arm} arm @returns {Generator<ChainMistake>} */
+/** List lengths of similar arms or parts. @param {Arm} arm @returns {Generator<ChainMistake>} */
 function* listOtherLengths({ penless, alike = [], robots = [] }) {
   if (penless) {
     // handed in: the pen left out, and the pen taken away
@@ -105,9 +105,9 @@ function listRowMistakes(row, index) {
 }
 
 /**
- * List mistakes in the joint values: degrees for radians or the reverse, the maker's signs, the
- * sign of one joint, and one joint in degrees, in millimetres or converted once too often. All
- * handed in.
+ * List mistakes in the joint values. All joints may be in degrees for radians or the reverse, or
+ * have the maker's signs. A single joint may have the wrong sign, or be in degrees, in millimetres
+ * or converted once too often. All were handed in.
  * @param {string} degreesKey of the message on degrees
  * @param {Arm} arm
  * @returns {ChainMistake[]}

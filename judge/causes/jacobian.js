@@ -1,6 +1,6 @@
-// Mistakes in a Jacobian: in the table or q that it is made from (`change`), in the recipe
-// (`recipe`), and in how it is written down (`write`). The comments say where a mistake was seen: a
-// slip of homework.md by its number, a chapter, or work that was handed in.
+// Lists mistakes in a Jacobian. They are in its table or q (`change`), in the recipe (`recipe`), or
+// in how it is written down (`write`). The comments name where a mistake was seen, which is a slip
+// of homework.md by its number, a chapter, or work that was handed in.
 
 import { jointNumbers } from "../geometry/kinematics.js";
 import { DEG, RAD } from "../geometry/angles.js";
@@ -16,7 +16,7 @@ import { combineCauses, makeCause } from "./ranking.js";
 /** @typedef {(c: Chain, T: Frame[]) => number[]} Recipe makes a Jacobian of a chain */
 /** @typedef {(J: number[], T: Frame[]) => number[]} Writing changes a finished Jacobian */
 /**
- * One mistake: the step that it changes.
+ * A mistake in a Jacobian, with the step that it changes.
  * @typedef {{ cause: Cause, change?: (c: Chain) => Chain, recipe?: Recipe, write?: Writing }}
  *   JacobianStep
  */
@@ -69,7 +69,7 @@ export const listSingleMistakes = (arm, frame, steps) =>
   steps.map((step) => ({ cause: step.cause, make: makeJacobian(arm, frame, step) }));
 
 /**
- * List Jacobians with one column copied from the one beside it.
+ * List Jacobians with a column that is a copy of a neighbouring column.
  * @param {Arm} arm @returns {Generator<Mistake>}
  */
 export function* listCopiedColumns(arm, frame) {
@@ -86,7 +86,7 @@ export function* listCopiedColumns(arm, frame) {
 }
 
 /**
- * List pairs of mistakes, of which at most one is in the recipe.
+ * List pairs of mistakes with at most a single mistake in the recipe.
  * @param {Arm} arm @param {JacobianStep[]} steps @returns {Generator<Mistake>}
  */
 export function* listMistakePairs(arm, frame, steps) {
@@ -116,8 +116,8 @@ const composeFunctions = (first, second) =>
   first && second ? (x, T) => second(first(x, T), T) : (first ?? second);
 
 /**
- * List the recipes with one step done otherwise. Judges of Jacobians, torques and trajectories use
- * this list.
+ * List the recipes with a wrong step. The judges of Jacobians, torques and trajectories use this
+ * list.
  * @param {Chain} c @returns {Generator<[Cause, Recipe]>}
  */
 export function* listJacobianRecipes(c) {
@@ -187,8 +187,9 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
 }
 
 /**
- * List rates of angles instead of the angular velocity (Siciliano et al., Robotics, 3.6): of ZYZ
- * angles, and of roll, pitch and yaw in both orders. None if these angles are singular.
+ * List rates of angles in place of the angular velocity (Siciliano et al., Robotics, 3.6). They are
+ * rates of ZYZ angles, and of roll, pitch and yaw in both orders. Singular angles give no such
+ * mistake.
  * @param {number} dof @returns {Generator<[Cause, Writing]>}
  */
 function* listAngleRates(dof) {
@@ -205,12 +206,12 @@ function* listAngleRates(dof) {
   yield [makeCause("J.rpy rates"), withRates((T, w) => computeRollPitchYawRates(T, w).reverse())];
 }
 
-const SINGULAR = 1e-6; // sine of the middle angle: below it the rates are not defined
+const SMALLEST_SINE = 1e-6; // of the middle angle; below it the rates are not defined
 
 // Return (phi, theta, psi) of Rz(phi) Ry(theta) Rz(psi).
 function computeZyzRates({ z }, omega) {
   const sine = Math.hypot(z[0], z[1]);
-  if (sine < SINGULAR) return omega;
+  if (sine < SMALLEST_SINE) return omega;
   const [c, s] = [z[0] / sine, z[1] / sine];
   const psi = (c * omega[0] + s * omega[1]) / sine;
   return [omega[2] - z[2] * psi, c * omega[1] - s * omega[0], psi];
@@ -219,14 +220,14 @@ function computeZyzRates({ z }, omega) {
 // Return (roll, pitch, yaw) of Rz(yaw) Ry(pitch) Rx(roll).
 function computeRollPitchYawRates({ x }, omega) {
   const cosine = Math.hypot(x[0], x[1]);
-  if (cosine < SINGULAR) return omega;
+  if (cosine < SMALLEST_SINE) return omega;
   const [c, s] = [x[0] / cosine, x[1] / cosine];
   const roll = (c * omega[0] + s * omega[1]) / cosine;
   return [roll, c * omega[1] - s * omega[0], omega[2] - x[2] * roll];
 }
 
 /**
- * List the same Jacobian in the axes of another frame, the tool's or the base's.
+ * List the same Jacobian in the axes of the wrong frame, the tool's or the base's.
  * @param {Arm} arm @returns {Generator<[Cause, Writing]>}
  */
 function* listFrameMistakes({ rows }, frame) {

@@ -1,6 +1,6 @@
-// Mistakes in joint values, undone: each function returns the joint values that the student would
-// have had without the mistake. The comment behind each says where the mistake was seen: a slip of
-// homework.md by its number, or work that was handed in.
+// Lists mistakes in joint values. The function of each mistake returns the joint values that the
+// student would have had without it. The comment behind each names where the mistake was seen,
+// which is a slip of homework.md by its number, or work that was handed in.
 
 import { cosSin, jointNames, revoluteFlags } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
@@ -9,7 +9,7 @@ import { joinList } from "../sentences.js";
 import { makeCause } from "./ranking.js";
 
 const QUARTER = Math.PI / 2;
-/** Mistakes in one angle, commoner first. @type {[string, (x: number) => number][]} */
+/** Mistakes in a single angle, the commonest first. @type {[string, (x: number) => number][]} */
 const ANGLE_MISTAKES = [
   ["ik.sign", (x) => -x], // slip 22: one sign of acos
   ["ik.joint degrees", (x) => x * RAD], // handed in
@@ -51,10 +51,10 @@ function* listMistakesInAllJoints(arm) {
   if (signs) yield [makeMakersCause(arm), (q) => q.map((x, k) => signs[k] * x)];
 }
 
-/** The cause for joints that the maker counts the other way. @param {Arm} arm */
+/** Make the cause for joints that the maker counts in the opposite direction. @param {Arm} arm */
 export function makeMakersCause(arm, key = "ik.makers signs") {
-  const turned = jointNames(arm).filter((_, k) => arm.makerSigns[k] < 0);
-  return makeCause(key, { _joints: joinList(turned.map((name) => name.slice(2))) });
+  const reversed = jointNames(arm).filter((_, k) => arm.makerSigns[k] < 0);
+  return makeCause(key, { _joints: joinList(reversed.map((name) => name.slice(2))) });
 }
 
 /** @param {Arm} arm @returns {Generator<JointMistake>} */
@@ -62,7 +62,8 @@ function* listMistakesInOneJoint(arm) {
   const turns = revoluteFlags(arm);
   const names = jointNames(arm);
   yield* listElbowFormulaMistakes(arm);
-  // A sign of one joint is commoner than half a turn of another, which may give the same position.
+  // A wrong sign is tried before half a turn of a different joint, which may give the same position
+  // and is rarer.
   for (const n of ANGLE_MISTAKES.keys())
     for (const [k, joint] of names.entries()) {
       const [key, undo] = (turns[k] ? ANGLE_MISTAKES : SLIDE_MISTAKES)[n] ?? [];

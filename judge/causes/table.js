@@ -1,5 +1,6 @@
-// Finds the mistakes that make a table another arm: it tries each correction of the rows against
-// each arm that the student may have described, and keeps those that leave the fewest mistakes.
+// Finds the mistakes in a table that does not describe the reference. It compares each correction
+// of the rows with each arm that the student may have described, and keeps the corrections that
+// leave the fewest mistakes.
 
 import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
 import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geometry/rows.js";
@@ -14,8 +15,8 @@ import { combineCauses, makeCause } from "./ranking.js";
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 
 /**
- * A supposed mistake: its cause, the corrected rows, the arm they are compared with, and the
- * differences that remain. These are entries, as row and column, or else axes.
+ * A supposed mistake. It has a cause, the corrected rows, the arm with which they are compared, and
+ * the remaining differences of entries, as row and column, or of axes.
  * @typedef {{ cause: Cause | null, rows: TableRow[], reference: TableRow[],
  *   differences: ([number, string] | Difference)[] }} Hypothesis
  */
@@ -25,11 +26,11 @@ import { combineCauses, makeCause } from "./ranking.js";
  * @typedef {[Cause | null, (rows: TableRow[]) => TableRow[], boolean?]} Correction
  */
 
-const MAX_ENTRIES = 3; // a table with more wrong entries is another table
+const MAX_ENTRIES = 3; // a table with more wrong entries is compared by its axes
 
 /**
- * Find the hypotheses with the fewest mistakes, where a remaining difference counts as one. Of
- * several that leave differences only one is returned, preferably one that leaves entries.
+ * Find the hypotheses with the fewest mistakes. A remaining difference counts as a mistake. Of
+ * several hypotheses that leave differences only the first is returned, preferably with entries.
  * @param {TableRow[]} rows as typed
  * @param {import("../geometry/arm.js").Arm} reference
  * @param {TableRow[]} expected rows of the reference, with snapped angles
@@ -147,8 +148,8 @@ const exchangeRows = (i, j) => [
 ];
 
 /**
- * Exchange two lengths of a column: with their signs, and so that each row keeps its sign. None if
- * the rows differ in nothing else, since then the rows are exchanged.
+ * Exchange two lengths of a column, with their signs and without. Rows that differ in nothing else
+ * are left out, since then the rows are exchanged.
  * @param {TableRow[]} typedRows @param {number} i @param {number} j
  * @returns {Generator<Correction>}
  */
@@ -172,12 +173,12 @@ function* exchangeLengths(typedRows, i, j) {
   }
 }
 
-// Move a and alpha, typed one row too high, down by a row.
+// Move a and alpha down by a row, for a table in which they were typed a row too high.
 const lowerLinkColumns = (rows) =>
   rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));
 
-// List other arms that a student may have described: without the pen, with one length taken for
-// another, or another robot of nearly the same name.
+// List other arms that a student may have described. They lack the pen, take a length for a
+// different length, or are a robot with a similar name.
 /** @returns {[Cause, TableRow[]][]} */
 const listOtherArms = (arm) => [
   ...(arm.penless ? [[makeCause("table.pen"), arm.penless.rows]] : []),

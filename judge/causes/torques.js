@@ -1,6 +1,7 @@
-// Mistakes in joint torques tau = g(q) - J^T F: in the load (table, q or masses), in the weight g,
-// in the force J^T F, and in how torques are written down. The comments say where a mistake was
-// seen: a slip of homework.md by its number, a section of it, or work that was handed in.
+// Lists mistakes in joint torques tau = g(q) - J^T F. They are in the load (table, q or masses), in
+// the weight g, in the force J^T F, or in how torques are written down. The comments name where a
+// mistake was seen, which is a slip of homework.md by its number, a section of it, or work that was
+// handed in.
 
 import * as chains from "../geometry/chains.js";
 import { jointNumbers, movingRows, plus, scaled } from "../geometry/kinematics.js";
@@ -25,11 +26,11 @@ import { combineCauses, makeCause } from "./ranking.js";
  * @property {number[][]} centres of mass in the frame of each row (m)
  */
 /**
- * A load at one pose: its frames and the wrench there.
+ * A load at a pose, with the frames and the wrench there.
  * @typedef {Load & { T: Frame[], F: number[] }} LoadAtPose
  */
 /**
- * One mistake: the step that it changes of load, weight, force and writing.
+ * A mistake in torques, with the step of load, weight, force and writing that it changes.
  * @typedef {object} TorqueStep
  * @property {import("./ranking.js").Cause} cause
  * @property {(load: Load) => Load} [change]
@@ -209,7 +210,7 @@ const moveCentres =
       return chains.changeFrame(frame, T[row + 1], centre);
     });
 
-// Compute the torque of each joint's own link, without those behind it.
+// Compute for each joint the torque of its own link alone, without the links after it.
 function computeOwnLinkTorques(at) {
   const alone = at.masses.map((_, i) => at.masses.map((mass, k) => (k === i ? mass : 0)));
   return at.c.at.map((row, k) => computeWeight({ ...at, masses: alone[row] })[k]);
@@ -283,7 +284,7 @@ function* listBodyMistakes(arm, load) {
   yield* listCentreMistakes(arm, load, makeBodyMistake);
   if (arm.lumped) {
     const { report, links, gravity } = arm.lumped;
-    // Other links keep what another mistake made of them.
+    // In a pair of mistakes, the links that are not lumped keep the masses of the first mistake.
     const isLumped = arm.lumped.bodies.map(([mass], k) => mass !== load.masses[k]);
     const lumpLinks = (at) => ({
       ...at,
@@ -333,7 +334,8 @@ function* listMassMistakes(arm, load, makeBodyMistake) {
   }
 }
 
-// Move a list by a row: entry k + step takes the place of entry k, and `end` that of a missing one.
+// Move a list by `step` rows. Entry k + step takes the position of entry k, and `end` fills the
+// gap.
 const moveList = (list, step, end) => list.map((_, k) => list[k + step] ?? end);
 
 function* listCentreMistakes(arm, { centres: all, masses }, makeBodyMistake) {
@@ -351,15 +353,16 @@ function* listCentreMistakes(arm, { centres: all, masses }, makeBodyMistake) {
   ])
     yield makeBodyMistake("tau.centres moved", withCentres(moveList(all, step, end)));
   for (const { name, other, rows } of arm.alike ?? []) {
-    // handed in: a centre in the paper's frame less the other length
+    // handed in: a centre in the paper's frame minus the wrong length
     const shifted = all.map(([x, y, z], i) => [x + arm.rows[i].a - rows[i].a, y, z]);
     yield makeBodyMistake("tau.centres other length", withCentres(shifted), { name, other });
   }
 }
 
 /**
- * List centres of mass in the frame before or after their link's own: T_0 counts as frame 1 or is
- * left out of the list of frames. With torques from P by g = dP/dq the link moves with that frame.
+ * List centres of mass in the frame before or after their link's frame. Somebody counts T_0 as
+ * frame 1 or leaves it out of the list of frames. With torques from P by g = dP/dq the link moves
+ * with that frame.
  */
 function* listFrameMistakes({ centres, masses }, makeBodyMistake) {
   for (const [key, shift] of /** @type {const} */ ([

@@ -1,7 +1,15 @@
-// Finds the mistake that explains a wrong trajectory: in its path, or in the loop that computed it.
+// Finds the mistake that explains a wrong trajectory. It is in the path or in the loop that
+// computed the trajectory.
 
 import { DEG } from "../geometry/angles.js";
-import { linkFrames, minus, norm, rotationBetween, scaled } from "../geometry/kinematics.js";
+import {
+  jacobianColumns,
+  linkFrames,
+  minus,
+  norm,
+  rotationBetween,
+  scaled,
+} from "../geometry/kinematics.js";
 import { subtractEach, nullSpace } from "../geometry/linear.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { listJacobianRecipes } from "./jacobian.js";
@@ -23,21 +31,26 @@ const FINE = 1e-5; // share of the joint motion: constants of a program have dig
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/path.js").Path} Path */
 /**
- * The equation that the student's loop solves: K(q_k) (q_{k+1} - q_k) = (v(t_k) dt, 0 ...). In the
- * right one K is the Jacobian, as a list row by row, and v the path's velocity.
+ * The equation K(q_k) (q_{k+1} - q_k) = (v(t_k) dt, 0 ...) that the student's loop solves. In the
+ * right equation K is the Jacobian, as a list row by row, and v the path's velocity.
  * @typedef {object} Rule
- * @property {Cause} [cause] the mistake in it
+ * @property {Cause} [cause] the mistake in the equation
  * @property {(c: any, T: any[]) => number[]} [K] of an arm at a pose
  * @property {(t: number, dt: number) => number[]} [v]
  */
 /**
- * A trajectory: joint values, those that were typed before jumps by whole turns were removed, units
- * of their last places, and the chain and frames at row k, which may lie half way between two rows.
- * @typedef {{ q: number[][], typedRows: number[][], units: number[][], arm: any, path: Path,
- *   at: (k: number) => [any, any[]] }} Run
+ * A joint trajectory with the path that it should follow.
+ * @typedef {object} Trace
+ * @property {number[][]} q joint values without jumps by whole turns (rad or m)
+ * @property {number[][]} typedRows joint values as they were typed
+ * @property {number[][]} units of the last typed digits
+ * @property {any} arm
+ * @property {Path} path
+ * @property {(k: number) => [any, any[]]} at returns the chain and the frames at row k, which may
+ *   be half way between two rows
  */
 
-/** @returns {Run} */
+/** @returns {Trace} */
 export function makeTrace(q, units, arm, path, typedRows = q) {
   const made = new Map();
   const at = (k) => {
@@ -59,48 +72,51 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  * table or the path; the rule of the loop, to the digits; a mistake in the joint values; any other
  * shift; if a mistake is `shown`, the rule to the error of a right program; two mistakes in the
  * path.
- * @param {Run} run @param {number[][]} tip @param {number[]} allowed
+ * @param {Trace} trace @param {number[][]} tip @param {number[]} allowed
  * @param {{ off: boolean, shown: boolean }} seen
  */
-export function findTraceCause(run, tip, allowed, { off, shown }) {
-  const { path } = run;
+export function findTraceCause(trace, tip, allowed, { off, shown }) {
+  const { path } = trace;
   if (off && !isPathKnown(path)) return null;
   const [shifted, others] = off
     ? [listDisplacedPaths(path, tip[0], allowed[0]), listPathsWithOneMistake(path)]
     : [[], []];
   const named = shifted.filter(({ cause }) => cause.keys[0] !== "trace.displaced");
-  if (followsPath(run)) return findShiftCause(run, named, shifted, allowed);
+  if (followsPath(trace)) return findShiftCause(trace, named, shifted, allowed);
   return (
-    findWrongPathCause(run, [...others, ...named], tip, allowed, off) ??
-    findLoopCause(run, [
+    findWrongPathCause(trace, [...others, ...named], tip, allowed, off) ??
+    findLoopCause(trace, [
       ...listVelocityRules(path),
       ...others.map(makePathRule),
-      ...listMatrixRules(run),
+      ...listMatrixRules(trace),
     ]) ??
-    findJointCause(run, allowed) ??
+    findJointCause(trace, allowed) ??
     findPathCause(shifted, path, tip, allowed) ??
-    (shown ? findLoopCause(run, listMatrixRules(run), [METHOD_ERROR, METHOD_TILT]) : null) ??
+    (shown ? findLoopCause(trace, listMatrixRules(trace), [METHOD_ERROR, METHOD_TILT]) : null) ??
     (off ? findPathCause(listPathsWithTwoMistakes(path), path, tip, allowed) : null)
   );
 }
 
-// Explain a trajectory that follows the right rule from another start. Null if it begins right.
-function findShiftCause(run, named, shifted, allowed) {
+// Explain a trajectory that follows the right rule from a wrong start. Null if it begins right.
+function findShiftCause(trace, named, shifted, allowed) {
   const [shift] = shifted;
   if (!shift) return null;
   return (
-    named[0]?.cause ?? findTableCause(run, allowed) ?? findJointCause(run, allowed) ?? shift.cause
+    named[0]?.cause ??
+    findTableCause(trace, allowed) ??
+    findJointCause(trace, allowed) ??
+    shift.cause
   );
 }
 
-// Find a table mistake or another path that explains the tip's path; null if the tip is not off.
-function findWrongPathCause(run, others, tip, allowed, off) {
+// Find a table mistake or a wrong path that explains the tip's motion, or null if the tip is right.
+function findWrongPathCause(trace, others, tip, allowed, off) {
   if (!off) return null;
-  return findTableCause(run, allowed) ?? findPathCause(others, run.path, tip, allowed);
+  return findTableCause(trace, allowed) ?? findPathCause(others, trace.path, tip, allowed);
 }
 
-// Find a mistake in the joint values, such as one joint in degrees, without which the tip would
-// follow the path and the tool keep its orientation.
+// Find a mistake in the joint values, such as a joint in degrees. Without it the tip would follow
+// the path and the tool would keep its orientation.
 function findJointCause({ typedRows, arm, path }, allowed) {
   const isHeld = typedRows[0].length >= 6;
   const isRight = (undo) => {
@@ -115,7 +131,7 @@ function findJointCause({ typedRows, arm, path }, allowed) {
   return listJointMistakes(arm).find(([, undo]) => isRight(undo))?.[0] ?? null;
 }
 
-// Find a table mistake, as a forgotten pen, with which the tip would follow the path.
+// Find a table mistake, such as a forgotten pen, with which the tip would follow the path.
 function findTableCause({ q, arm, path }, allowed) {
   const isNear = (change) => (row, k) => {
     const tip = chainFrames(change(makeChain(arm, row))).at(-1).o;
@@ -124,7 +140,7 @@ function findTableCause({ q, arm, path }, allowed) {
   return listTableMistakes(arm).find(([, change]) => q.every(isNear(change)))?.[0] ?? null;
 }
 
-// Return the first of other paths that the tip follows as closely as allowed.
+// Return the cause of the first path that the tip follows within the allowed error.
 function findPathCause(others, { times }, tip, allowed) {
   for (const { cause, path } of others) {
     const isNear = (p, k) => norm(minus(p, path.position(times[k]))) <= allowed[k];
@@ -133,24 +149,26 @@ function findPathCause(others, { times }, tip, allowed) {
   return null;
 }
 
-/** Return whether the right rule holds to the digits, by Euler's method. @param {Run} run */
-export const followsPathByEuler = (run) => measureRuleError(run, {}) <= 1;
+/** Return whether the right rule holds to the digits, by Euler's method. @param {Trace} trace */
+export const followsPathByEuler = (trace) => measureRuleError(trace, {}) <= 1;
 
 // Return whether the right rule holds, by Euler's method or to the round-off of the sums here.
-const followsPath = (run) => followsPathByEuler(run) || measureRuleError(run, {}, [0, 0]) <= 1;
+const followsPath = (trace) =>
+  followsPathByEuler(trace) || measureRuleError(trace, {}, [0, 0]) <= 1;
 
 /**
- * Find the rule by which each step follows from the one before: by Euler's method to the digits, or
- * by any method within `near`. Null if no rule's error is below half of the right one's.
- * @param {Run} run @param {Iterable<Rule>} rules @param {number[] | null} near
+ * Find the rule that gives each step from the previous step. It must hold by Euler's method to the
+ * digits, or by any method within `near`. Null if no rule's error is below half of the right
+ * rule's.
+ * @param {Trace} trace @param {Iterable<Rule>} rules @param {number[] | null} near
  */
-function findLoopCause(run, rules, near = null) {
+function findLoopCause(trace, rules, near = null) {
   let [best, least] = [
     /** @type {Cause | null} */ (null),
-    Math.min(1, measureRuleError(run, {}, near) / 2),
+    Math.min(1, measureRuleError(trace, {}, near) / 2),
   ];
   for (const rule of rules) {
-    const left = measureRuleError(run, rule, near);
+    const left = measureRuleError(trace, rule, near);
     if (left < least) [best, least] = [rule.cause, left];
   }
   return best;
@@ -164,7 +182,7 @@ const listVelocityRules = (path) => [
 
 const makePathRule = ({ cause, path }) => ({ cause, v: path.velocity });
 
-/** @param {Run} run @returns {Generator<Rule>} */
+/** @param {Trace} trace @returns {Generator<Rule>} */
 function* listMatrixRules({ q, arm, at }) {
   const [here, T] = at(0);
   const millimetres = (c, frames) =>
@@ -181,17 +199,16 @@ function* listMatrixRules({ q, arm, at }) {
 
 // Use the linear rows only, and require the motion that their pseudo-inverse gives.
 function keepPositionOnly(c, T) {
-  const J = flatJacobian(c, T).slice(0, 3 * c.dof);
-  const each = Array.from({ length: c.dof }, (_, k) => [0, 1, 2].map((i) => J[i * c.dof + k]));
-  const still = nullSpace(each);
-  const idle = each.flatMap((_, i) =>
-    each.map((_, j) => still.reduce((sum, n) => sum + n[i] * n[j], 0)),
+  const columns = jacobianColumns(c, T).map((column) => column.slice(0, 3));
+  const directions = nullSpace(columns);
+  const projection = columns.flatMap((_, i) =>
+    columns.map((_, j) => directions.reduce((sum, n) => sum + n[i] * n[j], 0)),
   );
-  return [...J, ...idle];
+  return [...flatJacobian(c, T).slice(0, 3 * c.dof), ...projection];
 }
 
 /**
- * Return the error of a rule divided by its error bound; Infinity once it exceeds 1.
+ * Return the error of a rule divided by its error bound, or Infinity once it exceeds 1.
  *
  * For Euler's method the sum of K(q_k) (q_{k+1} - q_k) up to each row must equal the sum of
  * v(t_k) dt. If `near` is given, both are integrals, summed at the middles of the steps, which any
@@ -201,7 +218,7 @@ function keepPositionOnly(c, T) {
  * K_k (e_{k+1} - e_k) is K_m e_m - K_0 e_0 minus the sum of (K_k - K_{k-1}) e_k. The change of K by
  * e adds the last sum once more. Added are the round-off of the program and, for integrals, `near`
  * and the difference between trapezoidal and midpoint sums.
- * @param {Run} run @param {Rule} rule @param {number[] | null} near (m, rad)
+ * @param {Trace} trace @param {Rule} rule @param {number[] | null} near (m, rad)
  */
 function measureRuleError(
   { q, units, path, at },

@@ -1,5 +1,5 @@
-// Lists wrong paths that usual mistakes make of the wanted path. Their numbers come from homeworks;
-// none is fitted to an answer.
+// Lists the wrong paths that usual mistakes make of the right path. Their numbers come from
+// homeworks, and none is fitted to an answer.
 
 import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
 import { joinList, formatNumber } from "../sentences.js";
@@ -9,7 +9,8 @@ import { combineCauses, makeCause } from "./ranking.js";
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {{ cause: Cause, path: Path }} WrongPath the path that a mistake makes */
 
-// Factors: diameter and radius exchanged; 5 s and 20 s, the homeworks' durations, exchanged.
+// A factor of 2 exchanges diameter and radius, a factor of 4 the homeworks' durations, 5 s and 20
+// s.
 const FACTORS = [1 / 2, 2, 1 / 4, 4];
 const AXES = [0, 1, 2];
 const PAIRS = [
@@ -21,7 +22,7 @@ const PAIRS = [
 // Mistakes in the times
 
 /**
- * List mistakes in time: the path is followed at `rate`, from its start or backwards from its end.
+ * List mistakes in time. The path is followed at `rate`, from its start or backwards from its end.
  * @returns {{ cause: Cause, rate: number, from: number }[]} all handed in
  */
 function listTimeMistakes({ times }) {
@@ -71,7 +72,7 @@ const startPoint = (path) => path.position(path.times[0]);
 const middleTime = ({ times }) => (times[0] + times.at(-1)) / 2;
 const circleCentre = (path) => scaled(0.5, plus(startPoint(path), path.position(middleTime(path))));
 
-/** List the paths that one mistake makes. @param {Path} path @returns {WrongPath[]} */
+/** List the paths that a single mistake makes. @param {Path} path @returns {WrongPath[]} */
 export const listPathsWithOneMistake = (path) => [
   ...listPathsInOtherTimes(path),
   ...listMovedPaths(path),
@@ -85,7 +86,8 @@ export function* listPathsWithTwoMistakes(path) {
 }
 
 /**
- * Return whether the data of all these paths is known; if not, Python is asked for all at once.
+ * Return whether the data of all these paths is known. If not, Python is asked for all of it at
+ * once.
  * @param {Path} path
  */
 export const isPathKnown = (path) =>
@@ -96,9 +98,9 @@ export const isPathKnown = (path) =>
     .every(([x]) => !Number.isNaN(x));
 
 /**
- * List the path shifted to where the trajectory begins; none if it begins at the right point.
- * The shift leaves out coordinates of the circle's centre (slip 11) or has any other cause (handed
- * in).
+ * List the path shifted to the point where the trajectory begins. There is none if that is the
+ * right point. The shift leaves out coordinates of the circle's centre (slip 11) or has any other
+ * cause (handed in).
  * @param {Path} path @param {number[]} start @returns {WrongPath[]}
  */
 export function listDisplacedPaths(path, start, allowed) {

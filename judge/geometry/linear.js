@@ -1,4 +1,4 @@
-// Linear algebra for small matrices.
+// Decomposes, solves and reduces small matrices.
 
 /**
  * Return the singular values of a matrix, largest first, and its left singular vectors. One-sided

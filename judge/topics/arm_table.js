@@ -1,4 +1,4 @@
-// Reads a table as an arm for Python's Arm.from_table, and says how it was read.
+// Reads a table as an arm for Python's Arm.from_table, and describes how it was read.
 
 import { ANGLE_TOLERANCE } from "../geometry/rows.js";
 import { readTables } from "../reading/table.js";
@@ -48,7 +48,7 @@ export function readArmTable(text, options) {
   return { rows, reading: parts.join("; "), guessed, warnings };
 }
 
-// The joints of an arm are numbered by its rows: name those that the table numbers otherwise.
+// Note the joints whose numbers in the table differ from those of their rows, which count here.
 /** @param {TypedTable} typed */
 function noteRenumberedJoints(typed, { added }, rows) {
   const pairs = typed.rows.flatMap(({ joint }, k) => {
@@ -69,8 +69,9 @@ function noteRenumberedJoints(typed, { added }, rows) {
 const joinRange = (names) =>
   names.length > 2 ? `${names[0]} to ${names.at(-1)}` : joinList(names);
 
-// In the standard convention a first row without a and alpha gives joints 1 and 2 one axis; in
-// Craig's it is usual, since its a and alpha are those of the base.
+// Note a table that is likely in Craig's convention. A first row without a and alpha is usual
+// there, since it belongs to the base. In the standard convention it would give joints 1 and 2 the
+// same axis.
 /** @param {TypedTable} typed */
 function noteLikelyCraig({ convention }, text, rows) {
   if (convention || /standard|spong|distal/i.test(text) || rows.length < 2) return [];

@@ -14,14 +14,14 @@ const TURN = 2 * Math.PI;
  * @property {import("../geometry/arm.js").Arm} arm
  * @property {number[]} values joint values as they were read, pose after pose (rad or m)
  * @property {string} [angles] unit that the question names, "rad" or "deg"
- * @property {string} key of the sentence that says that degrees were typed
+ * @property {string} key of the message that degrees were typed
  * @property {() => Verdict} [judgeInDegrees] judges the same answer with degrees
  * @property {(cause: string) => string} [makeHeadline] for an answer that is right in degrees
  */
 
 /**
- * Ask about degrees if a wrong answer is not explained and some angle exceeds a whole turn:
- * nobody types such an angle in radians. If the answer is right in degrees, the verdict says so.
+ * Ask about degrees if a wrong answer is not explained and some angle exceeds a whole turn. Nobody
+ * types such an angle in radians. If the answer is right in degrees, the verdict reports that.
  * @param {Verdict} verdict
  * @param {DegreesQuestion} question
  * @returns {Verdict}

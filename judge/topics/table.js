@@ -1,4 +1,4 @@
-// The verdict on a Denavit-Hartenberg table: right, right with joints that count otherwise, right
+// Judges a Denavit-Hartenberg table. It may be right, right with joints that count otherwise, right
 // so far, or wrong with the mistake that explains it.
 
 import { makeCause, causeName, hedgeMessage, joinCauseMessages } from "../causes/ranking.js";
@@ -29,7 +29,7 @@ import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_w
 const EXACT_LENGTH = 1e-6; // m
 const COARSEST_UNIT = 1e-3; // m: lengths typed to the millimetre are still compared
 const WHOLE_NUMBERS = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
-const MOST_ORDERS = 4; // of columns that are searched for mistakes, if the order is a guess
+const MOST_ORDERS = 4; // orders of columns that are searched for mistakes if the order is a guess
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
@@ -37,7 +37,7 @@ const MOST_ORDERS = 4; // of columns that are searched for mistakes, if the orde
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 
 /**
- * How to read the table; what is empty or missing is guessed.
+ * How to read the table. An empty or missing option is guessed.
  * @typedef {object} Options
  * @property {string} [columns] their order, as "theta d a alpha"
  * @property {string} [lengths] "m", "cm" or "mm"
@@ -65,15 +65,15 @@ const MOST_ORDERS = 4; // of columns that are searched for mistakes, if the orde
  * @property {boolean} isExchanged whether the headers of alpha and theta are exchanged
  */
 /**
- * One reading of a table beside the reference.
+ * A reading of a table, with the functions that compare it with the reference.
  * @typedef {object} Reading
- * @property {() => Verdict | null} judgeSame null if the table is another arm
+ * @property {() => Verdict | null} judgeSame null if the table describes a different arm
  * @property {() => Verdict | null} judgeFirst null if it is not the arm's first joints
  * @property {() => Verdict} reportDifferences
  */
 
 /**
- * Compare a typed table with the reference: where they differ, and why.
+ * Judge a table by comparing it with the reference.
  * @param {string | Arm} answer a text, or an arm from Python
  * @param {Arm} reference
  * @param {Options} options
@@ -112,8 +112,8 @@ function judgeText(text, reference, options) {
   return { ...judged, left, tokens, table: { rows: table.rows, typed: rows, ...cells } };
 }
 
-// Choose the best verdict over all readings: on the same arm, then on its first joints, then the
-// one with the fewest mistakes.
+// Choose the best verdict over all readings. A verdict on the same arm comes first, then a verdict
+// on its first joints, then the verdict with the fewest mistakes.
 /** @param {Reading[]} readings */
 function chooseVerdict(readings) {
   const same = readings.map((reading) => reading.judgeSame());
@@ -134,7 +134,7 @@ function chooseVerdict(readings) {
   return { verdict: wrong[fewest], index: fewest, isSame: false };
 }
 
-// Read the tables that a text may be; return the error if its matrices are no link matrices.
+// Return the tables as which a text may be read, or the error if its matrices are no link matrices.
 function readTextOrNoLink(text, options, known) {
   try {
     return readTables(text, options, known);
@@ -142,7 +142,7 @@ function readTextOrNoLink(text, options, known) {
     if (error instanceof NoLink) return error;
     const { text: fewerColumns, others } = dropOtherColumns(text);
     if (!others.length) throw error;
-    // The numbers' positions are those in the shorter text, so that none can be marked.
+    // The tokens have positions in the shorter text, so none of them can be marked.
     return readTables(fewerColumns, options, known).map((table) => ({
       ...table,
       left: [...table.left, ...others],
@@ -175,7 +175,7 @@ function reportNoLink({ message, causes, tokens }, { name }) {
   return makeVerdict("table", { name }, WRONG, headline, { findings, causes, tokens });
 }
 
-// Find the first row that is named after an earlier joint than the row before it.
+// Find the first row whose joint has a number not below that of the next named row.
 function findMisnamedRow(rows) {
   const named = rows.flatMap(({ joint }, k) => (joint ? [{ ...joint, row: k + 1 }] : []));
   const misnamed = named.find(
@@ -184,7 +184,7 @@ function findMisnamedRow(rows) {
   return misnamed ? makeCause("table.names", { row: misnamed.row, name: misnamed.name }) : null;
 }
 
-// Count the mistakes that a verdict needs: those that it names, and those that it only lists.
+// Count the mistakes that a verdict names as causes or lists as differences.
 /** @param {Verdict} verdict */
 function countMistakes({ causes, findings }) {
   const named = causes.length ? causes[0].split(" + ").length : 0;
@@ -215,7 +215,7 @@ function formatReadTable(typed, { lengthScale, angleScale }, findings) {
 }
 
 /**
- * Make the table of a typed one.
+ * Make a table of a typed table and its converted rows.
  * @param {import("../reading/table.js").TypedTable} typed
  * @param {import("../reading/table_conversion.js").ConvertedTable} converted
  * @returns {Table}
@@ -258,7 +258,7 @@ const makeTableOfArm = ({ name, rows, texts }) => ({
   added: 0,
 });
 
-// Find the unit of the finest last place of the decimals in some columns; 0 if there are none.
+// Return the finest unit of the last digits in some columns, or 0 if they have no decimals.
 function findFinestUnit(texts, columns) {
   const decimals = texts.flatMap((row) =>
     columns.flatMap((column) => row[column].match(DECIMAL) ?? []),
@@ -267,8 +267,8 @@ function findFinestUnit(texts, columns) {
   return finest.length ? Math.min(...finest) : 0;
 }
 
-// Return the unit of lengths that are all whole numbers, if it is small; else 0. Whole numbers
-// among formulas are exact.
+// Return the unit of lengths that are all whole numbers if it is small, else 0. Whole numbers among
+// formulas are exact.
 function findWholeUnit(typed, scale) {
   const lengths = typed.rows.flatMap(({ kind, texts }) =>
     kind === "prismatic" ? [texts.a] : [texts.a, texts.d],
@@ -278,7 +278,7 @@ function findWholeUnit(typed, scale) {
 }
 
 /**
- * Replace angles cut to two decimals or more by the right angles that they are near: 1.57 is pi/2.
+ * Replace rounded angles of two decimals or more, such as 1.57, by the right angles near them.
  * @param {Table} table @returns {TableRow[]}
  */
 export const snapTypedAngles = (table) =>
@@ -303,7 +303,7 @@ function makeReading(table, reference, { tolerance = null, startPose = null }) {
     tolerance === null && unit <= COARSEST_UNIT ? 0.51 * unit : 0,
   );
   const reach = Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
-  // A rounded angle moves the point where an axis meets the next one.
+  // A rounded angle moves the point where an axis meets the next axis.
   const rounded = tolerance === null ? Math.max(exact, 2 * length, 2.5 * angle * reach) : exact;
   const roundedAngle = Math.max(ANGLE_TOLERANCE, 4 * angle);
   const sides = { table, reference, rows, wanted, mine, ref };
@@ -331,7 +331,7 @@ function makeReading(table, reference, { tolerance = null, startPose = null }) {
 }
 
 /**
- * Report why a table is another arm, by the fewest mistakes.
+ * Report a table that does not describe the reference by the fewest mistakes that explain it.
  * @param {import("./table_same.js").Sides} sides @param {number} length tolerance (m)
  * @returns {Verdict}
  */
@@ -354,7 +354,7 @@ function reportDifferences({ table, reference, rows, wanted }, length) {
  * Report a wrong table.
  * @param {Table} table @param {Arm} reference
  * @param {Cause[]} causes each explains the same differences
- * @param {Finding[]} findings what the causes leave; those with a cause of their own add to it
+ * @param {Finding[]} findings differences that the causes leave; those that are causes are added
  * @returns {Verdict}
  */
 function reportWrong(table, reference, causes, findings = []) {

@@ -1,4 +1,4 @@
-// The verdict on a table whose rows describe the first joints of an arm; the others are missing.
+// Judges a table whose rows describe the first joints of an arm and lack the last joints.
 
 import { SO_FAR } from "../digits.js";
 import { compareAxes, describeAxes } from "../geometry/axes.js";
@@ -37,7 +37,7 @@ export function judgeFirstRows({ table, reference, rows, wanted, mine, ref }, le
       const first = describeAxes([...wanted.slice(0, end), NEXT_JOINT]);
       const { differences, upsideDown, baseHigher } = compareAxes(own, first, length, angle);
       const isElsewhere = upsideDown || Math.abs(baseHigher) > length;
-      return !isElsewhere && differences.every((one) => isBeyond(one, rows.length));
+      return !isElsewhere && differences.every((x) => isBeyond(x, rows.length));
     });
   if (!isFirst) return null;
   const missing = ref.joints.slice(count).map((joint) => formatMessage("joint", { joint }));
@@ -51,6 +51,6 @@ export function judgeFirstRows({ table, reference, rows, wanted, mine, ref }, le
   });
 }
 
-// Return whether a difference is where the last frame stands along the next axis, which is free.
+// Return whether a difference is the position of the last frame along the next axis, which is free.
 const isBeyond = (/** @type {Difference} */ { key, row, ends }, count) =>
   (key === "table along" && row > count) || (key === "table distance" && !ends[1]);

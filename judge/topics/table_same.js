@@ -1,6 +1,6 @@
-// The verdict on a table that describes the same arm. Zero and direction of each joint are the
-// student's choice. Base, tip and last axis are the question's, and where the question says so the
-// pose at some joint values.
+// Judges a table that describes the same arm. The student may choose the zero and direction of each
+// joint. The question fixes the base, the tip and the last axis, and may fix the pose at some joint
+// values.
 
 import { makeCause, causeMessage } from "../causes/ranking.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, WRONG } from "../digits.js";
@@ -21,9 +21,9 @@ import {
   typedRowNumber,
 } from "./table_words.js";
 
-const TIP_TOLERANCE = 1e-4; // m: a tip no farther away stands there
+const TIP_TOLERANCE = 1e-4; // m: tips this close are at the same point
 const TURN_TOLERANCE = 1e-3; // rad, of a joint's zero
-const MAX_MISTAKES = 3; // entries: a table with more of them chose other zeros throughout
+const MAX_MISTAKES = 3; // wrong entries; a table with more of them has other zeros by choice
 
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -44,8 +44,8 @@ const MAX_MISTAKES = 3; // entries: a table with more of them chose other zeros 
  * @property {TableAxes} ref
  */
 /**
- * Something that the question fixes and the table does not meet: a message without a full stop, the
- * place in the table, and the entry to blame ("" for any).
+ * A fault of a table in what the question fixes. It has a message without a full stop, the position
+ * in the table, and the column of the wrong entry ("" for any).
  * @typedef {{ message: string, where: string, entry: string }} Fault
  */
 /**
@@ -101,7 +101,7 @@ export function judgeSameArm(sides, comparison, grade, tolerances) {
 }
 
 /**
- * Say how the last frame stands where both tips meet: its axes are the student's choice.
+ * Note how the last frame is turned where both tips meet. The student may choose its axes.
  * @param {Sides} sides @param {JointMap} map @returns {string[]}
  */
 function noteLastFrame({ reference, mine, ref }, map, isToolReversed) {
@@ -267,8 +267,8 @@ const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
 
 const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
 
-// Note the angles that were taken as multiples of a right angle though they differ from one by
-// more than `tolerance` (rad): one note for the table, with equal angles of a column together.
+// Note the angles that were replaced by multiples of a right angle more than `tolerance` (rad)
+// away. The table has a single note, which joins equal angles of a column.
 /** @param {Table} table */
 export function noteRightAngles(table, tolerance = 1e-9) {
   const groups = new Map();

@@ -1,4 +1,4 @@
-// The messages about one wrong entry of a table, and about one difference of the axes.
+// Formats the messages about a wrong entry of a table and about a difference of the axes.
 
 import { makeCause, causeName } from "../causes/ranking.js";
 import { DEG } from "../geometry/angles.js";
@@ -14,8 +14,8 @@ export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 /** @typedef {import("../verdict.js").Finding} Finding */
 
 /**
- * List the entries, as index of the row and column, that differ from the reference's; null where
- * the rows do not correspond.
+ * List the entries that differ from the reference's, as the row's index and the column. The result
+ * is null if the tables have different numbers of rows.
  * @param {import("../geometry/arm.js").TableRow[]} rows
  * @param {import("../geometry/arm.js").TableRow[]} wanted
  * @param {number} length tolerance (m)
@@ -34,12 +34,12 @@ export function listOffEntries(rows, wanted, length) {
   );
 }
 
-// One wrong entry in the student's numbers, in a row of theirs.
+// Describe a wrong entry by the row and the text of the student's table.
 /** @param {Table} table @returns {Finding} */
 export function describeEntry(table, t, [k, column], length) {
   const [mine, wanted] = [t.rows[k][column], t.reference[k][column]];
   const row = typedRowNumber(table, k + 1, column);
-  const why = kindOfError(column, row, mine, wanted, length);
+  const why = makeEntryCause(column, row, mine, wanted, length);
   const typed = t.cause ? formatNumber(mine, 6) : entryText(table, k + 1, column);
   const words = formatMessage("table entry", {
     typed,
@@ -48,7 +48,7 @@ export function describeEntry(table, t, [k, column], length) {
   return { what: causeName(why), where: `row ${row}, ${column}`, words };
 }
 
-const WHAT = {
+const NAMES = {
   "table distance": "table distance what",
   "table between": "table between what",
   "table held": "table held what",
@@ -59,7 +59,7 @@ const WHAT = {
   "table kind": "table kind what",
 };
 
-// One difference, in the rows and axes of the table as typed.
+// Describe a difference of the axes by the rows of the student's table.
 /** @param {Table} table @param {Difference} d @returns {Finding} */
 export function describeDifference(table, d) {
   const toBase = d.key === "table lean" || d.key === "table foot";
@@ -73,30 +73,25 @@ export function describeDifference(table, d) {
   const toTip = (d.key === "table distance" || d.key === "table side") && !j;
   const end = toTip ? formatMessage("the tip") : formatMessage("axis", { i: j });
   const along = i === j ? formatMessage("axis", { i }) : formatMessage("parallel axes", { i, j });
-  const what = formatMessage(WHAT[d.key], { start: i, end, along, j });
-  const words = formatMessage("table at", { row, entry: d.entry, words: amount(d, what) });
+  const what = formatMessage(NAMES[d.key], { start: i, end, along, j });
+  const words = formatMessage("table at", { row, entry: d.entry, words: describeAmount(d, what) });
   return { what: "row", where, words };
 }
 
 /** @param {Difference} d @param {string} what */
-function amount({ key, mine, reference }, what) {
+function describeAmount({ key, mine, reference }, what) {
   if (key === "table kind") return formatMessage("table other", { what, mine, reference });
   if (key === "table side") return formatMessage("table side", { what });
   if (["table between", "table held", "table lean"].includes(key)) {
     const signed = key === "table held" || mine >= 0; // held as theta is, about the student's axis
     const [x, y] = signed ? [mine, reference] : [-mine, -reference];
-    const spelt = [x, y, angleDistance(x, y)].map((angle) =>
+    const [actual, expected, off] = [x, y, angleDistance(x, y)].map((angle) =>
       formatNumber(roundTo(angle * DEG, 4), 6),
     );
-    return formatMessage("table angle", {
-      what,
-      mine: spelt[0],
-      reference: spelt[1],
-      off: spelt[2],
-    });
+    return formatMessage("table angle", { what, mine: actual, reference: expected, off });
   }
-  // To a micrometre: where axes are nearly parallel, rounding leaves no more of a distance. First
-  // to a nanometre, so that half a micrometre is one for the checkers too.
+  // Lengths are rounded to a micrometre, since between nearly parallel axes round-off leaves no
+  // more digits. They are rounded to a nanometre first, so that half a micrometre always rounds up.
   const [x, y] = [mine, reference].map((length) => roundTo(roundTo(length, 9), 6));
   if (x * y < 0)
     return formatMessage("table other way", {
@@ -112,26 +107,26 @@ function amount({ key, mine, reference }, what) {
 
 export const roundTo = (x, decimals) => Number(x.toFixed(decimals));
 
-// The typed row, from 1, that holds an entry of a row of the table.
+// Return the number of the typed row that has an entry of a row of the table.
 export const typedRowNumber = ({ added, modified }, row, column) =>
   row - added + Number(modified && (column === "a" || column === "alpha"));
 
-// Return the text that was typed as an entry of a row; undefined where no row holds it.
+// Return the text that was typed as an entry of a row, or undefined if no typed row has it.
 const typedText = (table, row, column) =>
   table.texts[typedRowNumber(table, row, column) - 1]?.[column];
 
 export const entryText = (table, row, column) =>
   typedText(table, row, column) ?? formatNumber(table.rows[row - 1][column], 6);
 
-// The unit of the last decimal in one angle, where it has two or more.
+// Return the unit of an angle's last decimal, or 0 if it has fewer than two decimals.
 export function entryUnit(table, row, column) {
   const last = (typedText(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
-  const places = last.slice(last.indexOf(".") + 1).length;
-  return places >= 2 ? table.angleScale * 10 ** -places : 0;
+  const decimals = last.slice(last.indexOf(".") + 1).length;
+  return decimals >= 2 ? table.angleScale * 10 ** -decimals : 0;
 }
 
 /** @returns {import("../causes/ranking.js").Cause} */
-function kindOfError(column, row, mine, wanted, length) {
+function makeEntryCause(column, row, mine, wanted, length) {
   const negative = isAngleColumn(column)
     ? angleDistance(mine, -wanted) < ANGLE_TOLERANCE
     : Math.abs(mine + wanted) <= length;
