@@ -60,6 +60,25 @@ class JointValues(NDArrayOperatorsMixin, tuple):
 
 
 @dataclass(frozen=True)
+class CircleTask:
+    """The circle below the tip that the homework asks an arm to draw from its home.
+
+    Args:
+        normal: Base axis at right angles to the circle's plane: "x" or "y".
+        seconds: Duration of the circle.
+        locked_joint: The joint that stays still, counted from 1 among the joints that move; None
+            if all move.
+        rates: How the joint rates are computed: "inverse" with J⁻¹, "pseudo" with the
+            pseudo-inverse.
+    """
+
+    normal: str
+    seconds: float
+    locked_joint: int | None = None
+    rates: str = "inverse"
+
+
+@dataclass(frozen=True)
 class Arm:
     """A serial arm in standard Denavit-Hartenberg form.
 
@@ -72,6 +91,7 @@ class Arm:
         home: Joint values, shape (dof,), at which the arm is drawn and motions start; zeros by
             default.
         source: Where the numbers come from.
+        circle: The circle of the homework, or None. An arm with a joint locked has none.
 
     Raises:
         ArmError: An entry is no number or formula, a symbol has no value, or a count does not fit.
@@ -90,6 +110,7 @@ class Arm:
     bodies: Sequence[Body] = ()
     home: Sequence[float] = ()
     source: str = ""
+    circle: CircleTask | None = None
 
     def __post_init__(self) -> None:
         require_type(self.name, str, "an arm's name")
@@ -111,6 +132,7 @@ class Arm:
             self._check_finite(formula)
         self._check_masses()
         self.joint_vector(self.home)
+        self._check_circle()
 
     def _set_fields(self, **fields: object) -> None:
         for name, value in fields.items():
@@ -125,6 +147,16 @@ class Arm:
             raise ArmError(
                 f"{self.name}: {len(self.bodies)} bodies for {len(self.rows)} rows;"
                 " expected one each"
+            )
+
+    def _check_circle(self) -> None:
+        if self.circle is None:
+            return
+        require_type(self.circle, CircleTask, f"{self.name}: circle")
+        if (self.circle.locked_joint or 0) > self.dof:
+            raise ArmError(
+                f"{self.name}: the circle locks joint {self.circle.locked_joint};"
+                f" expected one of the {self.dof} joints that move"
             )
 
     def _check_masses(self) -> None:
@@ -441,7 +473,7 @@ class Arm:
         locked = Row(**entries, joint=Joint("fixed", at=at))
         keep = [x for i, x in zip(self.joints, self.home, strict=True) if i != joint]
         rows = (*self.rows[: joint - 1], locked, *self.rows[joint:])
-        return replace(self, rows=rows, home=tuple(keep))
+        return replace(self, rows=rows, home=tuple(keep), circle=None)
 
     def _require_row(self, number: object, allowed: Sequence[int], message: str) -> Row:
         """Return a row by its number, counted from 1; raise ArmError if that is not allowed."""

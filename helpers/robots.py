@@ -6,11 +6,11 @@ The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off
 
 import warnings
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import pi
 from typing import Any
 
-from helpers.arm import Arm, ArmError, Body, prismatic, revolute
+from helpers.arm import Arm, ArmError, Body, CircleTask, prismatic, revolute
 from helpers.deprecated import deprecated_names
 from helpers.inputs import require_choice, require_type, tuple_of_items
 
@@ -26,7 +26,6 @@ __all__ = [
     "UR10E",
     "UR10E_HOMEWORK",
     "find_arm",
-    "find_circle_task",
     "restore_lengths",
 ]
 
@@ -57,6 +56,7 @@ PANDA = Arm(
     home=(0, 0, 0, pi / 2, 0, pi, 0),
     source="Franka Emika, Robot and interface specifications; masses: Gaz et al. (2019),"
     " hal-02265293, supplementary material hal-02265294",
+    circle=CircleTask(normal="x", seconds=5, locked_joint=3),
 )
 
 #: The Panda of the homework's table, which has 88 mm for a_3 too.
@@ -65,6 +65,9 @@ PANDA_HOMEWORK = replace(
     name="Panda (homework)",
     source="The homework's table, which uses 88 mm for both a_3 and a_6; the rest as PANDA",
 )
+
+# The home of the UR10e is singular: J has no inverse there.
+_UR_CIRCLE = CircleTask(normal="y", seconds=20, rates="pseudo")
 
 # Ranges, speeds and torques of the maker's UR10e, for both tables.
 _UR_RANGE = (-2 * pi, 2 * pi)
@@ -98,6 +101,7 @@ UR10E = Arm(
     source="Universal Robots, DH parameters for calculations of kinematics and dynamics (table,"
     " masses);"
     " UR10e user manual (ranges, speeds); Max. joint torques (torques)",
+    circle=_UR_CIRCLE,
 )
 
 #: The UR10e with the lengths of the homework.
@@ -114,6 +118,7 @@ UR10E_HOMEWORK = Arm(
     values=dict(d_1=0.128, a_2=0.6127, a_3=0.5716, d_4=0.1639, d_5=0.1157, d_6=0.0922, l_pen=0.1),
     source="The homework's table: the UR10's lengths as its CB3 manual prints them, but for d_1"
     " (0.118 there)",
+    circle=_UR_CIRCLE,
 )
 
 #: The Stanford arm: a shoulder of two joints, a sliding rod and a spherical wrist.
@@ -189,44 +194,6 @@ def find_arm(name: str) -> Arm:
         if arm.name.casefold() == str(name).casefold():
             return arm
     raise ArmError(f"no arm is called {name!r}; expected one of {', '.join(a.name for a in arms)}")
-
-
-@dataclass(frozen=True)
-class CircleTask:
-    """The circle below the tip that the homework asks an arm to draw from its home.
-
-    Args:
-        normal: Base axis at right angles to the circle's plane: "x" or "y".
-        seconds: Duration of the circle.
-        locked_joint: Number of the joint that stays still; None if all move.
-        rates: How the joint rates are computed: "inverse" with J⁻¹, "pseudo" with the
-            pseudo-inverse.
-    """
-
-    normal: str
-    seconds: float
-    locked_joint: int | None = None
-    rates: str = "inverse"
-
-
-_PANDA_CIRCLE = CircleTask(normal="x", seconds=5, locked_joint=3)
-# The home of the UR10e is singular: J has no inverse there.
-_UR10E_CIRCLE = CircleTask(normal="y", seconds=20, rates="pseudo")
-_CIRCLE_TASKS = (
-    (PANDA, _PANDA_CIRCLE),
-    (PANDA_HOMEWORK, _PANDA_CIRCLE),
-    (UR10E, _UR10E_CIRCLE),
-    (UR10E_HOMEWORK, _UR10E_CIRCLE),
-)
-
-
-def find_circle_task(arm: Arm) -> CircleTask | None:
-    """Find the homework's circle of an arm, with any lengths; None if no homework asks for one."""
-    require_type(arm, Arm, "arm")
-    tasks = (
-        task for known, task in _CIRCLE_TASKS if (known.name, known.dof) == (arm.name, arm.dof)
-    )
-    return next(tasks, None)
 
 
 def restore_lengths(arm: Arm, names: Iterable[str]) -> Arm:

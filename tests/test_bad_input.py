@@ -93,7 +93,7 @@ SHARED = dict(
 # Valid values for one function only. A method also needs its object, `self`.
 RIGHT = {
     "arm.Arm": dict(rows=[revolute(a="l")], values={"l": 1.0}, bodies=[Body(1, (0, 0, 0))],
-        source="anything"),
+        source="anything", circle=UR10E.circle),
     "arm.Arm.with_values": dict(self=PANDA),
     "arm.Arm.lock": dict(self=PANDA, joint=3, at=0.1),
     "arm.Arm.with_row": dict(self=PANDA),
@@ -113,7 +113,6 @@ RIGHT = {
     "expressions.plain_formula": dict(name="alpha"),
     "expressions.entry_latex": dict(text="a"),
     "robots.find_arm": dict(name="panda"),
-    "robots.find_circle_task": dict(arm=ELBOW),
     "robots.restore_lengths": dict(arm=ELBOW, names=["a_2"]),
     "derive.Axis": dict(point=(0, 0, 0), direction=(0, 0, 1), joint="revolute"),
     "derive.derive": dict(axes=AXES, tip=np.eye(4), tolerance=1e-9),

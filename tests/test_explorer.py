@@ -538,8 +538,17 @@ def test_explorer_spec_holds_chosen_options():
 def test_circle_is_exported_for_the_homeworks_arms():
     ur10e = {"normal": "y", "seconds": 20, "rates": "pseudo"}
     penless = UR10E.with_values(l_pen=0)
-    assert [circle_arm_data(arm).get("circle") for arm in (UR10E, penless)] == [ur10e, ur10e]
-    assert [circle_arm_data(arm).get("circle") for arm in (ELBOW, PANDA.lock(3))] == [None, None]
+    renamed = replace(UR10E, name="arm of a reader")
+    arms = (UR10E, penless, renamed)
+    assert [circle_arm_data(arm).get("circle") for arm in arms] == [ur10e] * 3
+    namesake = Arm("UR10e", UR10E.rows, UR10E.values)
+    arms = (ELBOW, PANDA.lock(3), namesake)
+    assert [circle_arm_data(arm).get("circle") for arm in arms] == [None] * 3
+
+
+def test_circle_of_missing_joint_is_rejected():
+    with pytest.raises(ArmError, match="the circle locks joint 3; expected one of the 2 joints"):
+        Arm("two joints", UR10E.rows[:2], UR10E.values, circle=PANDA.circle)
 
 
 def test_two_arms_of_one_name_are_rejected():

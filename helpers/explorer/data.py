@@ -11,7 +11,6 @@ from helpers.arm import Arm, Body, Joint, Row
 from helpers.checks.arms import Data, arm_data
 from helpers.inputs import ArmError, tuple_of_items
 from helpers.inverse import Solutions
-from helpers.robots import find_circle_task
 
 _PATH_POINTS = 181  # points kept of a path: one for every 2 degrees of a circle
 _DECIMALS = 5  # of joint values, so that round-off of a processor does not show
@@ -19,12 +18,12 @@ _DECIMALS = 5  # of joint values, so that round-off of a processor does not show
 
 def circle_arm_data(arm: Arm) -> Data:
     """Return the data of an arm, with the homework's circle if there is one for it."""
-    task = find_circle_task(arm)
-    if task is None:
+    if arm.circle is None:
         return arm_data(arm)
+    task = arm.circle
     circle = {"normal": task.normal, "seconds": task.seconds, "rates": task.rates}
     if task.locked_joint is not None:
-        circle["locked"] = arm.joints.index(task.locked_joint)
+        circle["locked"] = task.locked_joint - 1
     return {**arm_data(arm), "circle": circle}
 
 
