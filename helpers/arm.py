@@ -207,7 +207,7 @@ class Arm:
 
     @property
     def locked(self) -> dict[int, float]:
-        """The joints locked by `lock`: the value (rad or m) of each by its number."""
+        """The value (rad or m) of each joint that `lock` holds, by the joint's number."""
         locked_at = {i: row.joint.at for i, row in enumerate(self.rows, 1)}
         return {i: self.number(at) for i, at in locked_at.items() if at is not None}
 
@@ -218,7 +218,7 @@ class Arm:
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The joint variables, numbered by row: ``q_1``, ``q_2``, ..."""
+        """The joint variables ``q_1``, ``q_2``, ..., numbered by row."""
         return tuple(f"q_{i}" for i in self.joints)
 
     @property

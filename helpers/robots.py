@@ -121,7 +121,7 @@ UR10E_HOMEWORK = Arm(
     circle=_UR_CIRCLE,
 )
 
-#: The Stanford arm: a shoulder of two joints, a sliding rod and a spherical wrist.
+#: The Stanford arm with a shoulder of two joints, a sliding rod and a spherical wrist.
 STANFORD = Arm(
     name="Stanford arm",
     rows=(

@@ -149,7 +149,7 @@ class ArmExplorer(LiveWidget):
 
     @property
     def arm(self) -> Arm:
-        """The arm shown: the chosen one, or `Your arm` of a typed table."""
+        """The shown arm, which is the chosen arm or `Your arm` of a typed table."""
         return arm_from(TYPED_ARM_NAME, self.rows) if self.rows else self._arms[self.arm_name]
 
     @traitlets.validate("arm_name")

@@ -71,8 +71,10 @@ class Solutions:
 
     @property
     def times(self) -> NDArray[np.int_]:
-        """Multiplicity of each branch, shape (..., branches): 1, or 2, 4 or 8 for a multiple
-        solution; 0 where the branch does not exist."""
+        """Multiplicity of each branch, shape (..., branches).
+
+        It is 1, or 2, 4 or 8 for a multiple solution, and 0 where the branch does not exist.
+        """
         return np.where(self.valid, 2 ** self.merged.sum(axis=-1), 0)
 
     @property
