@@ -17,6 +17,7 @@ from sphinx.application import Sphinx
 from helpers.explorer.stub import RUN_HINT
 
 ROOT = Path(__file__).parents[1]
+LIGHT_THEME = ' data-theme="light"'  # of a card that is built without a browser
 PAPER = Path(__file__).with_name("paper.js")
 EXPLORER_START = re.compile(r'<div class="arm-explorer[^>]*>')
 FIGURE_KIND = re.compile(r'data-figure="(\w+)"')
@@ -65,6 +66,7 @@ class PageScripts:
             return html
         kind = FIGURE_KIND.search(start[0])
         still = self.build_explorer(kind[1] if kind else "", JSON_DATA.search(html)[1], 0)
+        still = still.replace(LIGHT_THEME, "", 1)  # the page's colours hold until the script runs
         style_name = "figure" if kind else "panel"
         self.styles[style_name] = STYLE.search(still)[1]
         link = f'<link rel="stylesheet" href="{self.root}_static/{style_name}.css">'

@@ -324,6 +324,9 @@ def test_page_without_scripts_follows_system(browser):
     assert answer.is_visible()
     page.goto((HTML / "explorer.html").as_uri())
     assert page.get_by_role("img", name=re.compile("Still picture of the Panda")).first.is_visible()
+    card = page.locator("section.explorer").first
+    ink = card.evaluate("(card) => getComputedStyle(card).color")
+    assert ink == "rgb(228, 232, 237)", "the dark value of --ink in page/src/common.css"
     page.goto((HTML / "check_your_homework.html").as_uri())
     assert "It needs JavaScript and no network." in page.locator(".arm-judge").inner_text()
     context.close()

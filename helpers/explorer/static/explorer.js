@@ -4669,6 +4669,12 @@ td {
   top: auto;
   bottom: 8px;
 }
+@media print {
+  .explorer,
+  .live {
+    color-scheme: light;
+  }
+}
 /* Only the still picture is shown where nothing can be touched, as on paper. */
 @media print, (scripting: none) {
   .explorer,
@@ -4676,7 +4682,6 @@ td {
     display: block !important;
     border: 0;
     background: none;
-    color-scheme: light;
   }
   :is(header, .notice, .sliders, .views, .side),
   .stage > :not(.paper, .legend) {
