@@ -113,8 +113,10 @@ function findUnreadLine(typedLines, flatLines) {
 
 const hasEntries = (line = "") => line.replace(FRAME, "") && !/\p{L}{3}|[:=]\s*$/u.test(line);
 
-// Return whether an exponent stands above the blank behind its base, a letter or a bracket.
+// Return whether an exponent stands above the blank behind its base, a letter or a bracket, in a
+// row of a matrix. A terminal's lines of words may stand so, too.
 const isPower = (line, below) =>
+  OPENING.test(below) &&
   [...line.matchAll(/[^\s⎛-⎭[\](),]+/g)].some(
     ({ 0: { length }, index }) =>
       !below.slice(index, index + length).trim() && /[\p{L})]/u.test(below[index - 1] ?? ""),
