@@ -223,7 +223,10 @@ class Arm:
 
     @property
     def turning(self) -> NDArray[np.bool_]:
-        """True for each revolute joint, shape (dof,); the others are prismatic."""
+        """True for each revolute joint, shape (dof,).
+
+        The remaining joints are prismatic.
+        """
         return np.array([self.rows[i - 1].joint.kind == "revolute" for i in self.joints], bool)
 
     @property
@@ -236,12 +239,18 @@ class Arm:
 
     @property
     def speed_limits(self) -> Array:
-        """The largest joint speeds, shape (dof,), in rad/s or m/s; infinite where unknown."""
+        """The largest joint speeds, shape (dof,), in rad/s or m/s.
+
+        They are infinite where unknown.
+        """
         return self._joint_array("speed")
 
     @property
     def effort_limits(self) -> Array:
-        """The largest torques or forces, shape (dof,), in N m or N; infinite where unknown."""
+        """The largest torques or forces, shape (dof,), in N m or N.
+
+        They are infinite where unknown.
+        """
         return self._joint_array("effort")
 
     def _joint_array(self, name: str) -> Array:
@@ -449,7 +458,9 @@ class Arm:
         return replace(self, rows=(*self.rows, *tool), bodies=(*self.bodies, *bodies))
 
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
-        """Return the arm with one joint locked at a value; its row becomes a fixed one.
+        """Return the arm with one joint locked at a value.
+
+        Its row becomes a fixed row.
 
         Args:
             joint: Number of the joint, which is that of its row; see `variables`.
@@ -476,7 +487,10 @@ class Arm:
         return replace(self, rows=rows, home=tuple(keep), circle=None)
 
     def _require_row(self, number: object, allowed: Sequence[int], message: str) -> Row:
-        """Return a row by its number, counted from 1; raise ArmError if that is not allowed."""
+        """Return a row by its number, counted from 1.
+
+        Raises ArmError if the row is not allowed.
+        """
         if isinstance(number, int | np.integer) and number in allowed and number is not True:
             return self.rows[int(number) - 1]
         listing = ", ".join(map(str, allowed))
@@ -505,7 +519,9 @@ class Arm:
         return free
 
     def from_free(self, q: ArrayLike) -> Array:
-        """Leave out the values of the locked joints; the inverse of `to_free`.
+        """Leave out the values of the locked joints.
+
+        This is the inverse of `to_free`.
 
         Args:
             q: Joint values of the arm whose joints this one locks, shape (..., dof + locked).
@@ -545,7 +561,7 @@ class Arm:
         return values
 
     def _warn_of_degrees_in(self, q: Array, name: str) -> None:
-        """Warn where large angles of turning joints look like degrees: multiples of half a degree.
+        """Warn where large angles of turning joints are multiples of half a degree.
 
         An iteration that diverges passes large angles too, but not round ones.
         """

@@ -74,7 +74,10 @@ def split_pose(pose: ArrayLike, name: str) -> PoseRows:
 
 
 def _read_pose(pose: ArrayLike, name: str) -> Array:
-    """Return a pose as a transform (4, 4); raise ArmError for anything else."""
+    """Return a pose as a transform (4, 4).
+
+    Raises ArmError for anything else.
+    """
     try:
         entries = np.asarray(pose, dtype=object)
     except ValueError:

@@ -65,7 +65,10 @@ def inverse_dynamics(
 
 
 def _check_tensors(arm: Arm, inertias: ArrayLike | None) -> Array:
-    """Return the inertia tensors, shape (rows, 3, 3); zeros where none are given."""
+    """Return the inertia tensors, shape (rows, 3, 3).
+
+    They are 0 where none are given.
+    """
     shape = (len(arm.rows), 3, 3)
     if inertias is None:
         return np.zeros(shape)

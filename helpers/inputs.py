@@ -111,14 +111,20 @@ def numbers_by_name(values: Any, name: str) -> dict[str, float]:
 
 
 def whole_number(value: Any, name: str, least: int = 0) -> int:
-    """Convert `value` to an int that is at least `least`; booleans are refused."""
+    """Convert `value` to an int that is at least `least`.
+
+    Booleans are refused.
+    """
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
         raise ArmError(f"{name} is {shorten(value)}; expected a whole number of {least} or more")
     return int(value)
 
 
 def require_choice(value: object, name: str, choices: Iterable[str]) -> str:
-    """Return `value` if it is one of the choices; raise ArmError otherwise."""
+    """Return `value` if it is one of the choices.
+
+    Raises ArmError otherwise.
+    """
     choices = tuple(choices)
     if not isinstance(value, str) or value not in choices:
         raise ArmError(f"{name} is {shorten(value)}; expected one of {', '.join(choices)}")
@@ -126,7 +132,10 @@ def require_choice(value: object, name: str, choices: Iterable[str]) -> str:
 
 
 def tuple_of_items(value: Any, name: str, expected: str) -> tuple:
-    """Return the items of an iterable as a tuple; raise ArmError for text or no iterable."""
+    """Return the items of an iterable as a tuple.
+
+    Raises ArmError for text and for anything that is no iterable.
+    """
     if isinstance(value, str | bytes) or not isinstance(value, Iterable):
         raise ArmError(f"{name} are {shorten(value)}; expected {expected}")
     return tuple(value)

@@ -87,7 +87,10 @@ def _choose_joint_type(row: Row) -> str:
 
 
 def _write_limit(row: Row) -> str:
-    """Write the limits that are finite; URDF wants effort and velocity, and 0 is unknown there."""
+    """Write the limits that are finite.
+
+    URDF requires effort and velocity, where 0 means unknown.
+    """
     joint = row.joint
     if joint.kind == "fixed":
         return ""
@@ -99,7 +102,10 @@ def _write_limit(row: Row) -> str:
 
 
 def _write_inertial(arm: Arm, i: int) -> str:
-    """Write the mass of row i; its link's frame comes before the row's own lengths and angles."""
+    """Write the mass of row i.
+
+    Its link's frame comes before the row's own lengths and angles.
+    """
     if not arm.bodies or not arm.number(arm.bodies[i - 1].mass):
         return ""
     body, row = arm.bodies[i - 1], arm.numeric[i - 1]

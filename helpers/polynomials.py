@@ -23,7 +23,10 @@ Matrix = sp.ImmutableMatrix
 
 
 def exact_formula(arm: Arm, entry: Entry) -> sp.Expr:
-    """Convert a table entry to an exact SymPy expression; a symbol of value 0 becomes 0."""
+    """Convert a table entry to an exact SymPy expression.
+
+    A symbol of value 0 becomes 0.
+    """
     values = dict(arm.values)
     symbols = {name: sp.Symbol(name) if values[name] else sp.S.Zero for name in symbol_names(entry)}
     return sp.sympify(str(entry), locals=symbols, rational=True)
@@ -157,7 +160,10 @@ class Ring:
         return ((c, s), (-s, c), (-c, -s), (s, -c))[turns % 4]
 
     def length(self, formula: sp.Expr) -> PolyElement:
-        """Return a length as a polynomial; raise ArmError if it is none in the arm's symbols."""
+        """Return a length as a polynomial.
+
+        Raises ArmError if it is no polynomial in the arm's symbols.
+        """
         if not formula.is_polynomial() or formula.has(sp.pi):
             raise ArmError(
                 f"the length {formula} is no polynomial in the arm's symbols; expected sums and"

@@ -18,7 +18,9 @@ _CHUNK = 4096  # poses checked at a time, so that the numbers stay in the cache
 
 
 def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = False) -> Array:
-    """Convert poses to rigid transforms; a rotation printed with few decimals is mended.
+    """Convert poses to rigid transforms.
+
+    A rotation printed with few decimals is mended.
 
     If rounding to 3 or more decimals explains why a rotation is none, the nearest rotation takes
     its place, with a warning.
@@ -65,7 +67,10 @@ def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = F
 
 
 def numbers_of_text(value: Any, name: str, expected: str) -> Any:
-    """Return the numbers of a text, read as the comparisons read it; anything else unchanged."""
+    """Return the numbers of a text, read as the comparisons read it.
+
+    Anything else is returned unchanged.
+    """
     if not isinstance(value, str):
         return value
     # Imported here because the reader starts the judge.

@@ -1,4 +1,4 @@
-"""Define the parts of an arm: rows, joints, bodies, and the values of its symbols."""
+"""Define rows, joints, bodies and the values of symbols, of which an arm consists."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -190,7 +190,7 @@ def _warn_of_limits(joint: Joint) -> None:
 
 
 def fixed(a: Entry = 0, alpha: Entry = 0, d: Entry = 0, theta: Entry = 0) -> Row:
-    """Return a row that does not move: a tool, a bracket or a locked joint.
+    """Return a row that does not move, such as a tool, a bracket or a locked joint.
 
     An angle above 2 pi, given as a number, gives a warning, since it may be meant in degrees; so
     does a length of 10 m or more.
@@ -271,7 +271,10 @@ class Values(Mapping[str, float]):
 
 
 class NumericRow(NamedTuple):
-    """A row in numbers; multiples of a right angle have exact sines and cosines."""
+    """A row in numbers.
+
+    Multiples of a right angle have exact sines and cosines.
+    """
 
     kind: Kind
     a: float

@@ -1,4 +1,4 @@
-"""Compute what holds an arm still: gravity torques, and the torques against a force at the tip.
+"""Compute the torques that hold an arm against gravity and a force at its tip.
 
 Gravity is a vector in base axes, so an arm on a wall or a ceiling is the same arm with another
 `gravity`. A wrench is the force and the moment (N, N m) that the world exerts on the tool, in base
@@ -112,7 +112,10 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
 
 
 def check_wrench(wrench: ArrayLike) -> Array:
-    """Convert wrenches to an array of shape (..., 6); raise ArmError for another shape or NaN."""
+    """Convert wrenches to an array of shape (..., 6).
+
+    Raises ArmError for any different shape and for NaN.
+    """
     expected = "six finite numbers (fx, fy, fz, mx, my, mz)"
     return finite_array(wrench, "wrench", expected, (6,), many=True)
 

@@ -101,7 +101,10 @@ def _cos_sin(arm: Arm, entry: Entry, variable: sp.Expr = sp.S.Zero) -> tuple[sp.
 
 
 def _name_entries(vector: Vector, name: str, definitions: Definitions) -> Vector:
-    """Return names for a vector's entries, defined in `definitions`; short entries stay."""
+    """Return names for a vector's entries, defined in `definitions`.
+
+    Short entries stay.
+    """
     names = []
     for axis, formula in zip("xyz", vector, strict=True):
         is_short = not isinstance(formula, sp.Add | sp.Mul) or (-formula).is_Atom

@@ -151,7 +151,9 @@ def jacobian_by_differentiation(arm: Arm) -> Matrix:
 
 
 def determinant(arm: Arm) -> sp.Expr:
-    """Compute the Jacobian's determinant in factors; the arm is singular where a factor is 0.
+    """Compute the Jacobian's determinant in factors.
+
+    The arm is singular where a factor is 0.
 
     For an arm of six joints it is det J, for one of three joints the determinant of the linear
     rows. The axes of every frame give the same determinant, and so does, for six joints, every

@@ -1,4 +1,4 @@
-"""Read a serial arm from a robot description (URDF): its joint axes at q = 0, then its table.
+"""Read a serial arm from a robot description (URDF) by its joint axes at q = 0.
 
 The chain of joints from one link to another is read with its limits, speeds, efforts, masses and
 centres of mass. Fixed joints are merged into their neighbours. The masses of side branches count
@@ -150,7 +150,10 @@ class _FileJoint:
         return Axis(tuple(pose[:3, 3]), tuple(pose[:3, :3] @ self.direction), self._limits())
 
     def _limits(self) -> Joint:
-        """Return the joint's range, speed and effort; infinite where they are missing or 0."""
+        """Return the joint's range, speed and effort.
+
+        They are infinite where they are missing or 0.
+        """
         limit = self.element.find("limit")
         lower, upper, speed, effort = (
             float(_read_numbers(limit, key, f"{self.name}: {key}", _MISSING_NUMBER)[0])
@@ -213,7 +216,7 @@ class _Tree:
         return [link for link in self.loads if link not in carried]
 
     def ends(self, base: str) -> list[str]:
-        """Return the last links beyond the base: those that carry no joint."""
+        """Return the links beyond the base that carry no joint."""
         beyond = {base}
         for joint in self.joints:
             if joint.parent in beyond:
@@ -228,7 +231,10 @@ class _Tree:
         return [link for link in self.ends(root) if link != base] or ends
 
     def require_single(self, links: list[str], where: str) -> str:
-        """Return the only link of a list; raise ArmError if there are none or several."""
+        """Return the only link of a list.
+
+        Raises ArmError if there are none or several.
+        """
         if len(links) == 1:
             return links[0]
         raise ArmError(
@@ -238,7 +244,10 @@ class _Tree:
         )
 
     def require_link(self, name: object, argument: str) -> str:
-        """Return the name of a link; raise ArmError if there is no such link."""
+        """Return the name of a link.
+
+        Raises ArmError if there is no such link.
+        """
         if isinstance(name, str) and name in self.loads:
             return name
         raise ArmError(

@@ -138,7 +138,10 @@ def _check_axes(axes: Sequence[Axis]) -> tuple[Axis, ...]:
 
 
 def _tip_pose(tip: ArrayLike, last: Axis) -> Array:
-    """Return the tip's pose; where only its point is given, z runs along the last axis."""
+    """Return the tip's pose.
+
+    Without its orientation, z runs along the last axis.
+    """
     expected = f"{_POSE}, or {POINT}"
     tip_array = float_array(tip, "tip", expected)
     if tip_array.ndim != 1:
@@ -149,7 +152,10 @@ def _tip_pose(tip: ArrayLike, last: Axis) -> Array:
 
 
 def _find_lines(axes: tuple[Axis, ...], tip: Array) -> list[Line]:
-    """Return the axes' lines; a slide without a point runs through the next turning axis or tip."""
+    """Return the axes' lines.
+
+    A slide without a point runs through the next turning axis or tip.
+    """
     lines, next_point = [], tip
     for axis in reversed(axes):
         point = next_point if axis.point is None else np.array(axis.point)
@@ -280,7 +286,10 @@ def _make_link_transform(a: float, alpha: float, d: float, theta: float) -> Arra
 
 
 def _compute_angle(sine: float, cosine: float, choices: _Choices) -> float:
-    """Return the angle in (-pi, pi]; near a multiple of a right angle, exactly that."""
+    """Return the angle in (-pi, pi].
+
+    An angle near a multiple of a right angle becomes that multiple.
+    """
     angle = math.atan2(sine, cosine)
     turns = round(angle / (math.pi / 2))
     if abs(angle - turns * math.pi / 2) >= choices.tolerance / 100:

@@ -54,7 +54,10 @@ class Axis:
 
 
 def _normalize(direction: ArrayLike) -> tuple[float, ...]:
-    """Return the direction with length 1; scaled first, so that large numbers do not overflow."""
+    """Return the direction with length 1.
+
+    It is scaled first, so that large numbers do not overflow.
+    """
     expected = "a vector of three finite numbers, not all 0"
     vector = finite_array(direction, "an axis's direction", expected, (3,))
     largest = np.abs(vector).max()
@@ -149,7 +152,7 @@ class Derivation:
 
 
 def clean_length(value: float, tolerance: float = 1e-12) -> float:
-    """Remove round-off from a length: 0.1639 instead of 0.16390000000000005.
+    """Remove round-off from a length, as in 0.1639 for 0.16390000000000005.
 
     A length (m) within 2e-11 of one with seven decimals, or within `tolerance` of 0, becomes that.
     """

@@ -28,7 +28,10 @@ def circle_arm_data(arm: Arm) -> Data:
 
 
 def arm_from(name: str, rows: Sequence[Mapping[str, Any]]) -> Arm:
-    """Return the arm of the rows that a browser sends; raise ArmError for invalid rows."""
+    """Return the arm of the rows that a browser sends.
+
+    Raises ArmError for invalid rows.
+    """
     bodies = [Body(row["body"][0], tuple(row["body"][1:])) for row in rows if row.get("body")]
     complete = bodies if len(bodies) == len(rows) else []
     return Arm(name, tuple(_read_row(row) for row in rows), bodies=tuple(complete))

@@ -11,7 +11,9 @@ ISOMETRIC = (-45.0, math.degrees(math.atan(math.sqrt(0.5))))  # azimuth and elev
 
 
 def draw_still(arm: Arm, q: ArrayLike) -> str:
-    """Return a picture of an arm at q, shape (dof,), as SVG text; equal arguments give equal bytes.
+    """Return a picture of an arm at q, shape (dof,), as SVG text.
+
+    Equal arguments give equal bytes.
 
     Matplotlib is imported here, since the build of the book's pages needs no still pictures.
     """

@@ -16,7 +16,9 @@ RUN_HINT = " Run the cell to move it."  # shown where a notebook is opened witho
 
 
 def live_html(text: str, spec: Data, class_name: str = "arm-explorer", figure: str = "") -> str:
-    """Return a live figure as HTML; equal arguments give equal bytes.
+    """Return a live figure as HTML.
+
+    Equal arguments give equal bytes.
 
     Args:
         text: The sentence shown where no script runs.

@@ -212,7 +212,10 @@ class ArmExplorer(LiveWidget):
 
 
 def _arms_by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
-    """Return the arms by name; raise ArmError for two different arms of one name."""
+    """Return the arms by name.
+
+    Raises ArmError if two different arms have the same name.
+    """
     arms_by_name: dict[str, Arm] = {}
     for arm in arms:
         require_type(arm, Arm, "arm")
@@ -224,7 +227,10 @@ def _arms_by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
 
 
 def _require_choices(noun: str, names: Iterable[str], choices: tuple[str, ...]) -> list[str]:
-    """Return the names; raise ArmError if there is none or one is not among the choices."""
+    """Return the names.
+
+    Raises ArmError if there is none, or if a name is not among the choices.
+    """
     names = tuple_of_items(names, f"{noun}s", f"some of {', '.join(choices)}")
     unknown = [shorten(name) for name in names if not isinstance(name, str) or name not in choices]
     if unknown or not names:

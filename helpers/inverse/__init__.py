@@ -1,4 +1,4 @@
-"""Inverse kinematics: closed forms with every branch, and a numeric solver for any arm.
+"""Solve inverse kinematics in closed form with every branch, or numerically for any arm.
 
 `solutions` takes any arm whose axes meet or are parallel; the closed forms that the chapters teach
 stand beside it.

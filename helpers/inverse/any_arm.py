@@ -198,7 +198,9 @@ def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) ->
 def _refine_branches(
     arm: Arm, structure: Structure, targets: Array, q: Array
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Finish branches q (batch, branches, dof) by Newton's method; return them and which are valid.
+    """Finish branches q (batch, branches, dof) by Newton's method.
+
+    Returns them and which are valid.
 
     A branch that is not near its target stays: its equations had no root.
     """

@@ -158,7 +158,10 @@ def _place_point(
 
 
 def _root_name(name: str, axis: JointAxis) -> str:
-    """Name the choice between two roots of a joint; a sliding joint is a rod."""
+    """Name the choice between two roots of a joint.
+
+    A sliding joint is a rod.
+    """
     return name if axis.turns else "rod"
 
 

@@ -71,7 +71,9 @@ def solve_cosine_sine(a: Array, b: Array, c: Array, scale: float, chosen: Array)
 
 
 def solve_quadratic(a: Array, b: Array, c: Array, scale: float) -> Roots:
-    """Solve a q + b q^2 = c for a prismatic joint; see `solve_cosine_sine` for the arguments.
+    """Solve a q + b q^2 = c for a prismatic joint.
+
+    The arguments are those of `solve_cosine_sine`.
 
     A joint that moves nothing along the equation has the root NaN.
     """

@@ -41,7 +41,7 @@ class Plane(NamedTuple):
 
 
 def turn_plane_to_target(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
-    """Turn the arm's plane to a target in both ways: p . z_1 = offset.
+    """Turn the arm's plane to a target in both directions, so that p . z_1 = offset.
 
     Args:
         first: Row 1 of the table.

@@ -160,7 +160,10 @@ def _descend(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
 
 
 def _descend_batch(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
-    """Step a batch; vectors that have arrived or cannot improve any more leave it."""
+    """Step a batch.
+
+    Vectors that have arrived or cannot improve any more leave it.
+    """
     bounds, tolerance, max_steps = rule
     q = np.clip(start, *bounds)
     J, error = _jacobian_and_error(arm, q, goal)
@@ -197,7 +200,10 @@ def _update_caution(caution: Array, before: Array, after: Array, step: Array) ->
 
 
 def _compute_step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
-    """Return the damped step; joints stop at their limits and the others compensate."""
+    """Return the damped step.
+
+    Joints stop at their limits, and the remaining joints compensate.
+    """
     damping = caution * _squared_norms(error) + 1e-14
     step = _solve_damped(J, error, damping)
     kept = np.clip(step, bounds[0] - q, bounds[1] - q)

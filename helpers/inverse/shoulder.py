@@ -1,4 +1,4 @@
-"""Positions by geometry: the elbow arm, and the first three joints of the Stanford arm.
+"""Solve positions by geometry, for the elbow arm and the first three Stanford joints.
 
 Both stand on a vertical axis and move in a plane beside it. Joint 1 turns the plane towards the
 target, which leaves a problem in the plane's own coordinates. Source: Spong, Hutchinson and

@@ -120,7 +120,7 @@ class Solutions:
         return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
     def _list_cells(self) -> list[tuple[str, ...]]:
-        """Return a table row for each branch: its name and joint values, "any" for a free joint."""
+        """Return a table row for each branch, with its name and joint values or "any"."""
         shown = [[f"{x:.4f}" for x in q.round(4) + 0.0] for q in self.by_name.values()]
         loose = self.free[self.valid]
         rows = zip(self.by_name, loose, shown, strict=True)
@@ -287,7 +287,10 @@ def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
 
 
 def check_positions(arm: Arm, targets: ArrayLike | str) -> Array:
-    """Return targets as positions (..., 3); raise ArmError for anything else."""
+    """Return targets as positions (..., 3).
+
+    Raises ArmError for anything else.
+    """
     name, expected = f"{arm.name}: a target", "(..., 3), finite positions in m"
     numbers = numbers_of_text(targets, name, expected)
     points = finite_array(numbers, name, expected, (3,), many=True)
@@ -296,7 +299,9 @@ def check_positions(arm: Arm, targets: ArrayLike | str) -> Array:
 
 
 def check_poses(arm: Arm, targets: ArrayLike | str) -> Array:
-    """Return target poses flattened to (..., 16); raise ArmError for anything else.
+    """Return target poses flattened to (..., 16).
+
+    Raises ArmError for anything else.
 
     `helpers.poses.rigid_poses` mends a rotation that was printed with few decimals.
     """
@@ -317,7 +322,10 @@ def _warn_of_millimetres(arm: Arm, points: Array) -> None:
 
 
 def _longest_reach(arm: Arm) -> float:
-    """Return the length of the arm stretched, in m; a slide without limits counts as 1 m."""
+    """Return the length of the arm stretched, in m.
+
+    A slide without limits counts as 1 m.
+    """
     lengths = sum(math.hypot(row.a, row.d) for row in arm.numeric)
     ends = np.abs(arm.limits).max(axis=0)[~arm.turning]
     return lengths + float(np.where(np.isfinite(ends), ends, 1.0).sum())

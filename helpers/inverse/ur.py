@@ -1,4 +1,4 @@
-"""Arms with three parallel axes in the middle, as Universal Robots builds them: up to eight ways.
+"""Solve arms with three parallel axes in the middle, as Universal Robots builds them.
 
 The parallel axes z_1, z_2, z_3 leave three problems, one after another. With the UR10e's twists:
 

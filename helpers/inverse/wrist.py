@@ -1,4 +1,4 @@
-"""Spherical wrists: the position of the wrist's centre first, its three angles after.
+"""Solve spherical wrists, first for the wrist's centre, then for its three angles.
 
 Source: Pieper (1968); Spong, Hutchinson and Vidyasagar, section 5.3 (kinematic decoupling).
 """
@@ -116,7 +116,10 @@ def _arm_to_wrist_centre(arm: Arm) -> Arm:
 
 
 def _express_in_frame_3(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
-    """Express vectors (3, batch) in frame 3 of each branch; q and results are (3, 2, 2, batch)."""
+    """Express vectors (3, batch) in frame 3 of each branch.
+
+    `q` and the results have shape (3, 2, 2, batch).
+    """
     pose = run_batch(get_program(shoulder, tip_entries), q.reshape(3, -1))
     pose = pose.reshape(4, 4, *q.shape[1:])
     axes = [pose[:3, i] for i in range(3)]

@@ -114,7 +114,10 @@ def _multiply_each(matrices: Array, vectors: Array) -> Array:
 
 
 def _diverges(sweep: int, size: float, before: float) -> bool:
-    """Return whether a sweep reduced the error too little; the first may overshoot."""
+    """Return whether a sweep reduced the error too little.
+
+    The first sweep may overshoot.
+    """
     return not (sweep == 1 or size < 0.9 * before)
 
 

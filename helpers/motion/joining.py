@@ -51,7 +51,10 @@ def join_traces(runs: Iterable[Trace]) -> Trace:
 
 
 def _join_paths(paths: list[Path]) -> Path:
-    """Join paths in time; the first begins at 0 s."""
+    """Join paths in time.
+
+    The first path begins at 0 s.
+    """
     ends = list(accumulate(path.times[-1] - path.times[0] for path in paths))
     begins = [0.0, *ends[:-1]]
 

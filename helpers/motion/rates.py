@@ -171,7 +171,10 @@ def levenberg(scale: float = 0.1) -> Rates:
 
 
 def format_size(value: float) -> str:
-    """Write a singular value with three digits; below 1e-12 it is round-off."""
+    """Write a singular value with three digits.
+
+    Below 1e-12 it is round-off.
+    """
     return f"{value:.3g}" if value >= 1e-12 else "below 1e-12"
 
 

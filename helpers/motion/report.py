@@ -18,7 +18,9 @@ _LARGE_ERROR = 1e-3  # m: from here on the report looks whether the path is with
 
 @dataclass(frozen=True)
 class TraceReport:
-    """The report of a trace; lengths in m, angles in rad, speeds in rad/s or m/s.
+    """The report of a trace.
+
+    Lengths are in m, angles in rad, speeds in rad/s or m/s.
 
     Attributes:
         arm: Name of the arm.
@@ -170,7 +172,10 @@ def _angles_between(axes: Array, axis: Array) -> Array:
 
 
 def _compute_accelerations(path: Path, q_dot: Array) -> Array:
-    """Compute accelerations from step to step; the last rate repeats the one before."""
+    """Compute accelerations from step to step.
+
+    The last rate repeats the rate before.
+    """
     return np.abs(np.diff(q_dot[:-1], axis=0)) / np.diff(path.times)[:-1, None]
 
 
@@ -180,18 +185,27 @@ def _positive_excess(arm: Arm, excess: Array) -> tuple[tuple[int, float], ...]:
 
 
 def _format_length(value: float) -> str:
-    """Write a length in m or mm with three digits; below 1e-10 m it is round-off."""
+    """Write a length in m or mm with three digits.
+
+    Below 1e-10 m it is round-off.
+    """
     if value < 1e-10:
         return "below 1e-10 m"
     return f"{1e3 * value:.3g} mm" if value >= 1e-6 else f"{value:.1e} m"
 
 
 def _format_angle(value: float) -> str:
-    """Write an angle in degrees with four digits; below 1e-6° it is round-off."""
+    """Write an angle in degrees with four digits.
+
+    Below 1e-6° it is round-off.
+    """
     degrees = float(np.degrees(value))
     return f"{degrees:.4g}°" if degrees >= 1e-6 else "below 1e-6°"
 
 
 def _format_condition(value: float) -> str:
-    """Write a condition number with three digits; above 1e12 it is round-off."""
+    """Write a condition number with three digits.
+
+    Above 1e12 it is round-off.
+    """
     return f"{value:.3g}" if value <= 1e12 else "above 1e12"

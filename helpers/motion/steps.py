@@ -53,13 +53,19 @@ def sample_path(path: Path, method: str, rotation: Array) -> PathSamples:
 
 
 def _sample_at_times(function: Callable[[Array], Array], times: Array) -> Array:
-    """Evaluate a function at all times, (steps, 3); one by one where it takes no batch."""
+    """Evaluate a function at all times, (steps, 3).
+
+    They are taken in turn where the function takes no batch.
+    """
     values = np.array(function(times.copy()), dtype=float)
     return values if values.shape == (len(times), 3) else np.array([function(t) for t in times])
 
 
 def take_euler_step(slope: Slope, h: Array, q: Array, rate: Array) -> Array:
-    """Take one step of Euler's rule from q; `rate` are the joint rates there."""
+    """Take one step of Euler's rule from q.
+
+    `rate` holds the joint rates there.
+    """
     return q + h * rate
 
 

@@ -163,7 +163,10 @@ class Steering:
 def _steps_in_turn(
     arm: Arm, start: Array, samples: PathSamples, steering: Steering
 ) -> tuple[Array, Array]:
-    """Take one step after the other; return q (steps + 1, dof) and rates (steps, dof)."""
+    """Take all steps in turn.
+
+    Returns q, shape (steps + 1, dof), and rates, shape (steps, dof).
+    """
     step = _rule_step if steering.rule else _newton_step
     steps = len(samples.h)
     q, q_dot = np.empty((steps + 1, arm.dof)), np.empty((steps, arm.dof))
@@ -179,7 +182,10 @@ def _steps_in_turn(
 def _rule_step(
     arm: Arm, q: Array, samples: PathSamples, k: int, steering: Steering
 ) -> tuple[Array, Array]:
-    """Take step k from q by the rule; return the rates at its start and the next q."""
+    """Take step k from q by the rule.
+
+    Returns the rates at its start and the next q.
+    """
     assert steering.rule  # without a rule, _newton_step is called
 
     def slope(fraction: float, q: Array) -> Array:
