@@ -1,4 +1,4 @@
-// Reads the numbers that a reader types, or that Python holds.
+// Reads the numbers that a reader types or passes from Python.
 
 import {
   fixedRows,
@@ -26,37 +26,35 @@ import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
-const JOINT_SYMBOL = /^(?:q|th|theta)\d{1,2}$/;
-const FIRST = /^(?:q|th|theta)0$/; // of joints counted from 0
-const SHOWN = 3; // so many values of a locked joint are shown back
+const JOINT_SYMBOL = /^(?:q|th|theta)(\d{1,2})$/;
+const MOST_SHOWN = 3; // values of a locked joint in a message
 const SHORT = /^([cs])((?:[+-]?\d)+)$/;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
- * A number as typed; what one of it is worth where a unit or power of ten stands with it; whether
- * it says itself that it is an angle; for a formula, how far its decimals leave its value open.
+ * A number as typed: `worth` is the factor of its unit or power of ten, `angle` whether it has an
+ * angle's unit itself, `slack` the round-off of a formula's decimals.
  * @typedef {{ text: string, worth: number, angle: boolean, slack: number }} Entry
  */
 /**
- * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the
- * formulas too.
+ * Numbers as typed, row by row, with the unit of the last decimal place of each.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
  *   entries: Entry[], said: string[], left: string[],
  *   says?: ReturnType<typeof unitsSaid>, tokens?: import("./owners.js").Token[] }} Typed
- *   `said` is how a text was read, `left` its other lines, `says` the units that they name,
- *   `tokens` every number of the text with its owner
+ *   `trees` are the formulas of a text, `said` is how it was read, `left` are its other lines,
+ *   `says` the units that it names, and `tokens` all its numbers with their owners
  */
 
 /**
- * Looks symbols up for one arm at one pose.
+ * Return a function that looks up symbols for an arm at a pose.
  * @param {number[]} q
  * @param {[string, number][]} values of symbols that the arm does not have
  */
 export function lookup(arm, q, values = []) {
-  const known = (names) => meanings([...names].sort(), arm, q, values);
-  const own = new Set([...(arm.values ?? []), ...values].map(([name]) => simple(name)));
-  const isMeant = (word) => own.has(word) || JOINT.test(word) || SHORT.test(word);
-  known.has = (name) => isMeant(simple(name));
+  const known = (names) => lookUpNames([...names].sort(), arm, q, values);
+  const constants = new Set([...(arm.values ?? []), ...values].map(([name]) => simple(name)));
+  const isKnown = (symbol) => constants.has(symbol) || JOINT.test(symbol) || SHORT.test(symbol);
+  known.has = (name) => isKnown(simple(name));
   return known;
 }
 
@@ -71,34 +69,33 @@ const noSymbols = (names) => {
 const ANY = [{ rows: null, columns: null }];
 
 /**
- * `asked` is the shapes that are wanted of a text, the answer's names, and what the question holds
- * itself.
- * @param {any} mine @param {string} what
+ * Read typed numbers or numbers from Python.
+ * @param {any} mine a text, or nested lists @param {string} what their name in messages
  * @param {{ wants?: import("./answers.js").Want[], names?: RegExp, given?: number[][],
  *   which?: number | null }} [asked]
  * @returns {Typed}
  */
 export function numbers(mine, what, known = noSymbols, wanted = undefined, asked = {}) {
-  if (typeof mine === "string") return ofText(mine, { what, known, wanted, ...asked });
+  if (typeof mine === "string") return readText(mine, { what, known, wanted, ...asked });
   const shape = shapeOf(mine);
   const leaves = [mine].flat(Infinity);
   if (shape.reduce((product, n) => product * n, 1) !== leaves.length) {
     throw new ArmError(formatMessage("ragged list", { what }));
   }
-  const entries = leaves.map((leaf) => entryOf(leaf, what, wanted ?? "numbers"));
+  const entries = leaves.map((leaf) => readLeaf(leaf, what, wanted ?? "numbers"));
   const names = new Set();
   for (const { tree } of entries) symbols(tree, names);
-  const found = known(names);
+  const meanings = known(names);
   const values = entries.map(({ tree }) =>
-    tree[0] === "num" ? tree[1] : value(tree, (n) => found.get(n)),
+    tree[0] === "num" ? tree[1] : value(tree, (name) => meanings.get(name)),
   );
   if (!values.every(Number.isFinite))
     throw new ArmError(formatMessage("not finite", { what, wanted: wanted ?? "numbers" }));
   const typed = entries.map(({ text, tree }, i) => {
-    if (text === undefined) return ofCell(String(values[i]));
-    return ofCell(
+    if (text === undefined) return readCell(String(values[i]));
+    return readCell(
       text,
-      formulaSlack(tree, (name) => found.get(name)),
+      formulaSlack(tree, (name) => meanings.get(name)),
     );
   });
   const symbolic = names.size > 0;
@@ -106,18 +103,18 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
 }
 
 /**
- * An entry of a list: a number, a formula as text, or what Python made of one that it held, a tree;
- * an error in words for anything else.
+ * Read an entry of a list: a number, a formula as text, or a tree that Python made of a formula.
  * @returns {{ tree: any[], text?: string }}
+ * @throws {ArmError} for anything else
  */
-function entryOf(leaf, what, wanted) {
+function readLeaf(leaf, what, wanted) {
   if (typeof leaf === "string") return { tree: parse(leaf, `an entry of ${what}`), text: leaf };
   if (leaf?.tree) return { tree: leaf.tree, text: "exact" };
   if (leaf?.odd) throw new ArmError(formatMessage("no numbers", { what, given: leaf.odd, wanted }));
   return { tree: ["num", leaf ?? NaN] };
 }
 
-// One value for each joint without the names before them: ('theta1', 0.3) is 0.3.
+// Take off the names before values: ('theta1', 0.3) becomes 0.3.
 export function unnamed(mine) {
   if (!Array.isArray(mine)) return mine;
   if (mine.length === 2 && typeof mine[0] === "string" && typeof mine[1] !== "string") {
@@ -126,7 +123,7 @@ export function unnamed(mine) {
   return mine.map(unnamed);
 }
 
-// The shape of nested lists; that of lists of different lengths ends with them.
+// Return the shape of nested lists; it ends at lists of different lengths.
 function shapeOf(list) {
   if (!Array.isArray(list)) return [];
   const inner = list.map(shapeOf);
@@ -140,43 +137,42 @@ function entryIn(known) {
     if (isNumber(cell)) return true;
     const names = symbolsIn(cell);
     if (!names?.length) return names !== null && /\d|pi|π/.test(cell);
-    const meant = names.filter((name) => known.has?.(name)).length;
-    return meant === names.length || (meant > 0 && /\W/.test(cell));
+    const count = names.filter((name) => known.has?.(name)).length;
+    return count === names.length || (count > 0 && /\W/.test(cell));
   };
 }
 
 /** @param {string} text @param {any} question @returns {Typed} */
-function ofText(text, { known, ...question }) {
-  const found = findAnswer(text, { wants: ANY, isEntry: entryIn(known), ...question });
-  const texts = found.rows.flat().map((cell) => plain(cell.text));
+function readText(text, { known, ...question }) {
+  const answer = findAnswer(text, { wants: ANY, isEntry: entryIn(known), ...question });
+  const texts = answer.rows.flat().map((cell) => plain(cell.text));
   const trees = texts.map((cell) =>
     isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${question.what}`),
   );
   const used = new Set();
   for (const tree of trees) symbols(tree, used);
-  const meant = known(used);
-  const values = trees.map((tree) => value(tree, (name) => meant.get(name)));
+  const meanings = known(used);
+  const values = trees.map((tree) => value(tree, (name) => meanings.get(name)));
   const entries = texts.map((cell, i) =>
-    ofCell(cell, isNumber(cell) ? 0 : formulaSlack(trees[i], (name) => meant.get(name))),
+    readCell(cell, isNumber(cell) ? 0 : formulaSlack(trees[i], (name) => meanings.get(name))),
   );
   const shown = trees.map((tree, i) =>
     entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
   );
-  const shape = [found.rows.length, found.rows[0].length];
-  const { said, left } = found;
+  const shape = [answer.rows.length, answer.rows[0].length];
+  const { said, left } = answer;
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
-  return { ...read, entries, said, left, says: unitsSaid(text), tokens: found.tokens };
+  return { ...read, entries, said, left, says: unitsSaid(text), tokens: answer.tokens };
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
 const NUMPY_NUMBER = /^float64 ?\(([^()]*)\)$/;
 
 /**
- * Part a cell into the number typed and what one of it is worth: the power of ten of MATLAB's
- * heading, or a degree.
+ * Separate the number in a cell from its unit: a degree, or the power of ten of MATLAB's heading.
  * @param {string} typed @param {number} [slack] of a formula @returns {Entry}
  */
-function ofCell(typed, slack = 0) {
+function readCell(typed, slack = 0) {
   const cell = typed.replace(NUMPY_NUMBER, "$1");
   const [, scaled, power] = SCALED.exec(cell) ?? [];
   if (scaled) {
@@ -196,8 +192,8 @@ function unitsOf(entries) {
 export const eachJoint = (arm) =>
   formatMessage("each joint", { joints: jointNames(arm).join(", ") });
 
-// The shapes of one value for each joint, and of any number of such rows; the moving joints' first,
-// then those of all.
+// List the shapes of one value for each joint, and with `many` of any number of such rows. Those of
+// the moving joints come before those of all joints.
 export const jointShapes = (arm, many = true) =>
   [...new Set([movingRows(arm).length, arm.rows.length])].flatMap((columns) => [
     { rows: many ? null : 1, columns, by: "joint" },
@@ -205,13 +201,13 @@ export const jointShapes = (arm, many = true) =>
     ...(many ? [{ rows: columns, columns: null }] : []),
   ]);
 
-// The rows of numbers that a target is; none of a text.
+// List the rows of numbers of a target; none if it is a text.
 export function rowsGiven(target) {
   const rows = Array.isArray(target?.[0]) ? target : [target];
   return rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
 }
 
-// One joint vector, with its units; what is told of locked joints is left out.
+// Read a joint vector with its units, without the values of locked joints.
 export function pose(q, arm, angles = "rad") {
   const wants = jointShapes(arm, false);
   const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), { wants });
@@ -221,7 +217,7 @@ export function pose(q, arm, angles = "rad") {
   return inRadians(typed, arm, angles);
 }
 
-// One value for each row of an arm, pose after pose, without those of its locked joints.
+// Drop the values of locked joints from values for all rows, pose after pose.
 export function ofMoving(typed, arm) {
   const moving = movingRows(arm);
   if (moving.length === arm.rows.length) return typed;
@@ -233,7 +229,7 @@ export function ofMoving(typed, arm) {
 }
 
 /**
- * A word on the locked joints, whose values are not judged.
+ * Write a note about the locked joints, whose values are not judged.
  * @param {Arm} arm @param {number[]} values one for each row of the arm, pose after pose
  */
 export function setAside({ rows }, values) {
@@ -242,11 +238,11 @@ export function setAside({ rows }, values) {
   const shown = [...new Set(theirs.map((x) => formatNumber(x, 6)))];
   return formatMessage("taken: locked", {
     joints: joinList(locked.map((i) => String(i + 1))),
-    values: [...shown.slice(0, SHOWN), ...(shown.length > SHOWN ? ["…"] : [])].join(", "),
+    values: [...shown.slice(0, MOST_SHOWN), ...(shown.length > MOST_SHOWN ? ["…"] : [])].join(", "),
   });
 }
 
-// An error where values are too few or too many.
+// Make the error for too few or too many values.
 export function notPerJoint(what, arm, shape) {
   const words = formatMessage("pose shape", {
     what,
@@ -256,11 +252,11 @@ export function notPerJoint(what, arm, shape) {
   return new NoFitError(words + tooMany(arm, shape.at(-1)));
 }
 
-// A list of numbers as rows.
+// Split a list of numbers into rows.
 export const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
 
-// A word on joints that are locked, where so many values were given that these have some too.
+// Write which joints to leave out if values were typed for locked joints too.
 function tooMany(arm, width) {
   const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [`q_${i + 1}`] : []));
   return locked.length && width === arm.rows.length
@@ -268,8 +264,8 @@ function tooMany(arm, width) {
     : "";
 }
 
-// Joint values, row by row, in SI. Angles and slides have decimals of their own, for metres need
-// more; an angle with a unit is in that.
+// Convert joint values to SI, row by row. Angles and slides have last decimal places of their own,
+// since metres need more decimals. An angle with a unit keeps that unit.
 export function inRadians(typed, arm, angles) {
   const turns = revoluteFlags(arm);
   const turn = (i) => turns[i % turns.length];
@@ -287,31 +283,34 @@ export function inRadians(typed, arm, angles) {
   };
 }
 
-// Joint vectors that were taken as radians, as degrees.
+// Convert joint vectors that were taken as radians as if they were degrees.
 export function asDegrees(rows, arm) {
   const factors = revoluteFlags(arm).map((turns) => (turns ? RAD : 1));
   const scaled = (list) => list.map((x, k) => x * factors[k]);
   return rows.map((row) => ({ ...row, values: scaled(row.values), units: scaled(row.units) }));
 }
 
-// Names
-
-// A joint's value, a length, or the cosine or sine of a sum of joints, by its name.
-/** @returns {Map<string, number>} */
-function meanings(names, arm, q, own) {
-  const lengths = [...(arm.values ?? []), ...own];
+/**
+ * Look up names: of joint values, of lengths, and of cosines and sines of a sum of joints.
+ * @returns {Map<string, number>}
+ */
+function lookUpNames(names, arm, q, constants) {
+  const lengths = [...(arm.values ?? []), ...constants];
   const values = new Map(lengths.map(([name, number]) => [simple(name), number]));
   const joints = new Map(jointNumbers(arm).map((i, k) => [i, q[k]]));
   return new Map(
     names.map((name) => {
-      const found = values.get(simple(name)) ?? ofJoints(simple(name), joints);
-      if (Number.isFinite(found)) return [name, found];
-      if (FIRST.test(simple(name)))
+      const x = values.get(simple(name)) ?? evaluateJoints(simple(name), joints);
+      if (Number.isFinite(x)) return [name, x];
+      const [, joint] = JOINT_SYMBOL.exec(simple(name)) ?? [];
+      if (joint === "0")
         throw new ArmError(
           formatMessage("joint zero", { arm: arm.name, name, first: name.replace("0", "1") }),
         );
-      const known = [...jointNames(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
-      if (arm.rows[0].kind === "fixed" && JOINT_SYMBOL.test(simple(name)))
+      const known = [...jointNames(arm), ...(arm.values ?? []).map(([symbol]) => symbol)].join(
+        ", ",
+      );
+      if (arm.rows[0].kind === "fixed" && joint)
         throw new ArmError(formatMessage("unknown joint", { arm: arm.name, name, known }));
       throw new ArmError(formatMessage("unknown symbol", { arm: arm.name, name, known }), [
         { field: "values", value: name },
@@ -320,10 +319,11 @@ function meanings(names, arm, q, own) {
   );
 }
 
-function ofJoints(word, q) {
-  const [, joint] = JOINT.exec(word) ?? [];
+// Evaluate the name of a joint value, or of a cosine or sine as c12; undefined for another name.
+function evaluateJoints(symbol, q) {
+  const [, joint] = JOINT.exec(symbol) ?? [];
   if (joint) return q.get(Number(joint));
-  const [, kind, terms] = SHORT.exec(word) ?? [];
+  const [, kind, terms] = SHORT.exec(symbol) ?? [];
   if (!kind) return undefined;
   const sum = [...terms.matchAll(/(-?)(\d)/g)].reduce(
     (total, [, minus, i]) => total + (minus ? -1 : 1) * q.get(Number(i)),
