@@ -156,7 +156,7 @@ const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡�
 const TWO_SIGNS = /\d(?:π|pi| )*(?:±|\\pm|\+\/-)|(?:π|pi) ?(?:±|\\pm|\+\/-)/; // π ± 0.1
 
 // Return whether a word holds a number with decimals that was no entry, or an odd number.
-const isMisspelt = (word) =>
+export const isMisspelt = (word) =>
   (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) ||
   ODD_NUMBER.test(word) ||
   TWO_SIGNS.test(word);
@@ -309,6 +309,18 @@ export function refuseUnread(text, tokens, what) {
   if (!token) return;
   const word = wordAround(text, token);
   const fields = { what, word: quoteText(word), line: token.line + 1, where: whereOf(text, token) };
+  throw new ArmError(formatMessage("unread", fields), [], tokens, text);
+}
+
+/**
+ * Raise an error that quotes a cell that was not read; its numbers become unread.
+ * @param {string} text @param {Token[]} tokens
+ * @param {import("./spans.js").Span} cell @param {string} what
+ */
+export function refuseUnreadCell(text, tokens, { from, to }, what) {
+  for (const token of tokens) if (token.from >= from && token.to <= to) token.owner = "unread";
+  const line = text.slice(0, from).split(LINE_END).length;
+  const fields = { what, word: quoteText(text.slice(from, to).trim()), line, where: "" };
   throw new ArmError(formatMessage("unread", fields), [], tokens, text);
 }
 

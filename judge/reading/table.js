@@ -4,7 +4,7 @@
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
 import { hasDecimals, number, plain, simple } from "./formula.js";
-import { refuseUnread, tokensOf } from "./owners.js";
+import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
 import { joinCellLines } from "./table_cell_lines.js";
@@ -14,6 +14,7 @@ import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
 import { isVariable, readRow, toMetres, trimEntry, UNITS } from "./table_rows.js";
+import { findUnreadCell } from "./table_unread.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -123,7 +124,7 @@ function readFirstBlock(text, blocks, request) {
     if (block.cells.length < unreadRows) break; // it may be a part of that table
     let tokens = [];
     try {
-      tokens = requireReadable(block, text);
+      tokens = requireReadable(block, text, request);
       return readCells({ ...block, assumptions: [] }, request).map((table) => ({
         ...table,
         tokens: table.order
@@ -143,14 +144,23 @@ function readFirstBlock(text, blocks, request) {
   throw firstError ?? new ArmError(formatMessage("no rows", { given: quoteText(text) }));
 }
 
-// Return the numbers of a block with their owners; refuse unread numbers, rows torn in two, and
-// poses of frames in the base, which are no link matrices.
-/** @param {import("./table_blocks.js").TableBlock} block @param {string} text */
-function requireReadable({ torn, cells, block }, text) {
-  if (torn) throw new ArmError(formatMessage("row torn", { line: quoteText(torn.trim()) }));
-  const tokens = tokensOf(text, block);
-  refuseUnread(text, tokens, formatMessage("your table"));
-  if (splitMatrices(cells) && FRAMES.test(text)) throw new NoLink("table.frames");
+// Return the numbers of a block with their owners; refuse unread cells, and poses of frames in the
+// base, which are no link matrices.
+/**
+ * @param {import("./table_blocks.js").TableBlock} table
+ * @param {string} text @param {Request} request
+ */
+function requireReadable(table, text, { known }) {
+  const tokens = tokensOf(text, table.block);
+  const what = formatMessage("your table");
+  const unread = findUnreadCell(table, text, makeEntryTest(known));
+  if (unread?.cell) refuseUnreadCell(text, tokens, unread.cell, what);
+  if (unread) {
+    const line = quoteText(table.plainLines[unread.line].trim());
+    throw new ArmError(formatMessage("row torn", { line }), [], tokens, text);
+  }
+  refuseUnread(text, tokens, what);
+  if (splitMatrices(table.cells) && FRAMES.test(text)) throw new NoLink("table.frames");
   return tokens;
 }
 

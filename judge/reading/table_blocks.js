@@ -15,8 +15,9 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
 /**
  * Rows of cells as they were typed, the headers above them, and the rest of the text.
  * @typedef {{ cells: string[][], headers: string[], context: string, left: string[],
- *   torn?: string, block: import("./blocks.js").Block, isTurned?: boolean }} TableBlock `torn` is a
- *   line beside it that could not be read; `isTurned` if each typed row is a column of the table
+ *   block: import("./blocks.js").Block, isTurned?: boolean,
+ *   plainLines: string[] }} TableBlock `isTurned` if each typed
+ *   row is a column of the table; `plainLines` are the lines without decorations
  */
 
 /**
@@ -31,7 +32,7 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
   const plain = plainText(withoutMargins(pasted)).replace(DEFINITIONS, "");
   const marked = markColumnHeaders(dropStars(plain));
   const partings = blocksIn(marked.plain, { isEntry: makeEntryTest(known) });
-  const lines = marked.plain.text.split("\n");
+  const lines = linesOf(marked.plain.text);
   const typedLines = linesOf(text);
   const headerLines = typedLines
     .filter((_, k) => lines[k]?.includes(HEADER_MARK))
@@ -49,7 +50,7 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
       left: setAside(text, table.block).filter(
         (line) => !headerLines.includes(line) || hasDecimals(line),
       ),
-      torn: findTornRow(table.block, lines),
+      plainLines: lines,
     }));
 }
 
@@ -68,17 +69,6 @@ const collectContext = (lines, { from, to, labels, headers }) =>
 const STARRED = /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?\d*\}?)\^?\{?\*\}?(?=\s)/g;
 const ALONE = /(?<=\s)\*(?=[ \t]*$)/gm;
 const dropStars = (plain) => plain.replace(STARRED, "$1").replace(ALONE, "?");
-
-// Find a line beside a block that holds numbers for the most part: a row that could not be read.
-// Numbers that count columns behind a word are none.
-const findTornRow = ({ from, to }, lines) =>
-  [lines[from - 1], lines[to + 1]].find((line = "") => {
-    const parts = line.split(/[|&;,\s[\](){}]+/).filter(Boolean);
-    const numbers = parts.filter(isNumber);
-    const counted = numbers.every((x, k) => Number(x) === Number(numbers[0]) + k);
-    const column = counted && numbers.length < parts.length;
-    return numbers.length > 1 && 2 * numbers.length >= parts.length && !column;
-  });
 
 // Drop rows that draw a line, | - | - |.
 function dropDrawnRows(block) {
@@ -170,7 +160,8 @@ const ROW_HEADER = new RegExp(
   String.raw`^([^|&\t;:=\d-]{1,24}?(?:\s?[[(][^\])]{1,8}[\])])?)` +
     String.raw`\s*(?:[|&\t;:,]|\s(?=[-+]?[.\d]))`,
 );
-const SEPARATORS = [/[|&\t;]/, /\s{2,}/, /,/, /\s+/];
+// Cells of HTML are parted by two bars.
+const SEPARATORS = [/\| {2}\||[|&\t;]/, /\s{2,}/, /,/, /\s+/];
 
 // List the headers of a line that names three of the four columns or more; null for other lines.
 function listHeaders(typed) {
@@ -201,6 +192,7 @@ function joinUnits(cells) {
 // Entries
 
 const FRAMES = /^\d{1,2} ?- ?\d{1,2}$/; // 0-1 names a row after its frames
+const ANGLE_UNIT = /^(?:deg|rad)$/; // without its number
 // Names of rows, which are no symbols of an arm.
 const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
 // A joint's variable, or a length with its number or one letter.
@@ -212,7 +204,7 @@ const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
 export function makeEntryTest(known) {
   const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {
-    if (FRAMES.test(cell)) return false;
+    if (FRAMES.test(cell) || ANGLE_UNIT.test(cell)) return false;
     const text = trimEntry(cell);
     if (isNumber(text) || VARIABLE.test(plain(text)) || WORD.test(text)) return true;
     return symbolsIn(text)?.every(isSymbol) ?? false;

@@ -91,7 +91,7 @@ const isCounted = (first) =>
 // List the possible orders of the columns, whether the order was stated, and the rows.
 export const listOrders = (cells, headers, columns) =>
   (columns ? orderByOption(cells, columns) : orderByHeaders(cells, headers)) ??
-  orderByContent(cells);
+  orderByContent(cells, headers);
 
 function orderByOption(cells, columns) {
   const words = columns.trim().split(/[\s,;|]+/);
@@ -109,7 +109,7 @@ function orderByHeaders(cells, headers) {
   const twice = all.filter((word) => word === "d").length > 1;
   const words = all.map((word, i) => (twice && isOffset(headers[i]) ? "" : word));
   const keep = ENTRIES.map((entry) => words.indexOf(entry));
-  const fits = cells.every((row) => [0, 1].includes(headers.length - row.length));
+  const fits = cells.every((row) => row.length === headers.length);
   if (keep.includes(-1) || !fits) return null;
   const added = headers.findIndex((head, i) => isOffset(head) && !keep.includes(i));
   const rows = cells.map((row, k) => {
@@ -122,12 +122,17 @@ function orderByHeaders(cells, headers) {
   return { orders: [ENTRIES], isStated: true, rows, typedOrder };
 }
 
-// List every order in which each cell may be an entry of its column, the likeliest first.
-function orderByContent(cells) {
+// List every order in which each cell may be an entry of its column, the likeliest first. A column
+// whose header is known keeps it.
+function orderByContent(cells, headers) {
   requireFourColumns(cells);
+  const names = headers.length === 4 ? headers.map(findEntry) : [];
+  const agrees = (order) => names.every((name, k) => !ENTRIES.includes(name) || order[k] === name);
   const looks = cells.map((row) => row.map(describeCell));
   const all = new Map([...KNOWN_ORDERS, ...permutations(ENTRIES)].map((one) => [one.join(), one]));
-  const orders = [...all.values()].filter((order) => isPossibleOrder(looks, order));
+  const orders = [...all.values()].filter(
+    (order) => agrees(order) && isPossibleOrder(looks, order),
+  );
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], isStated: false, rows: cells };
 }
 

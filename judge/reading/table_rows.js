@@ -117,11 +117,14 @@ function parseVariable(name) {
   return number === undefined ? null : { name, number: Number(number) };
 }
 
+// A symbol that may be a joint's variable: l0 for 10 is none.
+const MOVING = /^(?:q|th|phi|t|d|s|x)/i;
+
 // Find the joint's variable; refuse a row that holds another symbol.
 function findVariable(i, free, mover) {
   const moving = mover === null ? [] : free[mover];
   const joint = moving.find((one) => /^(?:q|th|phi)/.test(one)) ?? moving[0];
-  const isStray = (name) => (one) => name !== mover || one !== joint;
+  const isStray = (name) => (one) => name !== mover || one !== joint || !MOVING.test(one);
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
   if (stray === undefined) return parseVariable(joint);
   throw new ArmError(formatMessage("row symbol", { row: i, name: stray }), [

@@ -1,0 +1,162 @@
+// Finds what a table was read without: a cell on the lines of its rows that is no entry, or a line
+// that looks like one more row.
+
+import { isMisspelt } from "./owners.js";
+
+/** @typedef {import("./blocks.js").Block} Block */
+/** @typedef {import("./lines.js").Cell} Cell */
+/** @typedef {import("./lines.js").Row} Row */
+/** @typedef {import("./spans.js").Span} Span */
+/** @typedef {import("./table_blocks.js").TableBlock} TableBlock */
+/**
+ * What a line holds beside the rows of a table.
+ * @typedef {{ rows: Row[], words: Cell[], entries: Cell[], candidates: Cell[] }} Rest
+ */
+
+const FEWEST = 2; // entries on a line that make it look like a row
+const FEWEST_ANYWHERE = 4; // the same, apart from the table
+const FEWEST_SEPARATORS = 3; // a row has four entries
+const MARK = "·"; // begins a word that the judge wrote, as for column headers
+
+/**
+ * Find the first cell of a pasted text that may belong to a table and could not be read. A line
+ * whose cells are all entries, but too few for a row, has none.
+ * @param {TableBlock} table
+ * @param {string} text as it was pasted
+ * @param {(cell: string) => boolean} isEntry whether a cell may be an entry of a table
+ * @returns {{ line: number, cell: Cell | undefined } | null}
+ */
+export function findUnreadCell({ block, cells, plainLines }, text, isEntry) {
+  const { sources } = block;
+  const rests = listRests(block, isEntry);
+  const isTyped = (line) => /[\p{L}\d]/u.test(plainLines[line]); // "|---|---|" draws a line
+  const lines = [...rests.keys()].filter(isTyped).sort((p, q) => p - q);
+  const isBeside = makeBesideTest(lines, block);
+  const starts = new Map(sources.map(({ line, cells: [first] }) => [line, first.from]));
+  const widths = new Set([cells[0].length, ...sources.map((row) => row.cells.length)]);
+  const separators = countSeparators(plainLines[sources[0].line]);
+  const list = findList(text, sources);
+  for (const line of lines) {
+    const [rest, plainLine] = [rests.get(line), plainLines[line]];
+    const [first] = [...rest.candidates, ...rest.words];
+    const inList = findWordInList(rest, list, sources, text);
+    if (inList) return { line, cell: inList };
+    const isOtherList = namesOtherList(plainLine, sources);
+    if (starts.has(line)) {
+      const cell = rest.candidates.find((candidate) => candidate.from > starts.get(line));
+      if (cell ?? rest.rows.find(isPartOfRow)) return { line, cell: [cell, first].find(Boolean) };
+    } else if (isBeside(line)) {
+      if (hasSameSeparators(plainLine, separators)) return { line, cell: first };
+      if (!isOtherList && isMostlyEntries(rest)) return { line, cell: first };
+    }
+    if (!isOtherList && isAsWide(rest, widths)) return { line, cell: first };
+  }
+  return null;
+}
+
+// Make a function that tells whether a line stands between the rows of a block or next to them.
+/** @param {number[]} lines @param {Block} block */
+function makeBesideTest(lines, { from, to }) {
+  const above = lines.findLast((line) => line < from);
+  const below = lines.find((line) => line > to);
+  return (line) => (line >= from && line <= to) || line === above || line === below;
+}
+
+const isPartOfRow = ({ cells, name }) => cells.length >= FEWEST && !name;
+
+// Find a word within the list of the rows that is neither a row's label nor a list's name.
+/** @param {Rest} rest @param {Span | null} list @param {Row[]} sources @param {string} text */
+const findWordInList = ({ words }, list, sources, text) =>
+  list &&
+  words.find((word) => isWithin(word, list) && !isLabel(word, sources) && !isName(word, text));
+
+// Return whether a line with an unread cell has as many cells as a row.
+function isAsWide({ entries, candidates }, widths) {
+  const count = entries.length + candidates.length;
+  return candidates.length > 0 && count >= FEWEST_ANYWHERE && widths.has(count);
+}
+
+// List what each line holds beside the rows of a block; a line of column headers holds nothing.
+/**
+ * @param {Block} block @param {(cell: string) => boolean} isEntry
+ * @returns {Map<number, Rest>}
+ */
+function listRests({ sources, lines }, isEntry) {
+  const rests = new Map();
+  const at = (line) => {
+    if (!rests.has(line)) rests.set(line, { rows: [], words: [], entries: [], candidates: [] });
+    return rests.get(line);
+  };
+  const own = new Set(sources);
+  for (const row of lines.all)
+    if (!own.has(row)) {
+      at(row.line).rows.push(row);
+      at(row.line).entries.push(...row.cells);
+    }
+  for (const word of lines.words) {
+    if (word.line === undefined) continue; // the name of a value
+    const { words, candidates } = at(word.line);
+    if (word.text.startsWith(MARK)) continue;
+    words.push(word);
+    const isCandidate = isEntry(trimMarks(word.text)) || /\d/.test(word.text);
+    if (isCandidate || isMisspelt(word.text)) candidates.push(word);
+  }
+  return rests;
+}
+
+const trimMarks = (text) => text.replace(/^[^\p{L}\d.+-]+|[^\p{L}\d]+$/gu, "");
+
+function isMostlyEntries({ entries, words, candidates }) {
+  const count = entries.length + candidates.length;
+  return count >= FEWEST && 2 * count >= entries.length + words.length;
+}
+
+// Count what may part the cells of a line: each character, and wide gaps.
+const countSeparators = (line = "") =>
+  SEPARATORS.map((separator) => line.trim().split(separator).length - 1);
+const SEPARATORS = ["|", "&", "\t", ";", ",", / {2,}/];
+
+// Return whether a line is parted as often as a row by the character that parts the row's cells.
+function hasSameSeparators(line, separators) {
+  const counts = countSeparators(line);
+  const k = separators.findIndex((count) => count >= FEWEST_SEPARATORS);
+  return k >= 0 && counts[k] === separators[k];
+}
+
+/**
+ * Find the outermost list in brackets that holds all rows.
+ * @param {string} text @param {Row[]} sources
+ * @returns {Span | null}
+ */
+function findList(text, sources) {
+  const [from, to] = [sources[0].cells[0].from, sources.at(-1).cells.at(-1).to];
+  const lists = ["[]", "{}"].flatMap(([open, close]) => {
+    const starts = [];
+    for (let at = 0; at < text.length; at++) {
+      if (text[at] === open) starts.push(at);
+      else if (text[at] === close && starts.length) {
+        const start = starts.pop();
+        if (start < from && at >= to) return [{ from: start, to: at }];
+      }
+    }
+    return [];
+  });
+  return lists[0] ?? null;
+}
+
+const isWithin = ({ from, to }, list) => from >= list.from && to <= list.to;
+
+// Return whether a list is assigned to the word, as in DH = [...].
+const isName = ({ to }, text) => /^\s*=/.test(text.slice(to, to + 9));
+
+// Return whether a line begins with a name and "=" or ":", as no row of the table does, or holds
+// several.
+const namesOtherList = (line, sources) =>
+  /^[^=:]*\p{L}[^=:]*[=:]/u.test(line) &&
+  (line.split("=").length > 2 || !sources.some(({ name }) => name));
+
+// Return whether a word stands before a row of a table whose rows all have names.
+const isLabel = (word, sources) =>
+  sources.length > 1 &&
+  sources.every(({ words }) => words.length > 0) &&
+  sources.some(({ words }) => words.includes(word));

@@ -1,0 +1,114 @@
+// A cell that nobody can read stops the verdict: a damaged table is refused, or its rows stay as they were.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import test from "node:test";
+import { convertTable } from "../../judge/reading/table_conversion.js";
+import { readNamedTable } from "../../judge/reading/table_notations.js";
+import { readTables } from "../../judge/reading/table.js";
+import { ArmError } from "../../judge/sentences.js";
+
+const COUNT = Number(process.env.DAMAGES ?? 100);
+const SEED = Number(process.env.SEED ?? 1);
+const { tables, questions } = JSON.parse(
+  readFileSync(new URL("../cases.json", import.meta.url), "utf8"),
+);
+const OPTIONS = ["columns", "lengths", "angles", "convention"];
+const cases = [
+  ...tables.map(({ text, options = {} }) => ({ text, options })),
+  ...questions
+    .filter(({ ask, grade }) => ask === "table" && grade === "right")
+    .map((question) => ({
+      text: question.answer,
+      options: Object.fromEntries(
+        OPTIONS.flatMap((key) => (key in question ? [[key, question[key]]] : [])),
+      ),
+    })),
+];
+
+// Return random numbers from 0 to 1, the same for the same seed (Park and Miller).
+function makeRandom(seed) {
+  let state = seed;
+  return () => (state = (state * 48271) % 2147483647) / 2147483647;
+}
+
+const AROUND = [
+  ["<", ">"],
+  ["", "(1)"],
+  ["", "(approx.)"],
+  ["", " (approx.)"],
+  ["", "!"],
+  ["«", "»"],
+  ["", "%"],
+  ["@", ""],
+  ["", "x"],
+  ["", " foo"],
+  ["", " or so"],
+  ["", "_"],
+  ["", ")"],
+];
+const INSTEAD = ["tbd", "n/a", "see below", "NaN", "null", "xx", "ditto", "unknown", "half"];
+const INSIDE = ["l", "O", "z", "@", "ß"]; // no "#", which begins a comment
+
+// Damage a word: put something around it, in its place, or into it.
+function damageWord(word, pick) {
+  const kind = pick([0, 1, 2]);
+  if (kind === 0) return pick(AROUND).join(word);
+  if (kind === 1) return pick(INSTEAD);
+  const at = pick([...word].map((_, k) => k));
+  return word.slice(0, at) + pick(INSIDE) + word.slice(at + pick([0, 1]));
+}
+
+// Damage a cell of a line that holds entries, or one cell of each.
+function damageTable(text, entryLines, pick) {
+  const damaged = pick([true, true, false]) ? [pick(entryLines)] : entryLines;
+  const lines = text.split("\n");
+  for (const k of damaged) {
+    const words = [...lines[k].matchAll(/[^\s|&;,[\]\t]+/g)].filter(([word]) =>
+      /[\p{L}\d]/u.test(word),
+    );
+    if (!words.length) continue;
+    const { 0: word, index } = pick(words);
+    lines[k] =
+      lines[k].slice(0, index) + damageWord(word, pick) + lines[k].slice(index + word.length);
+  }
+  return lines.join("\n");
+}
+
+// Return whether a text is a table of rows and columns; in HTML and LaTeX a word is no cell,
+// and "#" begins a comment.
+const isBlock = (one) =>
+  listReadings(one).length > 0 && !readNamedTable(one.text) && !/<td|\\begin|\r|#/.test(one.text);
+
+// List the numbers of the lines that hold entries.
+function listEntryLines({ text, options }) {
+  const [{ tokens = [] }] = readTables(text, options);
+  return [...new Set(tokens.filter(({ owner }) => owner === "entry").map(({ line }) => line))];
+}
+
+// Return the rows of each reading of a text; none if it is refused.
+function listReadings({ text, options }) {
+  try {
+    return readTables(text, options).map((table) => JSON.stringify(convertTable(table, []).rows));
+  } catch (error) {
+    if (error instanceof ArmError) return [];
+    throw error;
+  }
+}
+
+test("a damaged table is refused or read as before", () => {
+  const random = makeRandom(SEED);
+  const pick = (list) => list[Math.floor(random() * list.length)];
+  const readable = cases
+    .filter(isBlock)
+    .map((one) => ({ ...one, lines: listEntryLines(one), rows: listReadings(one)[0] }));
+  const misread = [];
+  for (let k = 0; k < COUNT; k++) {
+    const one = pick(readable);
+    const text = damageTable(one.text, one.lines, pick);
+    const readings = listReadings({ ...one, text });
+    if (readings.length && !readings.includes(one.rows))
+      misread.push(`${one.text}\n  became\n${text}`);
+  }
+  assert.equal(misread.length, 0, misread.join("\n\n"));
+});
