@@ -121,6 +121,15 @@ def test_text_touching_a_formula_stays_on_its_line(before, behind, shown):
     assert ("together" in str(paragraph)) == ("+5" not in shown)
 
 
+def test_comma_after_formula_leaves_an_equal_comma_in_place():
+    marked, formula = nodes.strong("", "Jacobian"), nodes.math("", "x")
+    paragraph = nodes.paragraph(
+        "", "", marked, nodes.Text(", "), formula, nodes.Text(", "), nodes.emphasis("", "y")
+    )
+    join_to_neighbours(formula)
+    assert paragraph.astext() == "Jacobian, x, y"
+
+
 @pytest.mark.parametrize(
     ("of", "words", "unbroken"),
     [

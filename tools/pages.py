@@ -134,10 +134,11 @@ def join_to_neighbours(formula: nodes.math) -> None:
         return
     kept = [nodes.Text(front), formula.deepcopy(), nodes.Text(behind.replace(" ", SPACE))]
     formula.replace_self(nodes.inline("", "", *kept, classes=["together"]))
+    # By position, since `replace` would take the first of several equal texts.
     if front:
-        parent.replace(before, nodes.Text(before[: -len(front)]))
+        parent[position - 1] = nodes.Text(before[: -len(front)])
     if behind:
-        parent.replace(after, nodes.Text(after[len(behind) :]))
+        parent[position + 1] = nodes.Text(after[len(behind) :])
 
 
 def keep_words_unbroken(text: nodes.Text) -> None:
