@@ -38,8 +38,10 @@ function verdicts(arm, q) {
 // Return the state that a link opens, the tip's pose, the message about the table, energy and gravity.
 function opened(fragment, arms) {
   const { patch, message } = parseFragment(fragment, arms, VIEWS);
-  const { frames, energy, gravity } = new Store(makeInitialState(patch)).derived;
-  return { patch, words: message, pose: frameMatrix(frames.at(-1)), table: describeTable(patch, { frames }), energy, gravity };
+  const { frames, potentialEnergy, gravityTorques } = new Store(makeInitialState(patch)).derived;
+  const pose = frameMatrix(frames.at(-1));
+  const table = describeTable(patch, { frames });
+  return { patch, words: message, pose, table, energy: potentialEnergy, gravity: gravityTorques };
 }
 
 // Return the message that compares a typed table with its reference.
