@@ -113,13 +113,15 @@ function findUnreadLine(typedLines, flatLines) {
 
 const hasEntries = (line = "") => line.replace(FRAME, "") && !/\p{L}{3}|[:=]\s*$/u.test(line);
 
-// Return whether an exponent stands above the blank behind its base, a letter or a bracket, in a
-// row of a matrix. A terminal's lines of words may stand so, too.
+// Return whether an exponent stands above the blank behind its base, a letter or a bracket. Words on
+// two lines of a terminal may stand so, too.
 const isPower = (line, below) =>
-  OPENING.test(below) &&
+  hasEntries(below) &&
   [...line.matchAll(/[^\s⎛-⎭[\](),]+/g)].some(
-    ({ 0: { length }, index }) =>
-      !below.slice(index, index + length).trim() && /[\p{L})]/u.test(below[index - 1] ?? ""),
+    ({ 0: exponent, index }) =>
+      /\d/.test(exponent) &&
+      !below.slice(index, index + exponent.length).trim() &&
+      /[\p{L})]/u.test(below[index - 1] ?? ""),
   );
 
 // Return whether a name before a line shifts it from the line below, with which it draws a formula.
