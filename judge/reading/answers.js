@@ -79,38 +79,39 @@ function findIn(pasted, text, question) {
   const { what, wants, isEntry, names, given = [] } = question;
   if (wants[0].columns === null) refuseOdd(text, question);
   const plain = labelNumberedLines(plainText(flattenFormulas(pasted, what)));
-  const own = blocksIn(plain, { isEntry, names, given });
-  const whole = given.length ? blocksIn(plain, { isEntry, names, given }, true) : [];
-  const found = firstBlock(own, whole, question);
-  if (!found) throw refusal(text, question, own);
-  const { block, want } = found;
+  const partings = blocksIn(plain, { isEntry, names, given });
+  const partingsWithGiven = given.length ? blocksIn(plain, { isEntry, names, given }, true) : [];
+  const answer = findFirstFit(partings, partingsWithGiven, question);
+  if (!answer) throw makeRefusal(text, question, partings);
+  const { block, want } = answer;
   const { rows, said } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
-  if (block.sources.every(isCalledOld)) throw oldAnswerError(text, block, question);
+  if (block.sources.every(isCalledOld)) throw makeOldAnswerError(text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
-  if (isUnlikely(block) && /\p{L}/u.test(text)) throw refusal(text, question, own);
-  const left = setAside(text, { ...block, ...linesOfEntries(block, tokens) }, pasted);
+  if (isUnlikely(block) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);
+  const left = setAside(text, { ...block, ...findLinesOfEntries(block, tokens) }, pasted);
   return { ...block, rows, said, left, tokens };
 }
 
-// Return a block's first and last line, with those of a drawn fraction's numerators, denominators.
-function linesOfEntries({ from, to }, tokens) {
+// Return the first and the last line of a block. Parts of a drawn fraction stand on lines beside.
+function findLinesOfEntries({ from, to }, tokens) {
   const entries = tokens.filter(({ owner }) => owner === "entry");
   const [first, last] = [entries[0]?.line ?? from, entries.at(-1)?.line ?? to];
   return { from: Math.min(from, first), to: Math.max(to, last) };
 }
 
-// The block that fits, with the first shape wanted and the first way to part the text; what
-// is hardly the answer comes last.
-function firstBlock(own, whole, question) {
+// Find the block that fits by the first shape wanted and the first parting of the text. A block
+// that is hardly the answer comes last.
+function findFirstFit(partings, partingsWithGiven, question) {
   const { wants, which = null } = question;
   const shapes = [false, true].flatMap((unlikely) => wants.map((want) => ({ unlikely, want })));
   for (const { unlikely, want } of shapes)
-    for (const blocks of want.rows > 1 ? [...whole, ...own] : own) {
-      const fits = fitting(blocks(), want, question);
-      const block = chosen(unlikely ? fits : fits.filter((one) => !isUnlikely(one)), question);
-      if (block && which === null) refuseRivals(block, blocks(), question);
+    for (const makeBlocks of want.rows > 1 ? [...partingsWithGiven, ...partings] : partings) {
+      const fits = listFits(makeBlocks(), want, question);
+      const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit));
+      const block = chooseBlock(candidates, question);
+      if (block && which === null) refuseRivals(block, makeBlocks(), question);
       if (block) return { block, want };
     }
   return null;
@@ -131,16 +132,17 @@ function isOtherQuantity({ sources }) {
   return others > 0 && 2 * others >= sources.length;
 }
 
-// An error that quotes the one list that can be read, which the words before it call an old one.
-function oldAnswerError(text, { from }, { what }) {
+// Make an error that quotes the only readable list, which the words before it call old.
+function makeOldAnswerError(text, { from }, { what }) {
   const line = quoteText(linesOf(text)[from] ?? "");
   return new ArmError(formatMessage("old answer", { what, line }));
 }
 
-// The blocks that fit, those with the answer's name where there are some; of any shape the largest.
-function fitting(blocks, want, { wants, names = NONE }) {
-  const each = want.rows === 1 ? blocks.flatMap(rowsAlone) : blocks;
-  const fits = each.flatMap((block) => fitted(block, want, wants, names));
+// List the blocks that fit, if possible only those with the answer's name. If any shape is wanted,
+// the largest is the answer.
+function listFits(blocks, want, { wants, names = NONE }) {
+  const candidates = want.rows === 1 ? blocks.flatMap(listRowsAlone) : blocks;
+  const fits = candidates.flatMap((block) => fitBlock(block, want, wants, names));
   if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
   const named = fits.filter(({ name }) => names.test(bareName(name)));
   return named.length ? named : fits;
@@ -151,8 +153,8 @@ const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slic
 const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, ""); // T of T_(Nm)
 const textsOf = (cells) => cells.map(({ text }) => text);
 
-// The block that is meant: the last of equal ones; of several that differ the one that was chosen.
-function chosen(fits, { which = null }) {
+// Return the last of equal blocks. If blocks differ, the student chooses by `which`.
+function chooseBlock(fits, { which = null }) {
   const texts = ({ rows }) => JSON.stringify(rows.map(textsOf));
   const all = [...new Map(fits.map((block) => [texts(block), block])).values()];
   const answers = all.filter(({ rows }) => rows.length > 1 || !countsJoints(rows[0]));
@@ -161,7 +163,7 @@ function chosen(fits, { which = null }) {
   throw askWhich(different);
 }
 
-// The blocks but for those all rows of which stand in a larger one.
+// Leave out blocks that repeat rows of a larger block.
 function withoutRepeated(blocks) {
   const texts = blocks.map(({ rows }) => rows.map((row) => textsOf(row).join()));
   const repeats = (rows, others) =>
@@ -170,21 +172,21 @@ function withoutRepeated(blocks) {
 }
 
 function askWhich(blocks) {
-  const options = blocks.slice(0, MOST).map(({ rows, from }) => {
-    const numbers = quoteText(textsOf(rows.flat().slice(0, SHOWN)).join(" "));
+  const options = blocks.slice(0, MOST_ANSWERS).map(({ rows, from }) => {
+    const numbers = quoteText(textsOf(rows.flat().slice(0, MOST_NUMBERS)).join(" "));
     return `line ${from + 1} (${numbers})`;
   });
   const advice = options.map((_, k) => ({ field: "which", value: k + 1 }));
   const error = new ArmError(formatMessage("which", { blocks: joinList(options) }), advice);
-  error.answers = blocks.slice(0, MOST).map(({ from, to }) => ({ from, to }));
+  error.answers = blocks.slice(0, MOST_ANSWERS).map(({ from, to }) => ({ from, to }));
   return error;
 }
 
-const MOST = 5; // answers to choose from
-const SHOWN = 8; // numbers of each
+const MOST_ANSWERS = 5; // to choose from
+const MOST_NUMBERS = 8; // of an answer to choose
 
-// Another block of as many numbers with decimals that would fit in some shape and is not the same:
-// of the answer's name or nameless; beside an answer that has its name, without any word before it.
+// Ask which block is the answer if another one of as many decimals fits, too. It has the answer's
+// name or none. Beside an answer with its name, it has no word before it.
 function refuseRivals(block, blocks, { wants, names = NONE }) {
   const isAnswer = (name) => names.test(bareName(name));
   const values = ({ rows }) => textsOf(rows.flat()).map(Number).sort().join();
@@ -193,7 +195,7 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
     isAnswer(name) || (isNamed ? !words.length : !name || /^\d{1,3}$/.test(name));
   const rivals = wants
     .filter(({ largest: any, rows, columns }) => !any && (rows !== null || columns !== null))
-    .flatMap((want) => fitting(blocks, want, { wants, names }))
+    .flatMap((want) => listFits(blocks, want, { wants, names }))
     .filter((other) => other.from > block.to || other.to < block.from)
     .filter((other) => count(other) === count(block) && mayBeAnswer(other))
     .filter((other) => values(other) !== values(block))
@@ -202,32 +204,35 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
   if (rivals.length) throw askWhich([block, ...rivals]);
 }
 
-// The block as it is wanted, or nothing. Of a row that is wanted as it stands no number counts it.
-function fitted(block, want, wants, names) {
-  const whole =
+// Turn a block into the shape that is wanted; an empty list if it does not fit. A row of the wanted
+// length has no number that counts it.
+function fitBlock(block, want, wants, names) {
+  const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
   const counted = withoutCountedHeader(block);
-  const upright = [
+  const candidates = [
     ...counted,
     ...(counted.length ? [] : [block]),
     ...withoutCountedCells(block),
     ...columnOf(block, names),
     ...jointColumns(block, want),
-    ...(whole ? [] : withoutLabels(block)),
+    ...(isWholeRow ? [] : withoutLabels(block)),
   ];
-  const lying = want.by ? upright.filter((one) => isTransposed(one, want)).map(transpose) : [];
+  const transposedBlocks = want.by
+    ? candidates.filter((candidate) => isTransposed(candidate, want)).map(transpose)
+    : [];
   const fits = ({ rows, headers }) =>
     (want.rows === null || rows.length === want.rows) &&
     (want.columns === null || rows[0].length === want.columns) &&
     (want.by !== "joint" || namesColumns(headers, rows[0].length));
-  const found = lying.find(fits) ?? upright.find(fits);
-  if (!found) return [];
-  const one = orderByLabels(found, want);
-  return [want.turned ? { ...one, rows: [one.rows.flat()] } : one];
+  const fit = transposedBlocks.find(fits) ?? candidates.find(fits);
+  if (!fit) return [];
+  const ordered = orderByLabels(fit, want);
+  return [want.turned ? { ...ordered, rows: [ordered.rows.flat()] } : ordered];
 }
 
-// Make a block of each row alone, for questions that want one row.
-function rowsAlone(block) {
+// Make a block of each row, for questions about one row.
+function listRowsAlone(block) {
   if (block.rows.length < 2) return [block];
   const isOwn = block.sources.length === block.rows.length;
   const alone = (row, i) => {
@@ -239,8 +244,7 @@ function rowsAlone(block) {
   return [block, ...block.rows.map(alone)];
 }
 
-// The column below the answer's name, of several side by side. Words behind the rows have headers
-// of their own.
+// Return the column below the answer's name. Words behind the rows have headers, too.
 function columnOf(block, names) {
   const { headers, rows, sources } = block;
   const tail = sources.length === rows.length ? Math.min(...sources.map((row) => row.tail)) : 0;
@@ -252,15 +256,14 @@ function columnOf(block, names) {
   return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, headers: [] }];
 }
 
-// The columns whose headers name the joints, of several side by side. Other columns stand before
-// and behind them; one before them that counts the rows may have no header.
+// Return the columns whose headers name joints. A first column that counts rows may have no header.
 function jointColumns(block, { by, columns }) {
   const { headers, rows } = block;
   const before = headers.findIndex((header) => isJointHeader(header));
-  const own = headers.slice(before, before + (columns ?? 0));
-  const extra = rows[0].length - own.length;
-  if (by !== "joint" || before < 0 || extra < 1 || own.length !== columns) return [];
-  if (!own.every(isJointHeader)) return [];
+  const jointHeaders = headers.slice(before, before + (columns ?? 0));
+  const extra = rows[0].length - jointHeaders.length;
+  if (by !== "joint" || before < 0 || extra < 1 || jointHeaders.length !== columns) return [];
+  if (!jointHeaders.every(isJointHeader)) return [];
   const behind = headers.length - before - columns;
   const first = textsOf(rows.map(([cell]) => cell));
   const most = Math.min(extra, before + (isSeries(first) ? 1 : 0));
@@ -269,7 +272,7 @@ function jointColumns(block, { by, columns }) {
   const from = isSeries(first) ? Math.max(least, 1) : least;
   const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, from)]);
   const select = (list) => list.slice(from, from + columns);
-  return [{ ...block, rows: rows.map(select), labels, headers: own }];
+  return [{ ...block, rows: rows.map(select), labels, headers: jointHeaders }];
 }
 
 // Return whether as many headers name joints as there are columns, or fewer than two.
@@ -292,13 +295,13 @@ export function setAside(text, block, live = null) {
   const { from, to } = block;
   const lines = linesOf(text);
   const rest = lines.filter((_, i) => i < from || i > to);
-  const told = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
+  const linesWithText = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
   const kept = live && live.text.length === text.length ? linesOf(live.text) : lines;
   const comments = lines.slice(from, to + 1).flatMap((line, i) => {
     const end = kept[from + i].trimEnd().length;
     return kept[from + i] === line ? [] : [line.slice(end).trim()].filter(Boolean);
   });
-  return [...told.map((line) => line.trim()), ...comments, ...numbersBeside(block)];
+  return [...linesWithText.map((line) => line.trim()), ...comments, ...numbersBeside(block)];
 }
 
 const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
@@ -309,9 +312,9 @@ const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
  * @param {Block} block
  */
 function numbersBeside({ from, to, sources, lines }) {
-  const own = new Set(sources);
+  const rowsOfBlock = new Set(sources);
   const others = lines.all.filter(
-    (row) => row.line >= from && row.line <= to && !own.has(row) && !lines.given.has(row),
+    (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row) && !lines.given.has(row),
   );
   const words = sources.flatMap((row) => row.words.filter(({ text }) => hasDecimals(text)));
   return [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])]
@@ -336,13 +339,13 @@ function refuseOdd(text, { what, wanted = "numbers" }) {
   if (key) throw new ArmError(formatMessage(key, { what, wanted }));
 }
 
-// Why nothing fits: the numbers that are there, and those that are wanted.
-function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings) {
+// Make an error that says which numbers are there and which are wanted.
+function makeRefusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings) {
   refuseOdd(text, { what, wanted });
   const blocks = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
   if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));
-  refuseUnread(text, tokensOf(text, sorted[0]), what); // what broke the block, where that is known
+  refuseUnread(text, tokensOf(text, sorted[0]), what); // may have broken the block
   const found = describeSize(sorted[0].rows.length, sorted[0].rows[0].length);
   const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
   return new NoFitError(formatMessage("no fit", { what, found, line, wanted }));

@@ -113,8 +113,8 @@ function findUnreadLine(typedLines, flatLines) {
 
 const hasEntries = (line = "") => line.replace(FRAME, "") && !/\p{L}{3}|[:=]\s*$/u.test(line);
 
-// Return whether an exponent stands above the blank behind its base, a letter or a bracket. Words on
-// two lines of a terminal may stand so, too.
+// Return whether an exponent stands above the blank behind its base, a letter or a bracket. Words
+// on two lines of a terminal may stand so, too.
 const isPower = (line, below) =>
   hasEntries(below) &&
   [...line.matchAll(/[^\s⎛-⎭[\](),]+/g)].some(
