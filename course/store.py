@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from course.sheets import Exercise, Section, Sheet, change_lengths, list_part_names, make_suffix
-from helpers.arm import Arm, Body, Joint, Row
+from helpers.arm import Arm, Body, CircleTask, Joint, Row
 from helpers.inputs import ArmError, require_type
 
 COURSE_FILE = "course.json"
@@ -157,6 +157,7 @@ def arm_to_json(arm: Arm) -> dict[str, Any]:
         "values": dict(arm.values),
         "bodies": [{"mass": body.mass, "com": list(body.com)} for body in arm.bodies],
         "home": list(arm.home),
+        "circle": arm.circle and vars(arm.circle),
         "source": arm.source,
     }
 
@@ -176,7 +177,9 @@ def arm_from_json(data: Mapping[str, Any]) -> Arm:
     """
     try:
         rows = [Row(**row["entries"], joint=Joint(**row["joint"])) for row in data["rows"]]
-        return Arm(**{**data, "rows": rows, "bodies": [Body(**body) for body in data["bodies"]]})
+        bodies = [Body(**body) for body in data["bodies"]]
+        circle = CircleTask(**data["circle"]) if data.get("circle") else None
+        return Arm(**{**data, "rows": rows, "bodies": bodies, "circle": circle})
     except (KeyError, TypeError) as error:
         raise ArmError(
             f"the stored arm lacks or mistypes {error}; expected what arm_to_json makes"
