@@ -150,7 +150,7 @@ const DATES = [
   /^(?:\d+m)?[\d.]+ ?m?s$/, // how long a program took
   /\d\.{2,3}[-+−]?[\d.]/, // a range, -2.9..2.9
 ];
-const isDate = (word) => DATES.some((pattern) => pattern.test(word));
+export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 // Digits with a letter for one, 7l2 and O.5, or with a mark behind them, 0!
 const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
 const TWO_SIGNS = /\d(?:π|pi| )*(?:±|\\pm|\+\/-)|(?:π|pi) ?(?:±|\\pm|\+\/-)/; // π ± 0.1

@@ -1,7 +1,7 @@
 // Finds what a table was read without: a cell on the lines of its rows that is no entry, or a line
 // that looks like one more row.
 
-import { isMisspelt } from "./owners.js";
+import { isDate, isMisspelt } from "./owners.js";
 
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -26,14 +26,18 @@ const MARK = "·"; // begins a word that the judge wrote, as for column headers
  * @param {(cell: string) => boolean} isEntry whether a cell may be an entry of a table
  * @returns {{ line: number, cell: Cell | undefined } | null}
  */
-export function findUnreadCell({ block, cells, plainLines }, text, isEntry) {
+export function findUnreadCell(table, text, isEntry) {
+  const { block, plainLines } = table;
   const { sources } = block;
   const rests = listRests(block, isEntry);
   const isTyped = (line) => /[\p{L}\d]/u.test(plainLines[line]); // "|---|---|" draws a line
-  const lines = [...rests.keys()].filter(isTyped).sort((p, q) => p - q);
-  const isBeside = makeBesideTest(lines, block);
+  const isHeader = (line) => isUnknownHeader(table, line);
+  const lines = [...rests.keys()]
+    .filter((line) => isTyped(line) && !isHeader(line))
+    .sort((p, q) => p - q);
+  const isBeside = makeBesideTest(lines, table);
   const starts = new Map(sources.map(({ line, cells: [first] }) => [line, first.from]));
-  const widths = new Set([cells[0].length, ...sources.map((row) => row.cells.length)]);
+  const widths = listWidths(table);
   const separators = countSeparators(plainLines[sources[0].line]);
   const list = findList(text, sources);
   for (const line of lines) {
@@ -44,23 +48,31 @@ export function findUnreadCell({ block, cells, plainLines }, text, isEntry) {
     const isOtherList = namesOtherList(plainLine, sources);
     if (starts.has(line)) {
       const cell = rest.candidates.find((candidate) => candidate.from > starts.get(line));
-      if (cell ?? rest.rows.find(isPartOfRow)) return { line, cell: [cell, first].find(Boolean) };
+      const part = rest.rows.find(isPartOfRow);
+      if ([cell, part].some(Boolean)) return { line, cell: [cell, first].find(Boolean) };
     } else if (isBeside(line)) {
       if (hasSameSeparators(plainLine, separators)) return { line, cell: first };
-      if (!isOtherList && isMostlyEntries(rest)) return { line, cell: first };
+      if (!isOtherList && isMostlyEntries(rest, plainLine)) return { line, cell: first };
     }
     if (!isOtherList && isAsWide(rest, widths)) return { line, cell: first };
   }
   return null;
 }
 
-// Make a function that tells whether a line stands between the rows of a block or next to them.
-/** @param {number[]} lines @param {Block} block */
-function makeBesideTest(lines, { from, to }) {
+// Make a function that tells whether a line stands between the rows of a table or next to them. The
+// line of joints above a turned table is no row.
+/** @param {number[]} lines @param {TableBlock} table */
+function makeBesideTest(lines, { block: { from, to }, isTurned }) {
+  if (isTurned) return () => false;
   const above = lines.findLast((line) => line < from);
   const below = lines.find((line) => line > to);
   return (line) => (line >= from && line <= to) || line === above || line === below;
 }
+
+// List the numbers of cells that a row has as typed; none of a turned table.
+/** @param {TableBlock} table */
+const listWidths = ({ cells, block, isTurned }) =>
+  new Set(isTurned ? [] : [cells[0].length, ...block.sources.map((row) => row.cells.length)]);
 
 const isPartOfRow = ({ cells, name }) => cells.length >= FEWEST && !name;
 
@@ -94,7 +106,7 @@ function listRests({ sources, lines }, isEntry) {
       at(row.line).entries.push(...row.cells);
     }
   for (const word of lines.words) {
-    if (word.line === undefined) continue; // the name of a value
+    if (word.line === undefined || isDate(word.text)) continue; // the name of a value, a date
     const { words, candidates } = at(word.line);
     if (word.text.startsWith(MARK)) continue;
     words.push(word);
@@ -104,11 +116,19 @@ function listRests({ sources, lines }, isEntry) {
   return rests;
 }
 
+const PROSE = /(?<![\p{L}\d_\\])\p{L}{3,}(?![\p{L}\d_(])/gu;
+const FEWEST_PROSE = 3; // words of a sentence
+
+// Return whether a line above a table without headers holds no digit: headers of unknown names.
+const isUnknownHeader = ({ headers, block, plainLines }, line) =>
+  !headers.length && line < block.from && !/\d/.test(plainLines[line]);
+
 const trimMarks = (text) => text.replace(/^[^\p{L}\d.+-]+|[^\p{L}\d]+$/gu, "");
 
-function isMostlyEntries({ entries, words, candidates }) {
+function isMostlyEntries({ entries, words, candidates }, plainLine) {
   const count = entries.length + candidates.length;
-  return count >= FEWEST && 2 * count >= entries.length + words.length;
+  const isSentence = (plainLine.match(PROSE) ?? []).length >= FEWEST_PROSE;
+  return !isSentence && count >= FEWEST && 2 * count >= entries.length + words.length;
 }
 
 // Count what may part the cells of a line: each character, and wide gaps.
