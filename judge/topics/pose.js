@@ -4,7 +4,7 @@
 import { listExchangedDigits, listJointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
 import { listTableMistakes } from "../causes/chain.js";
-import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
+import { agrees, FINE, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { isOutsideLimits } from "../geometry/arm.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
@@ -124,7 +124,7 @@ export function readTarget(T, arm, known, orPoint = true) {
 
 /** @returns {import("../verdict.js").Verdict} */
 function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
-  const mine = { values: T.values.flat(), units: T.units.flat() };
+  const mine = { values: T.values.flat(), units: findTargetUnits(T.units.flat()) };
   const right = makeTipEntries(arm, T);
   const mistakes = [...listSingleMistakes(arm, T)];
   const listDigitMistakes = () =>
@@ -160,6 +160,17 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
     findings,
     causes: causes.map(causeName),
   });
+}
+
+/**
+ * Return the units of a target's numbers. A coarse place is exact, as a question gives 0.4 m; beside
+ * finer numbers a program has left off zeros.
+ * @param {number[]} typedUnits
+ */
+function findTargetUnits(typedUnits) {
+  const fine = typedUnits.filter((unit) => unit && unit < FINE);
+  const finest = fine.length ? Math.min(...fine) : 0;
+  return typedUnits.map((unit) => (unit < FINE ? unit : finest));
 }
 
 const HEADLINES = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
