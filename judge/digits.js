@@ -19,7 +19,7 @@ const LEAST_DIFFERENCE = 1e-10;
 // Error of pi with seven digits or of a long sum, as a share of the largest entry.
 const SUM_ROUND_OFF = 1e-6;
 // Joint values whose last place exceeds this (rad or m) are exact: q = 0.3 does not stand for 0.26.
-const FINE = 2e-3;
+export const FINE = 2e-3;
 const NUDGE = 1e-6; // step of the difference quotient, rad or m
 const NUMBER = /^[+-]?\s*(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/;
 const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exact 0 or 1
@@ -37,7 +37,7 @@ const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exac
  * @param {string[]} texts @param {number[]} [slacks] of the formulas among them
  */
 export function units(texts, slacks = []) {
-  const numbers = texts.map(readLiteral);
+  const numbers = withoutPadding(texts.map(readLiteral));
   if (numbers.some((number) => number?.digits >= FULL)) return texts.map(() => 0);
   const typedUnits = numbers.flatMap((number, i) => {
     if (!number) return slacks[i] ? [2 * slacks[i]] : [];
@@ -63,6 +63,19 @@ function findUnitOfOne(numbers) {
   const digits = Math.max(...numbers.map((number) => number.digits));
   return Math.max(10 ** (1 - digits), finest);
 }
+
+// Give numbers that a program padded with zeros, as 6.964900e-01 beside 3.883316e+01, the unit of
+// the finest digit that is no zero.
+function withoutPadding(numbers) {
+  const padded = numbers.filter((number) => number && !number.bare && number.size > NOISE);
+  const unit = Math.min(FINE, ...padded.map((number) => number.unit * 10 ** number.zeros));
+  const zeros = padded.map((number) => Math.max(0, Math.log10(unit / number.unit)));
+  if (padded.length < 3 || zeros.reduce((sum, count) => sum + count, 0) < PADDING - 0.5)
+    return numbers;
+  return numbers.map((number) => number && { ...number, unit: Math.max(unit, number.unit) });
+}
+
+const PADDING = 3; // zeros in all: one answer in a thousand ends so by chance
 
 /**
  * Return the units that a program's numbers have if it trims zeros: those of the column's finest
@@ -98,6 +111,7 @@ function readLiteral(text) {
     unit: Number(`1e${Number(match[3] ?? 0) - match[2].length}`),
     size: Math.abs(Number(trimmed.replace(/\s/g, ""))),
     bare: BARE.test(trimmed),
+    zeros: /0*$/.exec(match[2])[0].length,
   };
 }
 
