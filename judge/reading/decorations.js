@@ -31,8 +31,10 @@ const FACE =
   String.raw`(?:\\(?:${FACES}|textcolor\{\w+\})\{|\{\\color\{\w+\}\s*)` +
   String.raw`((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
 
-// (corrected), (was 2.075), but not (rad)
-const REMARK = String.raw`\((?!\s*(?:${UNIT}|pi)\s*\))[A-Za-z][^()\n]{0,30}\)(?! ?[*/^+-])`;
+// (corrected), (was 2.075), but not (rad) nor the factor (a_2 c_2 + a_3)
+const REMARK =
+  String.raw`\((?!\s*(?:${UNIT}|pi)\s*\))(?![^()\n]*[A-Za-z]\d)` +
+  String.raw`[A-Za-z][^()\n*/+^_{}=]{0,30}\)(?! ?[*/^+-])`;
 
 // The end of a value, but not "1", which may be a name.
 const END_OF_VALUE =
@@ -55,6 +57,7 @@ const DECORATIONS = [
   [/(?<=10)<sup>\s*([-+]?\d{1,2})\s*<\/sup>/gi, "^$1"],
   [new RegExp(FOOTNOTE_MARK, "g"), ""],
   [TAG, (_, name) => CELL_TAGS[name.toLowerCase()] ?? ""],
+  [/\\ang\{([^{}\n;]*)\}/g, "$1 deg"],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, "$1 $2"],
   [new RegExp(FACE, "g"), "$1"],
   [
