@@ -21,9 +21,15 @@ const PLAIN_CHARACTERS = new Map([
   ...mapEach("º˚", "°"),
   ...mapEach("⋅∙", "·"),
   ["≅", "≈"],
-  ["，", ","],
-  ["（", "("],
-  ["）", ")"],
+  ...Object.entries({
+    "，": ",",
+    "、": ",",
+    "；": ";",
+    "：": ":",
+    "＝": "=",
+    "（": "(",
+    "）": ")",
+  }),
   ...[..."０１２３４５６７８９"].flatMap((digit, i) => mapEach(digit, `${i}`)), // in Chinese text
 ]);
 const FOLDED = new RegExp(`[${[...PLAIN_CHARACTERS.keys()].join("")}]`, "g");
@@ -66,6 +72,11 @@ export const withoutSpacing = (text) => text.replace(SPACING, " ");
 const MATRIX =
   String.raw`\\(begin|end)\{(?:\w*matrix\*?|array|tabular\*?)\}` +
   String.raw`(?:\[[^\]\n]{0,9}\])?(?:\{[lcr|\s]{0,60}\})?`;
+// The end of a row of a column vector, where MATLAB has a semicolon.
+const END_IN_COLUMN = new RegExp(
+  String.raw`(?<=\[[^[\]&=]{0,200})${ROW_END}(?=[^[\]&=]{0,200}\])`,
+  "g",
+);
 const NOUNS = "wrist|joint|step|column|link|angle|torque|axis|branch|sol(?:ution)?|lösung";
 // A noun and its number in one word.
 const joinedNoun = (noun) => `${noun.trim()}_`;
@@ -83,6 +94,7 @@ const MATRIX_CHARACTERS = [
   [new RegExp(MATRIX, "g"), (_, end) => (end === "begin" ? "[" : "]")],
   [/\\(?:hline|cline\{[^{}\n]{0,20}\}|(?:top|mid|bottom)rule)/g, " "],
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
+  [END_IN_COLUMN, ";"],
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
   [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
   [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
