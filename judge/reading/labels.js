@@ -28,7 +28,7 @@ const UR = new Map(
 function labelOf(text) {
   if (hasDecimals(text)) return null;
   const word = simple(text);
-  const row = ROWS.indexOf(word.replace("omega", "w"));
+  const row = ROWS.indexOf(word.replace("omega", "w").replace(/^([xyz])dot$/, "v$1"));
   if (row >= 0) return { kind: "row", at: row };
   const ur = UR.get(word.replace(/joint$/, ""));
   const ordinal = ORDINALS.findIndex((one) => word.replace(/^the/, "").startsWith(one));
@@ -40,7 +40,7 @@ function labelOf(text) {
 
 // A label without its unit, brackets and signs.
 const simple = (text) =>
-  plain([...text].map((sign) => DOTTED[sign] ?? sign).join(""))
+  plain([...text.normalize("NFKC")].map((sign) => DOTTED[sign] ?? sign).join(""))
     .toLowerCase()
     .replace(/\(t\)|[([](?:deg|rad|nm|m)[^)\]]*[)\]]|(?:\bm{0,2})?\/(?:s|rad)$/g, "")
     .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
