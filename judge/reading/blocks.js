@@ -201,13 +201,23 @@ const DEGREES_BEHIND = / deg$/;
 function blockOf(rows) {
   return {
     rows: rows.map(applyUnits),
-    labels: rows.map(({ words }) => words),
-    headers: rows[0].above,
+    ...labelsOfRows(rows),
     name: rows[0].name || (rows[0].words.at(-1)?.text ?? ""),
     from: rows[0].line,
     to: rows.at(-1).last,
     sources: rows,
   };
+}
+
+// The words before each row, and above the first; of "rows: vx vy vz" above three rows their names.
+function labelsOfRows(rows) {
+  const [first, ...names] = rows[0].above.filter(({ text }) => !/^order$/i.test(text));
+  const isListOfRows =
+    /^rows?$/i.test(first?.text ?? "") &&
+    names.length === rows.length &&
+    names.every((name) => labelIn([name])?.kind === "row");
+  if (isListOfRows) return { labels: names.map((name) => [name]), headers: [] };
+  return { labels: rows.map(({ words }) => words), headers: rows[0].above };
 }
 
 // MATLAB's parts of a wide matrix, "Columns 1 through 4" and on.
@@ -237,7 +247,7 @@ function rowsOfOneName(rows) {
 // Single values with names of joints, q1 = 0.3: a row for each set of them.
 function joinNamed(rows) {
   const labelled = rows.flatMap((row) => {
-    const label = row.cells.length === 1 ? labelIn(row.words) : null;
+    const label = row.cells.length === 1 ? labelOfValue(row) : null;
     return label && label.kind !== "count" ? [{ row, label }] : [];
   });
   const single = labelled.filter(({ row }, k) => {
@@ -252,7 +262,7 @@ function joinNamed(rows) {
   }
   const count = sets[0]?.length;
   if (!count || count < 2 || sets.some((set) => set.length !== count)) return [];
-  const headers = sets[0].map(({ row: { words } }) => joinedCell(words));
+  const headers = sets[0].map(({ row, label }) => ({ ...joinedCell(row.words), label }));
   const [first, last] = [single[0].row, single.at(-1).row];
   return [
     {
@@ -266,6 +276,10 @@ function joinNamed(rows) {
     },
   ];
 }
+
+// Return the label before a value, as in "then q2 = 0.3"; of q1 = atan2(y, x) = 0.3 the first name.
+export const labelOfValue = ({ words, name }) =>
+  labelIn(words) ?? (name ? labelIn([{ text: name }]) : null);
 
 // Return whether a row d3 = 0.4 stands beside one of the next joint, q2 = 0.3: then it is a slide.
 const isSlideBeside = ({ row, label }, other) =>

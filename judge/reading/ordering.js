@@ -14,7 +14,7 @@ import { formatMessage } from "../sentences.js";
  * @param {import("./lines.js").Cell[][]} words of each row or column @returns {Labels | null}
  */
 export function readLabels(words) {
-  const labels = words.map(labelIn);
+  const labels = words.map((cells) => cells[0]?.label ?? labelIn(cells));
   const kind = labels[0]?.kind;
   if (!kind || labels.some((label) => label?.kind !== kind)) return null;
   const at = labels.map((label) => label.at);

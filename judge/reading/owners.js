@@ -1,7 +1,7 @@
 // Owners: what each number of a pasted text was taken for. A number that nothing claims, within the
 // answer's lines or beside them, is unread, and then nothing is graded.
 
-import { isCalledOld, namesOtherQuantity } from "./blocks.js";
+import { isCalledOld, labelOfValue, namesOtherQuantity } from "./blocks.js";
 import { hasDecimals } from "./formula.js";
 import { labelIn } from "./labels.js";
 import { isUnit } from "./lines.js";
@@ -66,9 +66,10 @@ export function tokensOf(text, block) {
   const tokens = new Tokens(text);
   const starts = new Set(block.rows.flat().map(({ from }) => from));
   const strayRows = unlabelledRows(block);
+  const misplaced = findMisplacedCells(block);
   block.rows.forEach((cells, row) =>
     cells.forEach((cell, column) => {
-      const unread = strayRows.has(row) || lacksFactor(text, cell, starts);
+      const unread = strayRows.has(row) || misplaced.has(cell) || lacksFactor(text, cell, starts);
       const index = row * cells.length + column;
       for (const stretch of cell.stretches ?? [cell])
         tokens.claim(stretch, unread ? "unread" : "entry", { row, column, index });
@@ -126,6 +127,20 @@ function unlabelledRows({ labels }) {
   const isNamed = labels.map((words) => labelIn(words)?.kind === "row");
   const unlabelled = isNamed.flatMap((named, row) => (named ? [] : [row]));
   return new Set(isNamed.includes(true) ? unlabelled : []);
+}
+
+// The cells whose labels name a lower joint than the label of the cell before.
+function findMisplacedCells({ rows, sources }) {
+  const labels = new Map();
+  for (const row of sources)
+    if (row.cells.length === 1) labels.set(row.cells[0].from, labelOfValue(row));
+  const jointOf = ({ from }) => (labels.get(from)?.kind === "joint" ? labels.get(from).at : null);
+  const isMisplaced = (cell, before) =>
+    before &&
+    jointOf(before) !== null &&
+    jointOf(cell) !== null &&
+    jointOf(cell) <= jointOf(before);
+  return new Set(rows.flatMap((row) => row.filter((cell, k) => isMisplaced(cell, row[k - 1]))));
 }
 
 const MOST_LABELLED = 6; // rows of a Jacobian
@@ -309,7 +324,8 @@ export function refuseUnread(text, tokens, what) {
   if (!token) return;
   const word = wordAround(text, token);
   const fields = { what, word: quoteText(word), line: token.line + 1, where: whereOf(text, token) };
-  throw new ArmError(formatMessage("unread", fields), [], tokens, text);
+  const key = PLAIN_NUMBER.test(word) ? "unclaimed" : "unread";
+  throw new ArmError(formatMessage(key, fields), [], tokens, text);
 }
 
 /**
@@ -323,6 +339,8 @@ export function refuseUnreadCell(text, tokens, { from, to }, what) {
   const fields = { what, word: quoteText(text.slice(from, to).trim()), line, where: "" };
   throw new ArmError(formatMessage("unread", fields), [], tokens, text);
 }
+
+const PLAIN_NUMBER = /^[-+−–]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+−–]?\d+)?$/i;
 
 // The word in which a number stands, up to blanks and what parts cells.
 function wordAround(text, { from, to }) {
