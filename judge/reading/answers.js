@@ -52,7 +52,7 @@ const LONGEST = 2_000_000; // characters of a text: a trajectory of 20 000 steps
 /**
  * The block that is the answer. `said` is how its rows were ordered, `left` the lines and numbers
  * that were set aside, `tokens` every number of the text with its owner.
- * @typedef {Block & { left: string[], said: string[],
+ * @typedef {Block & { left: string[], said: string[], hasRowNames?: boolean,
  *   tokens: import("./owners.js").Token[] }} Answer
  */
 

@@ -4,7 +4,7 @@ import { RAD } from "../geometry/angles.js";
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
-import { labelIn } from "./labels.js";
+import { labelIn, labelOfValue, labelRows } from "./labels.js";
 import { markHeadings, readRows } from "./lines.js";
 
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -201,23 +201,12 @@ const DEGREES_BEHIND = / deg$/;
 function blockOf(rows) {
   return {
     rows: rows.map(applyUnits),
-    ...labelsOfRows(rows),
+    ...labelRows(rows),
     name: rows[0].name || (rows[0].words.at(-1)?.text ?? ""),
     from: rows[0].line,
     to: rows.at(-1).last,
     sources: rows,
   };
-}
-
-// The words before each row, and above the first; of "rows: vx vy vz" above three rows their names.
-function labelsOfRows(rows) {
-  const [first, ...names] = rows[0].above.filter(({ text }) => !/^order$/i.test(text));
-  const isListOfRows =
-    /^rows?$/i.test(first?.text ?? "") &&
-    names.length === rows.length &&
-    names.every((name) => labelIn([name])?.kind === "row");
-  if (isListOfRows) return { labels: names.map((name) => [name]), headers: [] };
-  return { labels: rows.map(({ words }) => words), headers: rows[0].above };
 }
 
 // MATLAB's parts of a wide matrix, "Columns 1 through 4" and on.
@@ -276,10 +265,6 @@ function joinNamed(rows) {
     },
   ];
 }
-
-// Return the label before a value, as in "then q2 = 0.3"; of q1 = atan2(y, x) = 0.3 the first name.
-export const labelOfValue = ({ words, name }) =>
-  labelIn(words) ?? (name ? labelIn([{ text: name }]) : null);
 
 // Return whether a row d3 = 0.4 stands beside one of the next joint, q2 = 0.3: then it is a slide.
 const isSlideBeside = ({ row, label }, other) =>

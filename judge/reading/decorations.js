@@ -36,6 +36,9 @@ const REMARK =
   String.raw`\((?!\s*(?:${UNIT}|pi)\s*\))(?![^()\n]*[A-Za-z]\d)` +
   String.raw`[A-Za-z][^()\n*/+^_{}=]{0,30}\)(?! ?[*/^+-])`;
 
+// A name with a bracket directly behind it: its argument, as in atan2(y, x), or a factor.
+const NAME = String.raw`[A-Za-z]_?\d{1,2}(?=\()`;
+
 // The end of a value, but not "1", which may be a name.
 const END_OF_VALUE =
   String.raw`(?<![\p{L}_]\d{1,2} ?)(?<=(?:[.,]\d{0,22}|(?<![\d.])0)` +
@@ -78,7 +81,7 @@ const DECORATIONS = [
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "g"), "$2"],
   [/(?<=[|&][ \t]*)(\*{1,3}|_)([^*|&\n]{1,40})\1(?=[ \t]*[|&])/g, "$2"], // an emphasised cell
   [new RegExp(MARK_BEHIND, "gm"), ""],
-  [new RegExp(String.raw`(?<=\d(?:[ ]?(?:${UNIT}|π|pi))?)[ ]*${REMARK}`, "g"), ""],
+  [new RegExp(String.raw`(?<=\d(?:[ ]?(?:${UNIT}|π|pi))?)(?<!${NAME}) *${REMARK}`, "g"), ""],
   // a corrected value
   [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.θ])/g, ""],
   [new RegExp(String.raw`${END_OF_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]

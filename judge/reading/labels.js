@@ -20,10 +20,12 @@ const UR = new Map(
   ].flatMap((words, k) => words.map((word) => [word, k + 1])),
 );
 
+/** @typedef {{ kind: string, at: number }} Label of a row, a joint, or a plain count */
+
 /**
  * Read a label: "row" and which of vx ... wz, "joint" and its number, or "count" and how far.
  * @param {string} text
- * @returns {{ kind: string, at: number } | null}
+ * @returns {Label | null}
  */
 function labelOf(text) {
   if (hasDecimals(text)) return null;
@@ -57,6 +59,31 @@ export function labelIn(words) {
   const texts = words.slice(-MOST_WORDS).map(({ text }) => text);
   const found = texts.flatMap((_, k) => labelOf(texts.slice(k).join(" ")) ?? []);
   return found.find(({ kind }) => kind !== "count") ?? found[0] ?? null;
+}
+
+/**
+ * Return the label before a value, as in "then q2 = 0.3"; of q1 = atan2(y, x) = 0.3 the first name.
+ * @param {import("./lines.js").Row} row
+ */
+export function labelOfValue({ words, name }) {
+  const label = labelIn(words);
+  if (!name || !words.length || (label && label.kind !== "count")) return label;
+  return labelIn([{ text: name }]) ?? label;
+}
+
+/**
+ * Return the words before each row and those above the first. "rows: vx vy vz" above three rows
+ * names them.
+ * @param {import("./lines.js").Row[]} rows
+ */
+export function labelRows(rows) {
+  const [first, ...names] = rows[0].above.filter(({ text }) => !/^order$/i.test(text));
+  const isListOfRows =
+    /^rows?$/i.test(first?.text ?? "") &&
+    names.length === rows.length &&
+    names.every((name) => labelIn([name])?.kind === "row");
+  if (isListOfRows) return { labels: names.map((name) => [name]), headers: [] };
+  return { labels: rows.map(({ words }) => words), headers: rows[0].above };
 }
 
 const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;

@@ -5,9 +5,9 @@ import { isFunction, isNumber } from "./formula.js";
 import { CONTINUED, ROW_END } from "./characters.js";
 
 /**
- * A cell in plain characters, its unit as a factor, with its place in the text; of a word its line.
+ * A cell in plain characters, a unit as its factor. A word has its line, a header its label.
  * @typedef {import("./spans.js").Span & { text: string, line?: number,
- *   stretches?: import("./spans.js").Span[] }} Cell
+ *   label?: import("./labels.js").Label, stretches?: import("./spans.js").Span[] }} Cell
  */
 /**
  * Entries of one row; the words before them since the row before on the line, and of the line

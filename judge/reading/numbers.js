@@ -39,10 +39,11 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 /**
  * Numbers as typed, row by row, with the unit of the last decimal place of each.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
- *   entries: Entry[], said: string[], left: string[],
+ *   entries: Entry[], said: string[], left: string[], hasRowNames?: boolean,
  *   says?: ReturnType<typeof unitsSaid>, tokens?: import("./owners.js").Token[] }} Typed
  *   `trees` are the formulas of a text, `said` is how it was read, `left` are its other lines,
- *   `says` the units that it names, and `tokens` all its numbers with their owners
+ *   `hasRowNames` says whether its rows were ordered by the names vx to wz, `says` the units that
+ *   it names, and `tokens` all its numbers with their owners
  */
 
 /**
@@ -160,9 +161,9 @@ function readText(text, { known, ...question }) {
     entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
   );
   const shape = [answer.rows.length, answer.rows[0].length];
-  const { said, left } = answer;
+  const { said, left, hasRowNames, tokens } = answer;
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
-  return { ...read, entries, said, left, says: unitsSaid(text), tokens: answer.tokens };
+  return { ...read, entries, said, left, hasRowNames, says: unitsSaid(text), tokens };
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;

@@ -99,5 +99,6 @@ export function orderByLabels(block, { by }) {
     ...block,
     rows: down.map((i) => across.map((k) => block.rows[i][k])),
     said: moved ? [formatMessage("taken: by names")] : [],
+    hasRowNames: Boolean(whole) && by === "row",
   };
 }

@@ -1,9 +1,9 @@
 // Owners: what each number of a pasted text was taken for. A number that nothing claims, within the
 // answer's lines or beside them, is unread, and then nothing is graded.
 
-import { isCalledOld, labelOfValue, namesOtherQuantity } from "./blocks.js";
+import { isCalledOld, namesOtherQuantity } from "./blocks.js";
 import { hasDecimals } from "./formula.js";
-import { labelIn } from "./labels.js";
+import { labelIn, labelOfValue } from "./labels.js";
 import { isUnit } from "./lines.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
@@ -100,15 +100,16 @@ export function tokensOf(text, block) {
 const leadsLine = (text, { from }) =>
   /(?:^|\n)[ \t]*$/.test(text.slice(Math.max(0, from - 20), from));
 
-// List the numbers that a comma may hold together, 115,2111 or 24,246.81, as their two halves. At a
-// line's start the first half may be the row's index.
+// List the numbers that a comma may hold together, 115,2111 or 24,246.81, as their two halves. In
+// "1,0,-1.571" commas part, and at a line's start the first half may be the row's index.
 /** @param {string} text @param {Token[]} tokens */
 function listCommaNumbers(text, tokens) {
-  const isJoined = (one, other) => text[one.to] === "," && other?.from === one.to + 1;
   return tokens.flatMap((half, k) => {
-    const [before, rest] = [tokens[k - 1], tokens[k + 1]];
-    if (!isJoined(half, rest) || isJoined(rest, tokens[k + 2] ?? rest)) return [];
-    if ((before && isJoined(before, half)) || leadsLine(text, half)) return [];
+    const rest = tokens[k + 1];
+    if (text[half.to] !== "," || rest?.from !== half.to + 1) return [];
+    const isListed = /,[-+−]?$/.test(text.slice(0, half.from).slice(-2));
+    if (isListed || /^,\S/.test(text.slice(rest.to, rest.to + 2))) return [];
+    if (leadsLine(text, half)) return [];
     const isDecimal = /^\d+$/.test(rest.text) || /^\d{3}\./.test(rest.text);
     return /^\d+$/.test(half.text) && isDecimal ? [[half, rest]] : [];
   });

@@ -66,7 +66,8 @@ function judgeReadMatrix(typed, question, taken) {
     const wrong = typed.values.map(() => true);
     return { ...makeJacobianVerdict(arm, WRONG, headline, { taken }), wrong };
   }
-  if (!angularFirst || rows < 6) return judgeSelectedRows(typed, question, taken);
+  if (!angularFirst || rows < 6 || typed.hasRowNames)
+    return judgeSelectedRows(typed, question, taken);
   const verdict = judgeSelectedRows(exchangeTypedHalves(typed), question, [
     ...taken,
     formatMessage("taken: angular first"),

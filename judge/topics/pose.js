@@ -163,8 +163,8 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
 }
 
 /**
- * Return the units of a target's numbers. A coarse place is exact, as a question gives 0.4 m; beside
- * finer numbers a program has left off zeros.
+ * Return the units of a target's numbers. A coarse place is exact, as a question gives 0.4 m;
+ * beside finer numbers a program has left off zeros.
  * @param {number[]} typedUnits
  */
 function findTargetUnits(typedUnits) {
