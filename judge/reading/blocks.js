@@ -4,7 +4,7 @@ import { RAD } from "../geometry/angles.js";
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
-import { labelIn, labelOfValue, labelRows } from "./labels.js";
+import { labelIn, labelOfValue, labelRows, nameOtherUnits } from "./labels.js";
 import { markHeadings, readRows } from "./lines.js";
 
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -121,6 +121,7 @@ function followingRows(rows, names) {
 
 // Return whether a row goes on the row before it, with only numbers of their lines between them.
 const follows = (row, before, between) =>
+  !nameOtherUnits(row.above, before.above) &&
   before.part === row.part &&
   before.depth === row.depth &&
   between.every(({ line }) => line === before.line || line === row.line) &&

@@ -77,7 +77,7 @@ export function labelOfValue({ words, name }) {
  * @param {import("./lines.js").Row[]} rows
  */
 export function labelRows(rows) {
-  const [first, ...names] = rows[0].above.filter(({ text }) => !/^order$/i.test(text));
+  const [first, ...names] = rows[0].above.filter(({ text }) => !/^(?:order|#+)$/i.test(text));
   const isListOfRows =
     /^rows?$/i.test(first?.text ?? "") &&
     names.length === rows.length &&
@@ -113,4 +113,15 @@ export function unitsSaid(text) {
     lengths: MILLIMETRES.test(text) ? "mm" : null,
     moments: MOMENTS.find(([unit]) => unit.test(text))?.[1] ?? null,
   };
+}
+
+/**
+ * Return whether two lines of words, as "Solutions (deg):", name different units of angles.
+ * @param {import("./lines.js").Cell[]} words @param {import("./lines.js").Cell[]} others
+ */
+export function nameOtherUnits(words, others) {
+  if (words === others) return false;
+  const textOf = (cells) => cells.map(({ text }) => text).join(" ");
+  const [unit, other] = [words, others].map((cells) => unitsSaid(textOf(cells)).angles);
+  return unit !== null && other !== null && unit !== other;
 }

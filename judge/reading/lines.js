@@ -1,5 +1,4 @@
-// The lines of a text as rows of cells: entries that stand beside each other with no word, and no
-// row's end, between. Each cell keeps its place in the pasted text.
+// Reads the lines of a text as rows of cells, each of which keeps its place in the pasted text.
 
 import { isFunction, isNumber } from "./formula.js";
 import { CONTINUED, ROW_END } from "./characters.js";
@@ -10,13 +9,12 @@ import { CONTINUED, ROW_END } from "./characters.js";
  *   label?: import("./labels.js").Label, stretches?: import("./spans.js").Span[] }} Cell
  */
 /**
- * Entries of one row; the words before them since the row before on the line, and of the line
- * above; the name that they are assigned to; in how many lists they stand. `break` counts
- * the rows' ends before them; `tail` the words behind them on the line; `hasAnd` whether
- * "and" stands between two of them.
+ * Entries beside each other without a word between; the words before them; the name that they are
+ * assigned to; the words of the line above; `tail` counts the words behind them, `hasAnd` says
+ * whether "and" stands between two of them, `isColumn` whether semicolons do.
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
  *   scale: string, part: number, above: Cell[], depth: number, tail: number,
- *   hasAnd: boolean }} Row
+ *   hasAnd: boolean, isColumn?: boolean }} Row
  */
 /**
  * How a text is parted: whether the innermost lists are taken for one row each, whether commas
@@ -134,7 +132,9 @@ function crossBracket(state, kind, step) {
 // A row ends, unless the list that it stands in is taken for one row.
 function endRow(state, character) {
   if (character === "\n") state.line++;
-  if (character !== ROW_END && state.parting.wrapped && state.leaves) return;
+  const isInRow = character !== ROW_END && state.parting.wrapped && state.leaves > 0;
+  if (isInRow && character === ";" && state.row) state.row.isColumn = true;
+  if (isInRow) return;
   state.row = null;
   if (character === "\n") endLine(state);
 }

@@ -34,11 +34,15 @@ export function readHeaderLabels({ headers, rows }) {
 
 // Return whether labels say that the rows of a block are the wanted columns.
 export function isTransposed(block, { by }) {
-  if (by === "row" && TURNED.test(block.name)) return true;
+  if (by === "row" && (TURNED.test(block.name) || areColumns(block))) return true;
   const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
   if (by === "row") return headers?.kind === "row" || rows?.kind === "joint";
   return rows?.kind === "joint" && block.rows[0].length > 1 && !namesJoints(block.headers);
 }
+
+// Return whether each row was typed as a column vector, [1; 2; 3], of several side by side.
+const areColumns = ({ rows, sources }) =>
+  rows.length > 1 && sources.every(({ isColumn }) => isColumn);
 
 // Return whether two column headers or more name joints.
 const namesJoints = (headers) =>
