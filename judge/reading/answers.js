@@ -67,11 +67,12 @@ export function findAnswer(text, question) {
   const typed = foldCharacters(new SpannedText(text));
   const pasted = unwrapFrames(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
-  if (live && /\d/.test(live.text)) {
-    const answer = tryOrNull(() => findIn(live, text, question));
+  const texts = live && /\d/.test(live.text) ? [live, pasted] : [pasted];
+  for (const version of texts) {
+    const answer = tryOrNull(() => findIn(version, text, question));
     if (answer) return answer;
   }
-  return findIn(pasted, text, question);
+  return findIn(texts[0], text, question); // raises the error of the text without comments
 }
 
 /** @param {SpannedText} pasted @param {string} text @param {Question} question @returns {Answer} */

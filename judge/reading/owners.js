@@ -323,7 +323,9 @@ function isCalledAlike({ name }, sources) {
 export function refuseUnread(text, tokens, what) {
   const token = tokens.find(({ owner }) => owner === "unread");
   if (!token) return;
-  const word = wordAround(text, token);
+  const rest = tokens[tokens.indexOf(token) + 1];
+  const isHalf = rest?.owner === "unread" && text[token.to] === "," && rest.from === token.to + 1;
+  const word = wordAround(text, { from: token.from, to: isHalf ? rest.to : token.to });
   const fields = { what, word: quoteText(word), line: token.line + 1, where: whereOf(text, token) };
   const key = PLAIN_NUMBER.test(word) ? "unclaimed" : "unread";
   throw new ArmError(formatMessage(key, fields), [], tokens, text);
