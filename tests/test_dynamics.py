@@ -9,9 +9,9 @@ from helpers.kinematics import link_frames
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import gravity_torque, potential_energy
 from tests.laws import SHAPES, central_differences, joint_vectors
-from tests.test_statics import loaded
+from tests.test_statics import add_bodies
 
-ARMS = [PANDA, PANDA.lock(3, at=1.2), UR10E, loaded(STANFORD), loaded(ELBOW)]
+ARMS = [PANDA, PANDA.lock(3, at=1.2), UR10E, add_bodies(STANFORD), add_bodies(ELBOW)]
 every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: f"{arm.name}, {arm.dof} joints")
 
 
