@@ -30,7 +30,7 @@ import {
 } from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
-import { ArmError, joinList, formatMessage, quoteText, tryOrNull } from "../sentences.js";
+import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
 /** Numbers were read, but none of them in the shape that is asked for. */
 export class NoFitError extends ArmError {}
@@ -68,11 +68,16 @@ export function findAnswer(text, question) {
   const pasted = unwrapFrames(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
   const texts = live && /\d/.test(live.text) ? [live, pasted] : [pasted];
+  let refusal = null; // that of the text without comments, if nothing fits in either
   for (const version of texts) {
-    const answer = tryOrNull(() => findIn(version, text, question));
-    if (answer) return answer;
+    try {
+      return findIn(version, text, question);
+    } catch (error) {
+      if (!(error instanceof ArmError)) throw error;
+      refusal ??= error;
+    }
   }
-  return findIn(texts[0], text, question); // raises the error of the text without comments
+  throw refusal;
 }
 
 /** @param {SpannedText} pasted @param {string} text @param {Question} question @returns {Answer} */

@@ -49,8 +49,7 @@ export function blocksIn(plain, { isEntry, names, given = [] }, keepsGiven = fal
   const known = new Map();
   const isPadded = COMMA_BEFORE_ZERO.test(text.text) ? (cell) => PADDED.test(cell) : () => false;
   const entry = (cell) => {
-    if (!known.has(cell))
-      known.set(cell, !isPadded(cell) && !ENUMERATOR.test(cell) && isEntry(cell));
+    if (!known.has(cell)) known.set(cell, !isPadded(cell) && !NO_ENTRY.test(cell) && isEntry(cell));
     return known.get(cell);
   };
   const partings = PARTINGS.filter(({ decimal }) => !decimal || DECIMAL_COMMA.test(text.text));
@@ -60,7 +59,8 @@ export function blocksIn(plain, { isEntry, names, given = [] }, keepsGiven = fal
 }
 
 const DECIMAL_COMMA = /\d,\d|[:=] ?[-+]?,\d/;
-const ENUMERATOR = /^\(\d{1,2}\)$/; // (1) numbers a row
+// (1) numbers a row; 0.066 -24.842 are two numbers.
+const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d/;
 const COMMA_BEFORE_ZERO = /(?:^|[\d\s|&;-]),0\d/;
 const PADDED = /^[-+]?0\d/; // the decimals of 1,0365 where a comma parts cells
 

@@ -41,7 +41,7 @@ const NAME = String.raw`[A-Za-z]_?\d{1,2}(?=\()`;
 
 // The end of a value, but not "1", which may be a name.
 const END_OF_VALUE =
-  String.raw`(?<![\p{L}_]\d{1,2} ?)(?<=(?:[.,]\d{0,22}|(?<![\d.])0)` +
+  String.raw`(?<![\p{L}_]\d{1,2} ?)(?<=(?:[.,]\d{1,22}|(?<![\d.])0)` +
   String.raw`(?:e[-+]?\d{1,2})? ?π?)`;
 // A star, an exclamation mark or an arrow behind a value, at its cell's end or before its unit.
 const MARK_BEHIND =
@@ -64,7 +64,7 @@ const DECORATIONS = [
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, "$1 $2"],
   [new RegExp(FACE, "g"), "$1"],
   [
-    /(?<=\d)[ \t]*[×·*x][ \t]*10[ \t]*\^\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?![\d.])/g,
+    /(?<=\d)[ \t]*[×·*x][ \t]*10[ \t]*\^\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?!\.?\d)/g,
     "e$1",
   ],
   [/≈\s*(?=[-+]?[\p{L}\d.\\])/gu, " "],
@@ -81,7 +81,10 @@ const DECORATIONS = [
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "g"), "$2"],
   [/(?<=[|&][ \t]*)(\*{1,3}|_)([^*|&\n]{1,40})\1(?=[ \t]*[|&])/g, "$2"], // an emphasised cell
   [new RegExp(MARK_BEHIND, "gm"), ""],
-  [new RegExp(String.raw`(?<=\d(?:[ ]?(?:${UNIT}|π|pi))?)(?<!${NAME}) *${REMARK}`, "g"), ""],
+  [
+    new RegExp(String.raw`(?<=\d(?:[ ]?[*·]?[ ]?(?:${UNIT}|π|pi))?)(?<!${NAME}) *${REMARK}`, "g"),
+    "",
+  ],
   // a corrected value
   [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.θ])/g, ""],
   [new RegExp(String.raw`${END_OF_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
@@ -154,7 +157,7 @@ const COMMENTS = [
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
-  /(?<=[\d\])},;°m*π][ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t])).*$/gm,
+  /(?<=(?:[\d\])},;:°m*π]|rad|deg)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t])).*$/gm,
 ];
 
 const blank = (comment) => comment.replace(/[^\n]/g, " ");

@@ -65,9 +65,9 @@ export function labelIn(words) {
  * Return the label before a value, as in "then q2 = 0.3"; of q1 = atan2(y, x) = 0.3 the first name.
  * @param {import("./lines.js").Row} row
  */
-export function labelOfValue({ words, name }) {
+export function labelOfValue({ words, name, isAssigned }) {
   const label = labelIn(words);
-  if (!name || !words.length || (label && label.kind !== "count")) return label;
+  if (!isAssigned || !name || !words.length || (label && label.kind !== "count")) return label;
   return labelIn([{ text: name }]) ?? label;
 }
 

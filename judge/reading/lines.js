@@ -11,10 +11,11 @@ import { CONTINUED, ROW_END } from "./characters.js";
 /**
  * Entries beside each other without a word between; the words before them; the name that they are
  * assigned to; the words of the line above; `tail` counts the words behind them, `hasAnd` says
- * whether "and" stands between two of them, `isColumn` whether semicolons do.
+ * whether "and" stands between two of them, `isColumn` whether semicolons do, `isAssigned` whether
+ * the first follows "=" or ":".
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
  *   scale: string, part: number, above: Cell[], depth: number, tail: number,
- *   hasAnd: boolean, isColumn?: boolean }} Row
+ *   hasAnd: boolean, isColumn?: boolean, isAssigned: boolean }} Row
  */
 /**
  * How a text is parted: whether the innermost lists are taken for one row each, whether commas
@@ -29,8 +30,7 @@ const WORD_BEFORE = /([A-Za-z]\w*)$/;
 const MOST_INDEX = 6; // characters of [1, 1] behind a name
 
 /**
- * Return the kind of each bracket: "list", "leaf" for a list that holds none, or "group" in a
- * formula or a name.
+ * Return each bracket's kind: "list", "leaf" (a list without lists), "group" in formulas and names.
  * @param {string} text
  * @returns {Map<number, string>}
  */
@@ -115,6 +115,7 @@ const startState = (plain, isEntry, parting) => ({
   allWords: /** @type {Cell[]} */ ([]),
   name: "",
   nameLine: -1, // of a name before =
+  wordsAtMark: -1, // words before the row at the last mark of naming
   scale: "",
   line: 0,
   part: 0,
@@ -157,7 +158,7 @@ function endLine(state) {
   if (line === PART) state.part++;
   if (line) state.above = state.words;
   if (/^\d{1,3}$/.test(state.name)) state.name = ""; // "Problem 3: Jacobian" names no row below
-  state.words = [];
+  Object.assign(state, { words: [], wordsAtMark: -1 });
 }
 
 const STRONG = ["\t", "&", "|", ";"];
@@ -355,8 +356,7 @@ function nameRow(mark, state) {
   const isSame = mark === "=" && state.name && state.nameLine === state.line;
   state.name = isSame ? state.name : (state.words.at(-1)?.text ?? "");
   state.nameLine = mark === "=" ? state.line : -1;
-  state.scale = "";
-  state.row = null;
+  Object.assign(state, { scale: "", row: null, wordsAtMark: state.words.length });
 }
 
 function putCell(cell, line, state) {
@@ -374,8 +374,8 @@ function putCell(cell, line, state) {
     return;
   }
   if (!state.row) {
-    const { words, name, scale, part, above, depth } = state;
-    const place = { line, last: line, part, depth };
+    const { words, name, scale, part, above, depth, wordsAtMark } = state;
+    const place = { line, last: line, part, depth, isAssigned: words.length === wordsAtMark };
     state.row = { cells: [], words, name, scale, above, ...place, tail: 0, hasAnd: false };
     state.rows.push(state.row);
     state.words = [];

@@ -162,7 +162,7 @@ const claimWord = (tokens, cell, owner) => {
 
 const DATES = [
   /\d{4}-\d\d-\d\d|(?<![\d.])\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d/,
-  /^[^,]*\d+\.\d+\.\d+[^,]*$|^v\d/i, // a version
+  /^[^,]*(?<![\d.])\d{1,3}\.\d{1,3}\.\d{1,4}(?![\d.])[^,]*$|^v\d/i, // a version
   /^(?:\d+m)?[\d.]+ ?m?s$/, // how long a program took
   /\d\.{2,3}[-+−]?[\d.]/, // a range, -2.9..2.9
 ];
