@@ -6,7 +6,15 @@ from urllib.parse import urlencode
 import pytest
 
 from helpers.explorer import judge
-from tests.browser.reader import AXE, BAD, EVERYTHING, THERE, UNDRAWN, UNTOUCHED
+from tests.browser.reader import (
+    AXE,
+    BAD,
+    EVERYTHING,
+    THERE,
+    UNDRAWN,
+    UNTOUCHED,
+    load_with_storage,
+)
 from tests.cases import questions_about, typed_fields
 from tests.test_book import HTML
 
@@ -71,18 +79,6 @@ def enter(page, fragment=""):
     """Open the page anew: its address changes, since a fragment alone would open no new page."""
     page.visits += 1
     page.goto(f"{PAGE.as_uri()}?{page.visits}{fragment}")
-
-
-def reload_with_storage(page, load):
-    """Load a page until it sees the answers that the browser keeps.
-
-    On a busy machine one load in twenty (14 of 282) sees an empty storage from its first script to
-    its last, though other tabs and the next load see all of it.
-    """
-    for _ in range(5):
-        load()
-        if page.evaluate("Object.keys(localStorage).some((key) => key.startsWith('judge:'))"):
-            return
 
 
 def ask(page, answer, q="0.5, 0.7, -0.4"):
@@ -516,7 +512,7 @@ WRONG = ELBOW.replace("0.2866", "0.3866")
 def test_typed_answer_survives_a_reload(page):
     ask(page, WRONG)
     verdict(page, "check vz")
-    reload_with_storage(page, lambda: enter(page))
+    load_with_storage(page, "judge:", lambda: enter(page))
     verdict(page, "check vz")
     assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
     assert page.get_by_label("Pose q").input_value() == "0.5, 0.7, -0.4"
@@ -538,7 +534,7 @@ def test_each_question_keeps_its_own_answer(page):
 def test_clearing_forgets_answers_in_two_tabs(page):
     ask(page, WRONG)
     other = page.context.new_page()
-    reload_with_storage(other, lambda: other.goto(PAGE.as_uri()))
+    load_with_storage(other, "judge:", lambda: other.goto(PAGE.as_uri()))
     verdict(other, "check vz")
     page.get_by_role("button", name="Clear what I typed").click()
     page.get_by_text("this browser keeps none of your answers").wait_for()
@@ -560,7 +556,7 @@ def test_two_tabs_keep_answers_to_two_questions(page):
     other.get_by_label("Your answer", exact=True).fill("0.1 0.2 0.3")
     page.get_by_label("Pose q").fill("0.5, 0.7, -0.3")
     other.close()
-    reload_with_storage(page, lambda: enter(page))
+    load_with_storage(page, "judge:", lambda: enter(page))
     page.locator(".arm-judge:not(:has(> .unscripted)) .verdict").wait_for()
     assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
     page.get_by_label("Question", exact=True).select_option("pose")
@@ -591,7 +587,7 @@ def test_chapter_form_keeps_its_answer(chapter):
     place = scroll_to(page.locator(".arm-judge").nth(2))
     answer = place.get_by_label("Your answer", exact=True)
     answer.fill(SIX_COLUMNS)
-    reload_with_storage(page, lambda: chapter("02_jacobian"))
+    load_with_storage(page, "judge:", lambda: chapter("02_jacobian"))
     scroll_to(place)
     assert answer.input_value() == SIX_COLUMNS
     place.locator(".verdict", has_text="The Jacobian of Stanford arm is right").wait_for()

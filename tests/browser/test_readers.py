@@ -9,7 +9,15 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 
-from tests.browser.reader import EVERYTHING, SIZES, TWO_FRAMES, UNTOUCHED, WINDOWS, Reader
+from tests.browser.reader import (
+    EVERYTHING,
+    SIZES,
+    TWO_FRAMES,
+    UNTOUCHED,
+    WINDOWS,
+    Reader,
+    load_with_storage,
+)
 from tests.searches import SEARCHES, STUDENT_SEARCHES
 from tests.test_book import HTML, NAMES
 
@@ -71,7 +79,8 @@ def test_linked_equation_is_shown_beside_its_link(browser):
         assert not preview.is_visible()
     page.get_by_role("button", name="Hide all code").click()
     assert not page.locator(".cell_input").locator("visible=true").count()
-    page.goto((HTML / "01_dh_tables.html").as_uri())
+    other_page = (HTML / "01_dh_tables.html").as_uri()
+    load_with_storage(page, "code", lambda: page.goto(other_page))
     page.get_by_role("button", name="Show all code").click()
     assert page.locator(".cell_input").locator("visible=true").count()
     assert reader.troubles == []
