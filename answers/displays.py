@@ -28,7 +28,7 @@ def format_symbols(sheet: AnswerSheet, answer: Answer, complete: bool = False) -
     Args:
         sheet: the sheet of the answer.
         answer: the answer to write.
-        complete: write out long parts of origins and axes, which a page has shared_names.
+        complete: write out long parts of origins and axes, which a page shows elsewhere.
     """
     value, names = answer.value, _name_entries(sheet, answer)
     if not answer.is_number and _measure_width(value) <= _WIDTH:

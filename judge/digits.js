@@ -68,18 +68,17 @@ function findUnitOfOne(numbers) {
 // the finest digit that is no zero.
 function withoutPadding(numbers) {
   const padded = numbers.filter((number) => number && !number.bare && number.size > NOISE);
-  const unit = Math.min(
-    COARSEST_PADDED,
-    ...padded.map((number) => number.unit * 10 ** number.zeros),
-  );
-  const zeros = padded.map((number) => Math.max(0, Math.log10(unit / number.unit)));
-  if (padded.length < 3 || zeros.reduce((sum, count) => sum + count, 0) < PADDING - 0.5)
-    return numbers;
+  const significant = padded.map(({ unit, zeros }) => unit * 10 ** zeros);
+  const unit = Math.min(COARSEST_UNIT, ...significant);
+  const zeros = padded.map((number) => Math.max(0, Math.round(Math.log10(unit / number.unit))));
+  const count = zeros.reduce((sum, more) => sum + more, 0);
+  if (padded.length < FEWEST_NUMBERS || count < FEWEST_ZEROS) return numbers;
   return numbers.map((number) => number && { ...number, unit: Math.max(unit, number.unit) });
 }
 
-const COARSEST_PADDED = 1e-3; // unit: 0.500000 may be exact
-const PADDING = 3; // zeros in all: one answer in a thousand ends so by chance
+const COARSEST_UNIT = 1e-3; // of padded numbers: 0.500000 may be exact
+const FEWEST_NUMBERS = 3; // fewer may end in zeros by themselves
+const FEWEST_ZEROS = 3; // in all: one answer in a thousand ends so by chance
 
 /**
  * Return the units that a program's numbers have if it trims zeros: those of the column's finest

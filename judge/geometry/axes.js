@@ -41,7 +41,7 @@ import { listGaps, NORMAL_INDEX, AXIS_ROUND_OFF } from "./axis_gaps.js";
  */
 
 /**
- * A makeDifference between two tables.
+ * A difference between two tables.
  * @typedef {object} Difference
  * @property {string} key of its message
  * @property {number} row that shows it, counted from 1
@@ -317,8 +317,7 @@ function computeTwist(gap, pair, isSigned, signs) {
     : clampedAcos(cosine);
 }
 
-// Return the dot or triple signedProduct of a gap's directions, each multiplied by its joint's
-// sign.
+// Return the dot or triple product of directions in a gap, each multiplied by its joint's sign.
 const signedProduct = (gap, directions, signs) =>
   directions.reduce((x, k) => x * (signs.get(k) ?? 1), gap.shape.get(`${directions}`));
 

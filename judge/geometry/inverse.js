@@ -227,7 +227,7 @@ export function solveInverse(arm, form, target) {
   return FORMS[form].solve(arm, target);
 }
 
-// As in helpers/poses.py.
+// Error of a rotation typed with six decimals; helpers/poses.py has the same bound.
 const LARGEST_ROTATION_ERROR = 1e-6;
 
 function checkRigid(arm, { x, y, z }) {

@@ -258,7 +258,7 @@ function columnOf(block, names) {
   const isAnswer = ({ text }) => names.test(bareName(text));
   const at = extra < 0 || rows[0].length < 2 ? -1 : headers.findLastIndex(isAnswer);
   const name = at < 0 ? "" : bareName(headers[at].text);
-  // Of q [rad] beside q [deg] neither is the answer.
+  // Neither q [rad] nor q [deg] is taken: the student says which.
   if (headers.filter(({ text }) => bareName(text) === name).length > 1) return [];
   if (at < Math.max(extra, 0) || at - extra >= rows[0].length || readHeaderLabels(block)) return [];
   const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, at - extra)]);

@@ -4,7 +4,7 @@ import { RAD } from "../geometry/angles.js";
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
-import { labelIn, labelOfValue, labelRows, nameOtherUnits } from "./labels.js";
+import { labelIn, labelOfValue, readRowLabels, haveOtherUnits } from "./labels.js";
 import { markHeadings, readRows } from "./lines.js";
 
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -121,7 +121,7 @@ function followingRows(rows, names) {
 
 // Return whether a row goes on the row before it, with only numbers of their lines between them.
 const follows = (row, before, between) =>
-  !nameOtherUnits(row.above, before.above) &&
+  !haveOtherUnits(row.above, before.above) &&
   before.part === row.part &&
   before.depth === row.depth &&
   between.every(({ line }) => line === before.line || line === row.line) &&
@@ -202,7 +202,7 @@ const DEGREES_BEHIND = / deg$/;
 function blockOf(rows) {
   return {
     rows: rows.map(applyUnits),
-    ...labelRows(rows),
+    ...readRowLabels(rows),
     name: rows[0].name || (rows[0].words.at(-1)?.text ?? ""),
     from: rows[0].line,
     to: rows.at(-1).last,

@@ -76,7 +76,7 @@ export function labelOfValue({ words, name, isAssigned }) {
  * names them.
  * @param {import("./lines.js").Row[]} rows
  */
-export function labelRows(rows) {
+export function readRowLabels(rows) {
   const [first, ...names] = rows[0].above.filter(({ text }) => !/^(?:order|#+)$/i.test(text));
   const isListOfRows =
     /^rows?$/i.test(first?.text ?? "") &&
@@ -119,7 +119,7 @@ export function unitsSaid(text) {
  * Return whether two lines of words, as "Solutions (deg):", name different units of angles.
  * @param {import("./lines.js").Cell[]} words @param {import("./lines.js").Cell[]} others
  */
-export function nameOtherUnits(words, others) {
+export function haveOtherUnits(words, others) {
   if (words === others) return false;
   const textOf = (cells) => cells.map(({ text }) => text).join(" ");
   const [unit, other] = [words, others].map((cells) => unitsSaid(textOf(cells)).angles);

@@ -1,5 +1,5 @@
-// Finds what a table was read without: a cell on the lines of its rows that is no entry, or a line
-// that looks like one more row.
+// Finds an unread cell of a table. It stands on the line of a row, or on a line that looks like one
+// more row.
 
 import { isDate, isMisspelt } from "./owners.js";
 
@@ -9,7 +9,7 @@ import { isDate, isMisspelt } from "./owners.js";
 /** @typedef {import("./spans.js").Span} Span */
 /** @typedef {import("./table_blocks.js").TableBlock} TableBlock */
 /**
- * What a line holds beside the rows of a table.
+ * The contents of a line that are no part of the rows of a table.
  * @typedef {{ rows: Row[], words: Cell[], entries: Cell[], candidates: Cell[] }} Rest
  */
 
@@ -47,9 +47,8 @@ export function findUnreadCell(table, text, isEntry) {
     if (inList) return { line, cell: inList };
     const isOtherList = namesOtherList(plainLine, sources);
     if (starts.has(line)) {
-      const cell = rest.candidates.find((candidate) => candidate.from > starts.get(line));
-      const part = rest.rows.find(isPartOfRow);
-      if ([cell, part].some(Boolean)) return { line, cell: [cell, first].find(Boolean) };
+      const unread = findUnreadInRow(rest, line, starts.get(line));
+      if (unread) return unread;
     } else if (isBeside(line)) {
       if (hasSameSeparators(plainLine, separators)) return { line, cell: first };
       if (!isOtherList && isMostlyEntries(rest, plainLine)) return { line, cell: first };
@@ -57,6 +56,14 @@ export function findUnreadCell(table, text, isEntry) {
     if (!isOtherList && isAsWide(rest, widths)) return { line, cell: first };
   }
   return null;
+}
+
+// Find the first unread cell behind the first entry of a row, or a second part of the row.
+/** @param {Rest} rest @param {number} line @param {number} start of the row's first entry */
+function findUnreadInRow({ rows, words, candidates }, line, start) {
+  const cell = candidates.find(({ from }) => from > start);
+  if (!cell && !rows.some(isPartOfRow)) return null;
+  return { line, cell: cell ?? candidates[0] ?? words[0] };
 }
 
 // Make a function that tells whether a line stands between the rows of a table or next to them. The

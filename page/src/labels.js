@@ -1,4 +1,4 @@
-// Names of axes over a picture. They avoid the links and each placedWidth.
+// Names of axes over a picture. They avoid the links and each other.
 
 import { updateAttribute, h, setText } from "./dom.js";
 import { measureGap } from "./picking.js";
