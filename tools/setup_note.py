@@ -12,7 +12,7 @@ import yaml
 CONFIG = Path(__file__).parents[1] / "book/_config.yml"
 CELL_ID = "setup-note"
 PACKAGE = "manipulator-homework-helpers[explorer]"
-IMPORT_COMMENT = "# No module helpers? The note above says how to get it.\n"
+IMPORT_COMMENT = "# If helpers is not installed, see the note below the notebook's title.\n"
 
 
 def format_setup_note(
