@@ -1,4 +1,4 @@
-"""The generator of clothed answers draws by seed and keeps the numbers readable."""
+"""Test that the generator of answers draws by seed and keeps the numbers readable."""
 
 from dataclasses import replace
 

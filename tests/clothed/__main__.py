@@ -1,4 +1,4 @@
-"""Measure a judge on clothed answers: ``python -m tests.clothed --draws 2000 --seed 1``."""
+"""Measure a judge on generated answers: ``python -m tests.clothed --draws 2000 --seed 1``."""
 
 import argparse
 import sys

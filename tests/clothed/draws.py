@@ -1,4 +1,4 @@
-"""Draws: a question, its numbers and their clothes, by seed."""
+"""Draw right answers and their twins by seed: the question, its numbers and how to write them."""
 
 from dataclasses import dataclass, replace
 from random import Random
@@ -8,8 +8,8 @@ import numpy as np
 from tests.clothed import cells, labels, layouts, numbers
 from tests.clothed.mistakes import draw_mistake
 from tests.clothed.questions import TOPICS, Question, draw_question
-from tests.clothed.surroundings import dress_surroundings
-from tests.clothed.tables import dress_table
+from tests.clothed.surroundings import add_surroundings
+from tests.clothed.tables import write_table
 
 #: Layouts whose tool prints numbers in a format of its own.
 TOOL_PRINTS = ("NumPy print", "MATLAB print", "SymPy pretty")
@@ -29,7 +29,7 @@ _NUMBERED = (
 
 @dataclass(frozen=True)
 class Draw:
-    """A clothed answer.
+    """A pasted text with an answer in it.
 
     Attributes:
         question: what is asked, with its right numbers.
@@ -55,18 +55,18 @@ class Draw:
 def draw_answer(seed: int, index: int) -> Draw:
     """Draw a right answer."""
     question = _question_of(seed, index)
-    return _dress(question, question, Random(f"clothes {seed} {index}"))
+    return _write_answer(question, question, Random(f"clothes {seed} {index}"))
 
 
 def draw_twin(seed: int, index: int) -> Draw:
-    """Draw the same answer in the same clothes with one mistake in it."""
+    """Draw the same answer, written in the same way, with one mistake in it."""
     question = _question_of(seed, index)
     rng = Random(f"mistake {seed} {index}")
     while True:
         name, mistaken = draw_mistake(question, rng)
-        dressed = _dress(question, mistaken, Random(f"clothes {seed} {index}"))
-        if shows_mistake(dressed, mistaken.right):
-            return replace(dressed, mistake=name)
+        twin = _write_answer(question, mistaken, Random(f"clothes {seed} {index}"))
+        if shows_mistake(twin, mistaken.right):
+            return replace(twin, mistake=name)
 
 
 def shows_mistake(twin: Draw, mistaken: np.ndarray) -> bool:
@@ -82,23 +82,23 @@ def _question_of(seed: int, index: int) -> Question:
     return draw_question(Random(f"question {seed} {index}"), topic)
 
 
-def _dress(question: Question, answer: Question, rng: Random) -> Draw:
-    """Dress the numbers of an answer (right or mistaken) to a question."""
+def _write_answer(question: Question, answer: Question, rng: Random) -> Draw:
+    """Write an answer (right or mistaken) to a question as a pasted text."""
     if question.topic == "table":
-        block, typed, marks = dress_table(answer.arm, rng)
+        block, typed, marks = write_table(answer.arm, rng)
         values, angles, units, factors = np.zeros((1, 1)), "rad", None, None
     else:
-        block, typed, values, marks = _dress_numbers(question, answer.right, rng)
+        block, typed, values, marks = _write_numbers(question, answer.right, rng)
         angles, units, factors = (marks.pop(name) for name in ("setting", "units", "factors"))
-    text = dress_surroundings(block, question, values, rng, marks)
+    text = add_surroundings(block, question, values, rng, marks)
     inner = ("sentence", "footnote", "name")
     features = {"topic": question.topic, "arm": question.arm.name}
     features |= {name: x for name, x in marks.items() if name not in inner}
     return Draw(question, text, tuple(typed), angles, features, units, factors)
 
 
-def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
-    """Lay out numbers; return block, number texts, numbers as typed, and features."""
+def _write_numbers(question: Question, values: np.ndarray, rng: Random):
+    """Write numbers in a layout; return block, number texts, numbers as typed, and features."""
     is_list = len(values) == 1 and question.topic != "branches"
     layout_name, layout = _draw_layout(question.topic, is_list, rng)
     family = layout.family
@@ -135,7 +135,7 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
         ]
     spelled = {kind: _spelled(kind, unit, family, rng) for kind in ("angle", "length", "torque")}
     units = [spelled.get(kind, "") if place == "cell" else "" for kind in question.kinds]
-    dressed = [
+    cell_texts = [
         [_cell(x, units[j], decoration, (i, j), typed[i, j]) for j, x in enumerate(row)]
         for i, row in enumerate(texts)
     ]
@@ -143,7 +143,7 @@ def _dress_numbers(question: Question, values: np.ndarray, rng: Random):
     marks["name"] = name
     heading = _plain_unit(question.kinds[0], unit) if place == "heading" else ""
     rows, corner = _row_names(question, len(values), is_list, rng)
-    grid = layouts.Grid(dressed, typed, columns, rows, corner, name, heading)
+    grid = layouts.Grid(cell_texts, typed, columns, rows, corner, name, heading)
     marks["sentence"] = _sentence(question, unit, place, rng)
     grid = _with_neighbours(grid, question, layout_name, rng, marks)
     block = layout.write(grid, rng)
@@ -253,8 +253,8 @@ def _cell(text: str, unit: str, decoration: cells.Decoration, place, value: floa
     older = f"{value * 1.25 + 0.5:.3f}"
     outside = decoration.outside_unit and "num" not in decoration.pattern
     inner = text + unit if outside else text
-    dressed = decoration.pattern.format(x=inner, o=older, u="0.001")
-    return dressed if outside else dressed + unit
+    decorated = decoration.pattern.format(x=inner, o=older, u="0.001")
+    return decorated if outside else decorated + unit
 
 
 def _columns(

@@ -148,7 +148,7 @@ def _check(rng: Random) -> str:
     )  # fmt: skip
 
 
-def dress_surroundings(
+def add_surroundings(
     block: str, question: Question, typed: np.ndarray, rng: Random, marks: dict
 ) -> str:
     """Put text around an answer.

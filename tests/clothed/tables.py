@@ -46,7 +46,7 @@ _HALVES = {
 }  # fmt: skip
 
 
-def dress_table(arm: Arm, rng: Random):
+def write_table(arm: Arm, rng: Random):
     """Write the DH table of an arm; return block, number texts and features."""
     pool = {name: layouts.TABLE_LAYOUTS[name] for name in layouts.SYMBOL_LAYOUTS}
     layout_name = rng.choices(list(pool), [layout.weight for layout in pool.values()])[0]
