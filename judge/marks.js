@@ -2,6 +2,7 @@
 // and a description. The page and Python (helpers/checks/marked_text.py) show the same marks.
 
 import { jointNumbers } from "./geometry/kinematics.js";
+import { IN_DEFINITION } from "./reading/table_definitions.js";
 import { IN_NAME } from "./reading/table_owners.js";
 
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
@@ -123,6 +124,7 @@ function describeToken(token, question, matrix, index) {
       return describeEntry(token, question, matrix, index);
     case "label":
       if (token.reason === IN_NAME) return "part of a name, such as q_1";
+      if (token.reason === IN_DEFINITION) return "value of a symbol in the table";
       return token.reason ? `set aside: ${token.reason}` : "a label: it orders the answer";
     case "header":
       return "part of a column's header";

@@ -3,17 +3,25 @@
 // guess is reported.
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
-import { hasDecimals, number, plain, simple } from "./formula.js";
+import { hasDecimals, simple } from "./formula.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
 import { joinCellLines } from "./table_cell_lines.js";
-import { dropIndexColumn, EXCHANGED, findEntry, listOrders, readHeaders } from "./table_columns.js";
+import { dropIndexColumn, EXCHANGED, listOrders, readHeaders } from "./table_columns.js";
 import { convertTable, describeReading } from "./table_conversion.js";
+import {
+  claimDefinitions,
+  dropDefinitions,
+  listDefinedLengths,
+  listDefinitions,
+  listUsedDefinitions,
+  refuseTwoLengths,
+} from "./table_definitions.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
-import { isVariable, readRow, toMetres, trimEntry, UNITS } from "./table_rows.js";
+import { isVariable, readRow, trimEntry } from "./table_rows.js";
 import { findUnreadCell } from "./table_unread.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
@@ -44,6 +52,7 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  *   entries, as the joints' variables show
  * @property {boolean} [isOrderGuessed]
  * @property {string[]} [order] the entries of its columns; a table of link matrices has none
+ * @property {string[]} [typedCells] all cells of its rows, without notes and footnote marks
  * @property {string[]} [left] the lines of the text and numbers that were not used
  * @property {import("./owners.js").Token[]} [tokens]
  */
@@ -66,10 +75,24 @@ const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 
  */
 export function readTables(typedText, options = {}, values = []) {
   refuseSize(typedText);
-  const unstruck = withoutStruckText(new SpannedText(typedText)).text;
-  const lengths = listDefinedLengths(unstruck, new Set(values.map(([name]) => simple(name))));
+  const definitions = listDefinitions(withoutStruckText(new SpannedText(typedText)));
+  const lengths = listDefinedLengths(definitions, new Set(values.map(([name]) => simple(name))));
   const known = new Map([...values, ...lengths].map(([name, x]) => [simple(name), x]));
-  const request = { options, known };
+  const tables = readWithLengths(typedText, { options, known });
+  return tables.map((table) => useDefinitions(table, definitions, typedText));
+}
+
+// Refuse a symbol of a table with two lengths; give the numbers of used definitions their owner.
+/** @param {TypedTable} table @param {import("./table_definitions.js").Definition[]} definitions */
+function useDefinitions({ left, tokens, ...table }, definitions, text) {
+  const used = listUsedDefinitions(definitions, table.typedCells, tokens);
+  refuseTwoLengths(used, tokens, text);
+  return { ...table, left: dropDefinitions(left, used), tokens: claimDefinitions(used, tokens) };
+}
+
+/** @param {string} typedText @param {Request} request @returns {TypedTable[]} */
+function readWithLengths(typedText, request) {
+  const { known } = request;
   const text = joinCellLines(typedText, makeEntryTest(known));
   const pasted = withoutStruckText(new SpannedText(text));
   const uncommented = withoutComments(pasted);
@@ -90,27 +113,6 @@ function refuseSize(text) {
     throw new ArmError(formatMessage("too long", { what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
 }
-
-// List the lengths that a text defines, such as l_1 = 0.5 m. A joint's variable is no length. A
-// column's name is one if it is a symbol of the arm and the text defines it once.
-/** @param {string} text @param {Set<string>} symbols of the asked arm */
-function listDefinedLengths(text, symbols) {
-  const lengths = [...text.matchAll(DEFINITION)].map(([, name, x, unit]) => [
-    plain(name),
-    toMetres(number(x), UNITS[unit ?? "m"]),
-  ]);
-  const isOnce = (name) => lengths.filter(([other]) => other === name).length === 1;
-  const isLength = (name) =>
-    findEntry(name) ? symbols.has(simple(name)) && isOnce(name) : !isVariable(name);
-  return lengths.filter(([name, x]) => Number.isFinite(x) && isLength(name));
-}
-
-const PRODUCT = String.raw`-?\d+(?:\.\d+)?(?:[ ]?[*/][ ]?\d+(?:\.\d+)?)*`; // L1 = 2 * 0.15
-const DEFINITION = new RegExp(
-  String.raw`(?<![\p{L}\p{N}_.])([A-Za-z](?:_?\{?\w{1,4}\}?)?)\s*:?=` +
-    String.raw`\s*(${PRODUCT})\s*(mm|cm|m)?(?![\w.*/+^°]| ?[*/+^])`,
-  "gu",
-);
 
 /**
  * Read the first block that is a table.
@@ -173,19 +175,21 @@ function requireReadable(table, text, { known }) {
 function readCells(block, { options, known }) {
   const trimmed = block.cells.map((row) => row.map(trimEntry));
   const { left } = block;
+  const typedCells = trimmed.flat();
   const matrices = splitMatrices(trimmed);
-  if (matrices) return [{ ...readMatrices(matrices, known, options), left }];
+  if (matrices) return [{ ...readMatrices(matrices, known, options), left, typedCells }];
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
   const units = chooseUnits(options, readHeaders(headers), findConvention(block));
   const usedCells = orders.rows.flat().join(" & ");
-  const unused = trimmed.flat().filter((cell) => hasDecimals(cell) && !usedCells.includes(cell));
+  const unused = typedCells.filter((cell) => hasDecimals(cell) && !usedCells.includes(cell));
   return readOrders(orders, known).map((table) => ({
     ...units,
     ...table,
     order: orders.typedOrder ?? table.order,
     left: [...left, ...unused],
+    typedCells,
     assumptions: [...block.assumptions, ...table.assumptions],
   }));
 }

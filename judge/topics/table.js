@@ -18,7 +18,7 @@ import { convertTable } from "../reading/table_conversion.js";
 import { NoLink } from "../reading/table_matrices.js";
 import { dropOtherColumns } from "../reading/table_other_columns.js";
 import { ENTRIES } from "../reading/table_rows.js";
-import { formatMessage, formatNumber, uncapitalize } from "../sentences.js";
+import { formatMessage, formatNumber, tryOrNull, uncapitalize } from "../sentences.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { judgeFirstRows } from "./table_part.js";
 import { judgeSameArm } from "./table_same.js";
@@ -142,8 +142,10 @@ function readTextOrNoLink(text, options, known) {
     if (error instanceof NoLink) return error;
     const { text: fewerColumns, others } = dropOtherColumns(text);
     if (!others.length) throw error;
+    const tables = tryOrNull(() => readTables(fewerColumns, options, known));
+    if (!tables) throw error;
     // The tokens have positions in the shorter text, so none of them can be marked.
-    return readTables(fewerColumns, options, known).map((table) => ({
+    return tables.map((table) => ({
       ...table,
       left: [...table.left, ...others],
       tokens: undefined,
