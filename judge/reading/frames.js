@@ -1,25 +1,25 @@
-// Puts frames side by side again that pandas printed in parts, one below the other, because the
-// screen was too narrow. Each part but the last has a \ at the end of its column headers.
+// Joins the parts of a wide pandas frame. On a narrow screen pandas prints the columns in several
+// parts, one below the other; each part but the last has a \ behind its column headers.
 
 import { listLines } from "./spans.js";
 
 /** @typedef {import("./spans.js").Span} Span */
 
 /**
- * Put the parts of printed frames side by side.
+ * Put the parts of each printed frame side by side.
  * @param {import("./spans.js").SpannedText} pasted
  */
-export function unwrapFrames(pasted) {
+export function joinFrameParts(pasted) {
   if (!WRAPPED.test(pasted.text)) return pasted;
   const lines = listLines(pasted.text);
-  const parts = [];
+  const pieces = [];
   for (let k = 0; k < lines.length;) {
     const frame = WRAPPED.test(lines[k].text) ? findFrame(lines, k) : null;
     const rows = frame ? frame.rows : [[lines[k]]];
-    for (const row of rows) parts.push(...row.flatMap((piece) => [piece, " "]).slice(0, -1), "\n");
+    for (const row of rows) pieces.push(...row.flatMap((span) => [span, " "]).slice(0, -1), "\n");
     k = frame ? frame.next : k + 1;
   }
-  return pasted.assemble(parts);
+  return pasted.assemble(pieces);
 }
 
 const WRAPPED = /\S[ \t]+\\[ \t]*$/m;
@@ -28,9 +28,10 @@ const LEAST_GAP = 2; // blanks between two columns
 /** @typedef {Span & { text: string }} Line */
 
 /**
- * Return the rows of the frame whose first part begins at a line, each as its pieces, and the
- * first line behind it; nothing if the parts do not haveSameRows together.
+ * Find the frame whose first part begins at a line.
  * @param {Line[]} lines @param {number} start
+ * @returns {{ rows: Span[][], next: number } | null} the spans of each row, and the index of the
+ *   first line below the frame; null if the parts have different rows
  */
 function findFrame(lines, start) {
   const { parts, end } = listParts(lines, start);
@@ -46,7 +47,7 @@ function findFrame(lines, start) {
   return { rows, next: end - (others.at(-1).length - first.length) };
 }
 
-// List the parts from a line on, each up to a blank line, until one has no \ behind its headers.
+// List the parts from a line on. A blank line ends a part; the last one has no \ behind its headers.
 function listParts(lines, start) {
   const isBlank = (k) => lines[k] !== undefined && !lines[k].text.trim();
   const parts = [];
@@ -61,18 +62,18 @@ function listParts(lines, start) {
   return { parts: parts.filter(({ length }) => length), end };
 }
 
-// Find the width of the index, which is the same in all parts with a gap behind it; null if none.
+// Find the width of the index: the first column, which all parts repeat; null if they differ.
 function findIndexWidth(parts) {
   const [first, ...others] = parts;
   const body = first.slice(1).map(({ text }) => text);
-  const longest = Math.min(...body.map((text) => text.length));
+  const shortest = Math.min(...body.map((text) => text.length));
   const isIndex = (text, width) =>
     text.slice(0, width).trim() && !text.slice(width, width + LEAST_GAP).trim();
-  for (let width = 1; width + LEAST_GAP <= longest; width++) {
+  for (let width = 1; width + LEAST_GAP <= shortest; width++) {
     if (!body.every((text) => isIndex(text, width))) continue;
-    const isSame = (part) =>
+    const repeatsIndex = (part) =>
       body.every((text, k) => part[k + 1].text.startsWith(text.slice(0, width)));
-    return others.every(isSame) ? width : null;
+    return others.every(repeatsIndex) ? width : null;
   }
   return null;
 }
