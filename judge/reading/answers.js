@@ -1,15 +1,9 @@
 // The answer in a text: all blocks that have the shape that is asked for, wherever they stand, with
 // rows and columns in the order that their labels say.
 
-import { blocksIn, isCalledOld, namesOtherQuantity, plainText } from "./blocks.js";
+import { makeBlockFinders, isCalledOld, namesOtherQuantity, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
-import {
-  countsJoints,
-  isSeries,
-  withoutCountedCells,
-  withoutCountedHeader,
-  withoutLabels,
-} from "./counts.js";
+import { isJointCount, isSeries, dropCountCells, dropCountHeader, dropLabels } from "./counts.js";
 import {
   labelNumberedLines,
   withoutComments,
@@ -18,8 +12,8 @@ import {
 } from "./decorations.js";
 import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
-import { unwrapFrames } from "./frames.js";
-import { labelIn } from "./labels.js";
+import { joinFrameParts } from "./frames.js";
+import { findLabel } from "./labels.js";
 import {
   isTransposed,
   orderByLabels,
@@ -65,7 +59,7 @@ export function findAnswer(text, question) {
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
   const typed = foldCharacters(new SpannedText(text));
-  const pasted = unwrapFrames(withoutMargins(withoutStruckText(typed)));
+  const pasted = joinFrameParts(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
   const texts = live && /\d/.test(live.text) ? [live, pasted] : [pasted];
   let refusal = null; // that of the text without comments, if nothing fits in either
@@ -84,9 +78,11 @@ export function findAnswer(text, question) {
 function findIn(pasted, text, question) {
   const { what, wants, isEntry, names, given = [] } = question;
   if (wants[0].columns === null) refuseOdd(text, question);
-  const plain = labelNumberedLines(plainText(flattenFormulas(pasted, what)));
-  const partings = blocksIn(plain, { isEntry, names, given });
-  const partingsWithGiven = given.length ? blocksIn(plain, { isEntry, names, given }, true) : [];
+  const plain = labelNumberedLines(makePlainText(flattenFormulas(pasted, what)));
+  const partings = makeBlockFinders(plain, { isEntry, names, given });
+  const partingsWithGiven = given.length
+    ? makeBlockFinders(plain, { isEntry, names, given }, true)
+    : [];
   const answer = findFirstFit(partings, partingsWithGiven, question);
   if (!answer) throw makeRefusal(text, question, partings);
   const { block, want } = answer;
@@ -131,7 +127,7 @@ const isUnlikely = (block) =>
   countsAlone(block) || isOtherQuantity(block) || block.sources.every(isCalledOld);
 
 // Three or more whole numbers in order, as of joints.
-const countsAlone = ({ rows }) => rows.flat().length > 2 && countsJoints(rows.flat());
+const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
 
 function isOtherQuantity({ sources }) {
   const others = sources.filter(namesOtherQuantity).length;
@@ -163,7 +159,7 @@ const textsOf = (cells) => cells.map(({ text }) => text);
 function chooseBlock(fits, { which = null }) {
   const texts = ({ rows }) => JSON.stringify(rows.map(textsOf));
   const all = [...new Map(fits.map((block) => [texts(block), block])).values()];
-  const answers = all.filter(({ rows }) => rows.length > 1 || !countsJoints(rows[0]));
+  const answers = all.filter(({ rows }) => rows.length > 1 || !isJointCount(rows[0]));
   const different = withoutRepeated(answers.length ? answers : all);
   if (different.length < 2 || which !== null) return different[(which ?? 1) - 1];
   throw askWhich(different);
@@ -215,14 +211,14 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
 function fitBlock(block, want, wants, names) {
   const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
-  const counted = withoutCountedHeader(block);
+  const counted = dropCountHeader(block);
   const candidates = [
     ...counted,
     ...(counted.length ? [] : [block]),
-    ...withoutCountedCells(block),
+    ...dropCountCells(block),
     ...columnOf(block, names),
     ...jointColumns(block, want),
-    ...(isWholeRow ? [] : withoutLabels(block)),
+    ...(isWholeRow ? [] : dropLabels(block)),
   ];
   const transposedBlocks = want.by
     ? candidates.filter((candidate) => isTransposed(candidate, want)).map(transpose)
@@ -288,8 +284,10 @@ function jointColumns(block, { by, columns }) {
 function namesColumns(headers, width) {
   if (width < 2) return true;
   const words = headers.flatMap(({ text }) => text.split(" ")).map((text) => ({ text }));
-  const labels = words.map((_, k) => labelIn(words.slice(Math.max(0, k - 1), k + 1)));
-  const joints = new Set(labels.flatMap((label) => (label?.kind === "joint" ? [label.at] : [])));
+  const labels = words.map((_, k) => findLabel(words.slice(Math.max(0, k - 1), k + 1)));
+  const joints = new Set(
+    labels.flatMap((label) => (label?.kind === "joint" ? [label.number] : [])),
+  );
   return joints.size < 2 || joints.size === width || 2 * joints.size < words.length;
 }
 

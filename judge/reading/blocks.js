@@ -4,7 +4,7 @@ import { RAD } from "../geometry/angles.js";
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
-import { labelIn, labelOfValue, readRowLabels, haveOtherUnits } from "./labels.js";
+import { findLabel, findValueLabel, readRowLabels, haveDifferentUnits } from "./labels.js";
 import { markHeadings, readRows } from "./lines.js";
 
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -34,7 +34,7 @@ const PARTINGS = [false, true].flatMap((gaps) =>
  * Take decorations off a text and make its characters plain.
  * @param {import("./spans.js").SpannedText} pasted
  */
-export const plainText = (pasted) =>
+export const makePlainText = (pasted) =>
   plainCharacters(withoutDecorations(foldNames(foldCharacters(pasted))));
 
 /**
@@ -44,7 +44,7 @@ export const plainText = (pasted) =>
  * @param {boolean} [keepsGiven] whether rows that the question itself gave may be part of a block
  * @returns {(() => Block[])[]}
  */
-export function blocksIn(plain, { isEntry, names, given = [] }, keepsGiven = false) {
+export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiven = false) {
   const text = markHeadings(plain);
   const known = new Map();
   const isPadded = COMMA_BEFORE_ZERO.test(text.text) ? (cell) => PADDED.test(cell) : () => false;
@@ -121,7 +121,7 @@ function followingRows(rows, names) {
 
 // Return whether a row goes on the row before it, with only numbers of their lines between them.
 const follows = (row, before, between) =>
-  !haveOtherUnits(row.above, before.above) &&
+  !haveDifferentUnits(row.above, before.above) &&
   before.part === row.part &&
   before.depth === row.depth &&
   between.every(({ line }) => line === before.line || line === row.line) &&
@@ -173,9 +173,9 @@ function isAlike(row, other) {
 // Return whether the labels of two rows are called alike but for their numbers, or have consecutive
 // numbers, as q2 and d3; also where one has no number.
 function sharesStem(row, other) {
-  const [label, before] = [labelIn(row.words), labelIn(other.words)];
+  const [label, before] = [findLabel(row.words), findLabel(other.words)];
   if (label?.kind !== "joint" || before?.kind !== "joint") return true;
-  return stemOf(row) === stemOf(other) || label.at === before.at + 1;
+  return stemOf(row) === stemOf(other) || label.number === before.number + 1;
 }
 
 const stemOf = ({ words }) =>
@@ -185,7 +185,7 @@ const stemOf = ({ words }) =>
     .replace(/[^\p{L}]/gu, "");
 
 const labelKind = ({ name, words }) =>
-  /^\(?\d{1,3}\)?$/.test(name) ? "count" : (labelIn(words)?.kind ?? "");
+  /^\(?\d{1,3}\)?$/.test(name) ? "count" : (findLabel(words)?.kind ?? "");
 
 function applyUnits({ cells, scale, hasAnd }) {
   if (scale) return cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` }));
@@ -237,7 +237,7 @@ function rowsOfOneName(rows) {
 // Single values with names of joints, q1 = 0.3: a row for each set of them.
 function joinNamed(rows) {
   const labelled = rows.flatMap((row) => {
-    const label = row.cells.length === 1 ? labelOfValue(row) : null;
+    const label = row.cells.length === 1 ? findValueLabel(row) : null;
     return label && label.kind !== "count" ? [{ row, label }] : [];
   });
   const single = labelled.filter(({ row }, k) => {
@@ -246,7 +246,7 @@ function joinNamed(rows) {
   });
   const sets = [];
   for (const one of single) {
-    const seen = sets.at(-1)?.some(({ label }) => label.at === one.label.at);
+    const seen = sets.at(-1)?.some(({ label }) => label.number === one.label.number);
     if (!sets.length || seen) sets.push([]);
     sets.at(-1).push(one);
   }
@@ -270,7 +270,7 @@ function joinNamed(rows) {
 // Return whether a row d3 = 0.4 stands beside one of the next joint, q2 = 0.3: then it is a slide.
 const isSlideBeside = ({ row, label }, other) =>
   /^d/i.test(row.name) &&
-  Math.abs(label.at - other.label.at) === 1 &&
+  Math.abs(label.number - other.label.number) === 1 &&
   Math.abs(row.line - other.row.line) < 2 &&
   !namesOtherQuantity(other.row);
 

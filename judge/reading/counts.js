@@ -1,4 +1,4 @@
-// Blocks without the rows and columns that only count, tell the time, or name the others.
+// Drops the rows and columns of a block that only count, are times, or name the others.
 
 import { hasDecimals, number } from "./formula.js";
 import { readLabels } from "./ordering.js";
@@ -7,28 +7,34 @@ import { readLabels } from "./ordering.js";
 
 const textsOf = (cells) => cells.map(({ text }) => text);
 
-// Return whether a row only numbers the joints, as in "for joints 1, 2, 4, 5, 6 and 7".
-export const countsJoints = (cells) => {
+/**
+ * Return whether cells are only numbers of joints, as in "for joints 1, 2, 4, 5, 6 and 7".
+ * @param {import("./lines.js").Cell[]} cells
+ */
+export const isJointCount = (cells) => {
   const texts = textsOf(cells).map((text) => text.replace(/[():.]/g, ""));
   return texts.every((text, k) => /^\d$/.test(text) && (!k || text > texts[k - 1]));
 };
 
-// A block of decimals below a row 1 2 3, without that row.
-export const withoutCountedHeader = (block) =>
-  (isCount(textsOf(block.rows[0])) || countsJoints(block.rows[0])) &&
+/**
+ * Drop a first row 1 2 3 above decimals; an empty list without such a row.
+ * @param {Block} block @returns {Block[]}
+ */
+export const dropCountHeader = (block) =>
+  (isCount(textsOf(block.rows[0])) || isJointCount(block.rows[0])) &&
   block.rows
     .slice(1)
     .flat()
     .some(({ text }) => hasDecimals(text))
-    ? withoutRow(block)
+    ? dropLabelRow(block)
     : [];
 
 /**
- * Take the counts out of a column of twice as many cells, as a table pasted with a cell on each
- * line has them: before each value, or all before the first value.
+ * Drop the counts of a single column, as of a table pasted with a cell on each line. A count stands
+ * before each value, or all counts before the first value.
  * @param {Block} block @returns {Block[]}
  */
-export function withoutCountedCells(block) {
+export function dropCountCells(block) {
   const { rows, sources } = block;
   const half = rows.length / 2;
   if (rows[0].length > 1 || half < 2 || !Number.isInteger(half)) return [];
@@ -38,45 +44,52 @@ export function withoutCountedCells(block) {
     const values = rows.filter((_, k) => !isLabel(k));
     if (!isCount(textsOf(labels.flat())) || !hasDecimals(textsOf(values.flat()).join(" ")))
       return [];
-    const kept = sources.filter((_, k) => !isLabel(k));
-    return [{ ...block, rows: values, labels, sources: kept, from: kept[0].line }];
+    const valueSources = sources.filter((_, k) => !isLabel(k));
+    const from = valueSources[0].line;
+    return [{ ...block, rows: values, labels, sources: valueSources, from }];
   });
 }
 
-// The block without a first column that counts its rows or tells the time, or names them, and
-// without a first row that counts or names its columns.
-export function withoutLabels(block) {
-  const below = withoutRow(block);
-  const once = [block, ...below].flatMap(withoutColumn);
-  return [...once, ...below, ...once.flatMap(withoutColumn)];
+/**
+ * List the block without a first column that counts or names its rows or holds times, and without a
+ * first row that counts or names its columns.
+ * @param {Block} block @returns {Block[]}
+ */
+export function dropLabels(block) {
+  const below = dropLabelRow(block);
+  const beside = [block, ...below].flatMap(dropLabelColumn);
+  return [...beside, ...below, ...beside.flatMap(dropLabelColumn)]; // an index and times
 }
 
-function withoutColumn(block) {
+function dropLabelColumn(block) {
   const { rows, labels } = block;
-  const down = rows.map(([cell]) => cell);
-  if (rows[0].length < 2 || !(isSeries(textsOf(down)) || areNames(down))) return [];
-  const words = labels.map((own, i) => [...own, rows[i][0]]);
-  return [{ ...block, rows: rows.map((row) => row.slice(1)), labels: words }];
+  const column = rows.map(([cell]) => cell);
+  if (rows[0].length < 2 || !(isSeries(textsOf(column)) || areNames(column))) return [];
+  const newLabels = labels.map((words, i) => [...words, rows[i][0]]);
+  return [{ ...block, rows: rows.map((row) => row.slice(1)), labels: newLabels }];
 }
 
-function withoutRow(block) {
+function dropLabelRow(block) {
   const { rows, labels } = block;
   const [first, ...rest] = rows;
   const isHeader =
-    first.length > 1 && (isCount(textsOf(first)) || countsJoints(first) || areNames(first));
+    first.length > 1 && (isCount(textsOf(first)) || isJointCount(first) || areNames(first));
   if (!rest.length || !isHeader) return [];
   return [{ ...block, rows: rest, labels: labels.slice(1), headers: first }];
 }
 
-const areNames = (cells) => {
-  const found = readLabels(cells.map((cell) => [cell]));
-  return found !== null && cells.every(({ text }) => number(text) === null);
-};
+const areNames = (cells) =>
+  readLabels(cells.map((cell) => [cell])) !== null &&
+  cells.every(({ text }) => number(text) === null);
 
+// Return whether cells count from 0 or from 1.
 const isCount = (texts) =>
-  [0, 1].some((from) => texts.every((text, k) => Number(text.replace(/[()]/g, "")) === k + from));
+  [0, 1].some((start) => texts.every((text, k) => Number(text.replace(/[()]/g, "")) === k + start));
 
-// Return whether cells count, or grow by as much each, as times do.
+/**
+ * Return whether cells count, or grow by equal steps, as times do.
+ * @param {string[]} texts
+ */
 export function isSeries(texts) {
   const values = texts.map(Number);
   if (isCount(texts)) return true;

@@ -47,7 +47,7 @@ function findFrame(lines, start) {
   return { rows, next: end - (others.at(-1).length - first.length) };
 }
 
-// List the parts from a line on. A blank line ends a part; the last one has no \ behind its headers.
+// List the parts from a line on, each up to a blank line; the last has no \ behind its headers.
 function listParts(lines, start) {
   const isBlank = (k) => lines[k] !== undefined && !lines[k].text.trim();
   const parts = [];

@@ -20,7 +20,7 @@ const UR = new Map(
   ].flatMap((words, k) => words.map((word) => [word, k + 1])),
 );
 
-/** @typedef {{ kind: string, at: number }} Label of a row, a joint, or a plain count */
+/** @typedef {{ kind: string, number: number }} Label of a row, a joint, or a plain count */
 
 /**
  * Read a label: "row" and which of vx ... wz, "joint" and its number, or "count" and how far.
@@ -31,13 +31,13 @@ function labelOf(text) {
   if (hasDecimals(text)) return null;
   const word = simple(text);
   const row = ROWS.indexOf(word.replace("omega", "w").replace(/^([xyz])dot$/, "v$1"));
-  if (row >= 0) return { kind: "row", at: row };
+  if (row >= 0) return { kind: "row", number: row };
   const ur = UR.get(word.replace(/joint$/, ""));
   const ordinal = ORDINALS.findIndex((one) => word.replace(/^the/, "").startsWith(one));
-  if (ur || ordinal >= 0) return { kind: "joint", at: ur ?? ordinal + 1 };
-  const [, stem, number] = /^(\D*|[\p{L}\d]*joint)(\d{1,5})$/u.exec(word) ?? [];
-  if (number === undefined) return null;
-  return { kind: JOINT.test(stem) ? "joint" : "count", at: Number(number) };
+  if (ur || ordinal >= 0) return { kind: "joint", number: ur ?? ordinal + 1 };
+  const [, stem, digits] = /^(\D*|[\p{L}\d]*joint)(\d{1,5})$/u.exec(word) ?? [];
+  if (digits === undefined) return null;
+  return { kind: JOINT.test(stem) ? "joint" : "count", number: Number(digits) };
 }
 
 // A label without its unit, brackets and signs.
@@ -55,7 +55,7 @@ const MOST_WORDS = 8; // of a label: "for the first joint"
  * null where none does.
  * @param {{ text: string }[]} words
  */
-export function labelIn(words) {
+export function findLabel(words) {
   const texts = words.slice(-MOST_WORDS).map(({ text }) => text);
   const found = texts.flatMap((_, k) => labelOf(texts.slice(k).join(" ")) ?? []);
   return found.find(({ kind }) => kind !== "count") ?? found[0] ?? null;
@@ -65,10 +65,10 @@ export function labelIn(words) {
  * Return the label before a value, as in "then q2 = 0.3"; of q1 = atan2(y, x) = 0.3 the first name.
  * @param {import("./lines.js").Row} row
  */
-export function labelOfValue({ words, name, isAssigned }) {
-  const label = labelIn(words);
+export function findValueLabel({ words, name, isAssigned }) {
+  const label = findLabel(words);
   if (!isAssigned || !name || !words.length || (label && label.kind !== "count")) return label;
-  return labelIn([{ text: name }]) ?? label;
+  return findLabel([{ text: name }]) ?? label;
 }
 
 /**
@@ -81,7 +81,7 @@ export function readRowLabels(rows) {
   const isListOfRows =
     /^rows?$/i.test(first?.text ?? "") &&
     names.length === rows.length &&
-    names.every((name) => labelIn([name])?.kind === "row");
+    names.every((name) => findLabel([name])?.kind === "row");
   if (isListOfRows) return { labels: names.map((name) => [name]), headers: [] };
   return { labels: rows.map(({ words }) => words), headers: rows[0].above };
 }
@@ -104,7 +104,7 @@ const MOMENTS = [
  *   torques' unit in N m; null where
  *   nothing is said, or both
  */
-export function unitsSaid(text) {
+export function readUnits(text) {
   const [degrees, radians] = IN_DEGREES.test(text)
     ? [true, false]
     : [DEGREES.test(text) || LIST_IN_DEGREES.test(text), RADIANS.test(text)];
@@ -119,9 +119,9 @@ export function unitsSaid(text) {
  * Return whether two lines of words, as "Solutions (deg):", name different units of angles.
  * @param {import("./lines.js").Cell[]} words @param {import("./lines.js").Cell[]} others
  */
-export function haveOtherUnits(words, others) {
+export function haveDifferentUnits(words, others) {
   if (words === others) return false;
   const textOf = (cells) => cells.map(({ text }) => text).join(" ");
-  const [unit, other] = [words, others].map((cells) => unitsSaid(textOf(cells)).angles);
+  const [unit, other] = [words, others].map((cells) => readUnits(textOf(cells)).angles);
   return unit !== null && other !== null && unit !== other;
 }

@@ -10,7 +10,7 @@ import {
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { findAnswer, NoFitError } from "./answers.js";
-import { unitsSaid } from "./labels.js";
+import { readUnits } from "./labels.js";
 import {
   formulaSlack,
   isNumber,
@@ -40,7 +40,7 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  * Numbers as typed, row by row, with the unit of the last decimal place of each.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
  *   entries: Entry[], said: string[], left: string[], hasRowNames?: boolean,
- *   says?: ReturnType<typeof unitsSaid>, tokens?: import("./owners.js").Token[] }} Typed
+ *   says?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
  *   `trees` are the formulas of a text, `said` is how it was read, `left` are its other lines,
  *   `hasRowNames` says whether its rows were ordered by the names vx to wz, `says` the units that
  *   it names, and `tokens` all its numbers with their owners
@@ -163,7 +163,7 @@ function readText(text, { known, ...question }) {
   const shape = [answer.rows.length, answer.rows[0].length];
   const { said, left, hasRowNames, tokens } = answer;
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
-  return { ...read, entries, said, left, hasRowNames, says: unitsSaid(text), tokens };
+  return { ...read, entries, said, left, hasRowNames, says: readUnits(text), tokens };
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;

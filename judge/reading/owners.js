@@ -3,7 +3,7 @@
 
 import { isCalledOld, namesOtherQuantity } from "./blocks.js";
 import { hasDecimals } from "./formula.js";
-import { labelIn, labelOfValue } from "./labels.js";
+import { findLabel, findValueLabel } from "./labels.js";
 import { isUnit } from "./lines.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
@@ -125,7 +125,7 @@ const isLineNumber = (text, token) =>
 // The rows without a label, of a block whose other rows are named after those of a Jacobian.
 function unlabelledRows({ labels }) {
   if (labels.length > MOST_LABELLED) return new Set();
-  const isNamed = labels.map((words) => labelIn(words)?.kind === "row");
+  const isNamed = labels.map((words) => findLabel(words)?.kind === "row");
   const unlabelled = isNamed.flatMap((named, row) => (named ? [] : [row]));
   return new Set(isNamed.includes(true) ? unlabelled : []);
 }
@@ -134,8 +134,9 @@ function unlabelledRows({ labels }) {
 function findMisplacedCells({ rows, sources }) {
   const labels = new Map();
   for (const row of sources)
-    if (row.cells.length === 1) labels.set(row.cells[0].from, labelOfValue(row));
-  const jointOf = ({ from }) => (labels.get(from)?.kind === "joint" ? labels.get(from).at : null);
+    if (row.cells.length === 1) labels.set(row.cells[0].from, findValueLabel(row));
+  const jointOf = ({ from }) =>
+    labels.get(from)?.kind === "joint" ? labels.get(from).number : null;
   const isMisplaced = (cell, before) =>
     before &&
     jointOf(before) !== null &&
@@ -359,8 +360,8 @@ function whereOf(text, { from }) {
     .slice(start, from)
     .split(/[\s|&,;:=]+/)
     .filter(Boolean);
-  const label = words.length ? labelIn(words.map((word) => ({ text: word }))) : null;
+  const label = words.length ? findLabel(words.map((word) => ({ text: word }))) : null;
   if (!label || label.kind === "row") return "";
-  const [key, number] = [label.kind === "joint" ? "joint" : "row", label.at];
+  const [key, number] = [label.kind === "joint" ? "joint" : "row", label.number];
   return ` (${formatMessage(key, { [key]: number })})`;
 }

@@ -1,7 +1,7 @@
 // Finds the block of a text that is a table: rows of entries below their headers, or link matrices
 // one below the other.
 
-import { blocksIn, plainText } from "./blocks.js";
+import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { setAside } from "./answers.js";
 import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
 import { linesOf, ROW_END } from "./characters.js";
@@ -29,9 +29,9 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
  * @returns {TableBlock[]}
  */
 export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
-  const plain = plainText(withoutMargins(pasted)).replace(DEFINITIONS, "");
+  const plain = makePlainText(withoutMargins(pasted)).replace(DEFINITIONS, "");
   const marked = markColumnHeaders(dropStars(plain));
-  const partings = blocksIn(marked.plain, { isEntry: makeEntryTest(known) });
+  const partings = makeBlockFinders(marked.plain, { isEntry: makeEntryTest(known) });
   const lines = linesOf(marked.plain.text);
   const typedLines = linesOf(text);
   const headerLines = typedLines

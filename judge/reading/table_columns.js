@@ -2,7 +2,7 @@
 // what stands in them.
 
 import { number, plain } from "./formula.js";
-import { labelIn } from "./labels.js";
+import { findLabel } from "./labels.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
@@ -86,7 +86,7 @@ export function dropIndexColumn({ cells, headers }) {
 // Return whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
 const isCounted = (first) =>
   !first.some(isVariable) &&
-  [0, 1].some((from) => first.every((text, k) => labelIn([{ text }])?.at === k + from));
+  [0, 1].some((from) => first.every((text, k) => findLabel([{ text }])?.number === k + from));
 
 // List the possible orders of the columns, whether the order was stated, and the rows.
 export const listOrders = (cells, headers, columns) =>

@@ -1,7 +1,7 @@
 // Shows how an answer was read, cell by cell, and the verdict on it.
 
 import { h } from "../dom.js";
-import { blocksIn, plainText } from "../../../judge/reading/blocks.js";
+import { makeBlockFinders, makePlainText } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { lookup } from "../../../judge/reading/numbers.js";
 import { SpannedText } from "../../../judge/reading/spans.js";
@@ -120,8 +120,8 @@ function readPartly(question, { error, tokens, arm, q }) {
 // Return the rows of the largest block of possible entries.
 function findLargestBlock(text) {
   const isEntry = (cell) => /\d/.test(cell) || /^[-+]?(?:[a-z]|theta|pi)$/i.test(cell);
-  const plain = plainText(new SpannedText(text));
-  const blocks = blocksIn(plain, { isEntry }).flatMap((way) => way());
+  const plain = makePlainText(new SpannedText(text));
+  const blocks = makeBlockFinders(plain, { isEntry }).flatMap((way) => way());
   const size = (rows) => rows.flat().length;
   return blocks
     .reduce((most, { rows }) => (size(rows) > size(most) ? rows : most), [])
