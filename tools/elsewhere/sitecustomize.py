@@ -1,8 +1,8 @@
 """Add noise to functions of NumPy and Python, as the round-off of a different processor.
 
-Python runs this file at its start if its folder is on PYTHONPATH. The noise is up to two units in
-the last place. It leaves out the functions that OpenBLAS computes: `OPENBLAS_CORETYPE` changes
-those, and `make elsewhere` does both at once.
+Python runs this file at its start if its folder is on PYTHONPATH, as in the kernel beside it. The
+noise is up to two units in the last place. It leaves out the functions that OpenBLAS computes: the
+kernel changes those by `OPENBLAS_CORETYPE`.
 """
 
 import math
