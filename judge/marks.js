@@ -61,7 +61,7 @@ export function listMarks(question, outcome) {
   const text = question.answer;
   if (text.length > MAX_LENGTH) return [];
   const matrix = getMatrix(question, outcome);
-  return (outcome.tokens ?? []).map((token) => {
+  return joinHalves(text, outcome.tokens ?? []).map((token) => {
     const isUnread = token.owner === "unread";
     const kind = token.owner === "header" ? "label" : token.owner;
     const index = kind === "entry" && matrix ? (token.index ?? -1) : -1;
@@ -77,6 +77,31 @@ export function listMarks(question, outcome) {
     };
   });
 }
+
+/**
+ * Join the two numbers before and behind a decimal comma, which are one entry.
+ * @param {string} text @param {Token[]} tokens @returns {Token[]}
+ */
+function joinHalves(text, tokens) {
+  /** @type {Token[]} */
+  const joined = [];
+  for (const token of tokens) {
+    const before = joined.at(-1);
+    const isHalf =
+      before && text.slice(before.to, token.from) === "," && isSameEntry(before, token);
+    if (isHalf) joined[joined.length - 1] = { ...before, to: token.to };
+    else joined.push(token);
+  }
+  return joined;
+}
+
+/** @param {Token} token @param {Token} other */
+const isSameEntry = (token, other) =>
+  token.owner === "entry" &&
+  other.owner === "entry" &&
+  token.row === other.row &&
+  token.column === other.column &&
+  `${token.matrix}` === `${other.matrix}`;
 
 /** Return the kind under which a mark is shown. @param {Mark} mark @returns {string} */
 export const getShownKind = ({ kind, isWrong }) => (isWrong ? "wrong" : kind);
