@@ -10,7 +10,8 @@ from helpers.inputs import ArmError, finite_array, warn_caller
 Array = NDArray[np.float64]
 
 # Largest error of a rotation, or of the last row, that needs no mending: 6 or more decimals.
-_RIGID = 1e-6
+# judge/geometry/inverse.js has the same bound; tests/test_poses.py holds the two equal.
+_LARGEST_ROTATION_ERROR = 1e-6
 # Numbers of decimals that a printed rotation may have; fewer leave its direction open by a degree.
 _DECIMALS = range(3, 8)
 _NEARLY = 0.1  # up to this error the message says how to get the nearest rotation
@@ -39,7 +40,7 @@ def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = F
     errors = np.concatenate(
         [_rigid_errors(flat[i : i + _CHUNK]) for i in range(0, max(len(flat), 1), _CHUNK)]
     )
-    bent = np.flatnonzero(errors > _RIGID)
+    bent = np.flatnonzero(errors > _LARGEST_ROTATION_ERROR)
     if not bent.size:
         return poses
     decimals = [_count_decimals(flat[i].reshape(4, 4)[:3, :3]) for i in bent]
@@ -50,7 +51,7 @@ def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = F
     # Nine entries of a true rotation were rounded by half a unit each at most, and the nearest
     # rotation is at least as near as the true one.
     explained = moved <= [1.5 * 10.0**-n + 1e-9 if n else 0.0 for n in decimals]
-    explained &= np.abs(flat[bent, 12:] - (0, 0, 0, 1)).max(axis=1) <= _RIGID
+    explained &= np.abs(flat[bent, 12:] - (0, 0, 0, 1)).max(axis=1) <= _LARGEST_ROTATION_ERROR
     if not explained.all():
         error = errors[bent][~explained].max()
         advice = "; U, _, V = np.linalg.svd(T[:3, :3]) gives the nearest rotation, U @ V"

@@ -1,10 +1,13 @@
 """Tests that poses printed with few decimals become rigid transforms."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from helpers import inverse
+from helpers import inverse, poses
 from helpers.arm import ArmError
 from helpers.kinematics import forward_kinematics
 from helpers.poses import rigid_poses
@@ -69,3 +72,10 @@ def test_target_in_millimetres_gives_a_warning(call):
     pose[:3, 3] *= 1000
     with pytest.warns(UserWarning, match="write metres"):
         call(PUMA, pose)
+
+
+def test_bound_of_rotation_errors_equals_that_of_the_judge():
+    judge = Path(__file__).parents[1] / "judge" / "geometry" / "inverse.js"
+    code = judge.read_text(encoding="utf-8")
+    bounds = re.findall(r"^const LARGEST_ROTATION_ERROR = (\S+);", code, re.MULTILINE)
+    assert [float(bound) for bound in bounds] == [poses._LARGEST_ROTATION_ERROR]
