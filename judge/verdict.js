@@ -56,7 +56,7 @@ export const GRADE_MARKS = {
  * @property {import("./reading/owners.js").Token[]} [tokens] the numbers of the pasted text, each
  *   with its place and what it was taken for
  * @property {import("./reading/numbers.js").Typed} [typed] the numbers that were read
- * @property {string[]} [left] lines of the text that were not used
+ * @property {string[]} [unusedLines] lines of the text that were not used
  * @property {boolean[]} [wrong] whether each of the numbers is wrong
  * @property {string[]} [rowNames] names of the Jacobian's rows that were read
  * @property {ReadTable} [table]
@@ -102,7 +102,7 @@ export const completeVerdicts =
     const verdict = findRightArm(first, judge, mine, rest) ?? first;
     const options = rest[judge.length - 1] ?? {};
     const advice = [...(verdict.advice ?? []), ...adviseOnCauses(verdict.causes, options)];
-    const unused = first.left ?? first.typed?.left ?? mine?.left ?? [];
+    const unused = first.unusedLines ?? first.typed?.unusedLines ?? mine?.unusedLines ?? [];
     return noteUnusedLines({ ...verdict, advice, tokens: findTokens(first, mine) }, unused);
   };
 

@@ -44,9 +44,9 @@ const LONGEST = 2_000_000; // characters of a text: a trajectory of 20 000 steps
 /** @typedef {import("./lines.js").Cell} Cell */
 /** @typedef {import("./blocks.js").Block} Block */
 /**
- * The block that is the answer. `said` is how its rows were ordered, `left` the lines and numbers
- * that were set aside, `tokens` every number of the text with its owner.
- * @typedef {Block & { left: string[], said: string[], hasRowNames?: boolean,
+ * The block that is the answer. `taken` says how its rows were ordered, `unusedLines` holds
+ * the lines and numbers that were set aside, `tokens` every number of the text with its owner.
+ * @typedef {Block & { unusedLines: string[], taken: string[], hasRowNames?: boolean,
  *   tokens: import("./owners.js").Token[] }} Answer
  */
 
@@ -86,14 +86,18 @@ function findIn(pasted, text, question) {
   const answer = findFirstFit(partings, partingsWithGiven, question);
   if (!answer) throw makeRefusal(text, question, partings);
   const { block, want } = answer;
-  const { rows, said } = orderByListedNames(block, want, text);
+  const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
   if (block.sources.every(isCalledOld)) throw makeOldAnswerError(text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);
-  const left = setAside(text, { ...block, ...findLinesOfEntries(block, tokens) }, pasted);
-  return { ...block, rows, said, left, tokens };
+  const unusedLines = listUnusedLines(
+    text,
+    { ...block, ...findLinesOfEntries(block, tokens) },
+    pasted,
+  );
+  return { ...block, rows, taken, unusedLines, tokens };
 }
 
 // Return the first and the last line of a block. Parts of a drawn fraction stand on lines beside.
@@ -298,7 +302,7 @@ const isJointHeader = (header) => readLabels([[header]])?.kind === "joint";
  * are not its own.
  * @param {string} text @param {Block} block @param {SpannedText} [live] without comments
  */
-export function setAside(text, block, live = null) {
+export function listUnusedLines(text, block, live = null) {
   const { from, to } = block;
   const lines = linesOf(text);
   const rest = lines.filter((_, i) => i < from || i > to);

@@ -10,7 +10,7 @@ import {
   notPerJoint,
   numbers,
   rowsOf,
-  setAside,
+  noteLockedValues,
   unnamed,
 } from "./numbers.js";
 
@@ -48,16 +48,16 @@ export function answers(mine, arm, angles, { byColumns = false, ...asked } = {})
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
   const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
   const [each, places] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
-  const locked = width > dof ? [setAside(arm, upright(typed.values))] : [];
-  const taken = [...typed.said, ...inUnit(typed, angles), ...perColumn(lies, each), ...locked];
+  const locked = width > dof ? [noteLockedValues(arm, upright(typed.values))] : [];
+  const taken = [...typed.taken, ...inUnit(typed, angles), ...perColumn(lies, each), ...locked];
   return { answers: each.map((one, i) => ({ values: one, units: places[i] })), taken, typed };
 }
 
 // Return the message for a text that names another unit than the question.
 /** @param {import("./numbers.js").Typed} typed @param {string} angles */
-const inUnit = ({ says }, angles) =>
-  says?.angles && says.angles !== angles
-    ? [formatMessage(says.angles === "deg" ? "taken: degrees" : "taken: radians")]
+const inUnit = ({ statedUnits }, angles) =>
+  statedUnits?.angles && statedUnits.angles !== angles
+    ? [formatMessage(statedUnits.angles === "deg" ? "taken: degrees" : "taken: radians")]
     : [];
 
 const perColumn = (lies, { length }) =>

@@ -39,11 +39,11 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 /**
  * Numbers as typed, row by row, with the unit of the last decimal place of each.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
- *   entries: Entry[], said: string[], left: string[], hasRowNames?: boolean,
- *   says?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
- *   `trees` are the formulas of a text, `said` is how it was read, `left` are its other lines,
- *   `hasRowNames` says whether its rows were ordered by the names vx to wz, `says` the units that
- *   it names, and `tokens` all its numbers with their owners
+ *   entries: Entry[], taken: string[], unusedLines: string[], hasRowNames?: boolean,
+ *   statedUnits?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
+ *   `trees` are the formulas of a text, `taken` says how it was read, `unusedLines` holds its other
+ *   lines, `hasRowNames` says whether its rows were ordered by the names vx to wz, `statedUnits`
+ *   holds the units that it names, and `tokens` all its numbers with their owners
  */
 
 /**
@@ -100,7 +100,15 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
     );
   });
   const symbolic = names.size > 0;
-  return { values, units: unitsOf(typed), shape, symbolic, entries: typed, said: [], left: [] };
+  return {
+    values,
+    units: unitsOf(typed),
+    shape,
+    symbolic,
+    entries: typed,
+    taken: [],
+    unusedLines: [],
+  };
 }
 
 /**
@@ -161,9 +169,17 @@ function readText(text, { known, ...question }) {
     entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
   );
   const shape = [answer.rows.length, answer.rows[0].length];
-  const { said, left, hasRowNames, tokens } = answer;
+  const { taken, unusedLines, hasRowNames, tokens } = answer;
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
-  return { ...read, entries, said, left, hasRowNames, says: readUnits(text), tokens };
+  return {
+    ...read,
+    entries,
+    taken,
+    unusedLines,
+    hasRowNames,
+    statedUnits: readUnits(text),
+    tokens,
+  };
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
@@ -225,7 +241,7 @@ export function ofMoving(typed, arm) {
   const kept = (list) => list.filter((_, i) => moving.includes(i % arm.rows.length));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
   const shape = typed.shape.map((n) => (n === arm.rows.length ? moving.length : n));
-  const locked = [setAside(arm, typed.values)];
+  const locked = [noteLockedValues(arm, typed.values)];
   return { ...typed, values, units, entries, shape, locked };
 }
 
@@ -233,7 +249,7 @@ export function ofMoving(typed, arm) {
  * Write a note about the locked joints, whose values are not judged.
  * @param {Arm} arm @param {number[]} values one for each row of the arm, pose after pose
  */
-export function setAside({ rows }, values) {
+export function noteLockedValues({ rows }, values) {
   const locked = fixedRows({ rows });
   const theirs = values.filter((_, k) => locked.includes(k % rows.length));
   const shown = [...new Set(theirs.map((x) => formatNumber(x, 6)))];
@@ -275,7 +291,7 @@ export function inRadians(typed, arm, angles) {
     mixed ? unitsOf(typed.entries.filter((_, i) => turn(i) === kind)) : [],
   );
   const own = (i) => (mixed ? (turn(i) ? angular : linear).shift() : typed.units[i]);
-  const unit = typed.says?.angles ?? angles;
+  const unit = typed.statedUnits?.angles ?? angles;
   const factor = (i) => (unit === "deg" && turn(i) && !typed.entries[i].angle ? RAD : 1);
   return {
     ...typed,

@@ -74,15 +74,15 @@ const NO_CELL = { text: "", from: 0, to: 0 };
 
 /**
  * Order values by names of joints that the text lists apart from them, as ROS does.
- * @param {Block & { said: string[] }} block @param {Want} want @param {string} text
+ * @param {Block & { taken: string[] }} block @param {Want} want @param {string} text
  */
 export function orderByListedNames(block, { by, turned, columns }, text) {
-  if (by !== "joint" || (!turned && columns === null) || block.said.length) return block;
+  if (by !== "joint" || (!turned && columns === null) || block.taken.length) return block;
   const joints = findListedJoints(text, block.rows[0].length);
   if (!joints || joints.every((joint, k) => !k || joint > joints[k - 1])) return block;
   const order = sortIndices(joints);
   const rows = block.rows.map((row) => order.map((k) => row[k]));
-  return { ...block, rows, said: [formatMessage("taken: by names")] };
+  return { ...block, rows, taken: [formatMessage("taken: by names")] };
 }
 
 // Find the numbers of `size` joints whose names stand beside each other; null if none do.
@@ -116,7 +116,7 @@ export function orderByLabels(block, { by }) {
   return {
     ...block,
     rows: rowOrder.map((i) => columnOrder.map((k) => block.rows[i][k])),
-    said: isMoved ? [formatMessage("taken: by names")] : [],
+    taken: isMoved ? [formatMessage("taken: by names")] : [],
     hasRowNames: isOrdered && by === "row",
   };
 }

@@ -53,7 +53,7 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  * @property {boolean} [isOrderGuessed]
  * @property {string[]} [order] the entries of its columns; a table of link matrices has none
  * @property {string[]} [typedCells] all cells of its rows, without notes and footnote marks
- * @property {string[]} [left] the lines of the text and numbers that were not used
+ * @property {string[]} [unusedLines] the lines of the text and numbers that were not used
  * @property {import("./owners.js").Token[]} [tokens]
  */
 
@@ -84,10 +84,14 @@ export function readTables(typedText, options = {}, values = []) {
 
 // Refuse a symbol of a table with two lengths; give the numbers of used definitions their owner.
 /** @param {TypedTable} table @param {import("./table_definitions.js").Definition[]} definitions */
-function useDefinitions({ left, tokens, ...table }, definitions, text) {
+function useDefinitions({ unusedLines, tokens, ...table }, definitions, text) {
   const used = listUsedDefinitions(definitions, table.typedCells, tokens);
   refuseTwoLengths(used, tokens, text);
-  return { ...table, left: dropDefinitions(left, used), tokens: claimDefinitions(used, tokens) };
+  return {
+    ...table,
+    unusedLines: dropDefinitions(unusedLines, used),
+    tokens: claimDefinitions(used, tokens),
+  };
 }
 
 /** @param {string} typedText @param {Request} request @returns {TypedTable[]} */
@@ -168,16 +172,16 @@ function requireReadable(table, text, { known }) {
 
 /**
  * Read cells below their headers in each possible order of columns.
- * @param {{ cells: string[][], headers: string[], assumptions: string[], left: string[],
+ * @param {{ cells: string[][], headers: string[], assumptions: string[], unusedLines: string[],
  *   context: string, convention?: string }} block
  * @param {Request} request @returns {TypedTable[]}
  */
 function readCells(block, { options, known }) {
   const trimmed = block.cells.map((row) => row.map(trimEntry));
-  const { left } = block;
+  const { unusedLines } = block;
   const typedCells = trimmed.flat();
   const matrices = splitMatrices(trimmed);
-  if (matrices) return [{ ...readMatrices(matrices, known, options), left, typedCells }];
+  if (matrices) return [{ ...readMatrices(matrices, known, options), unusedLines, typedCells }];
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
@@ -188,7 +192,7 @@ function readCells(block, { options, known }) {
     ...units,
     ...table,
     order: orders.typedOrder ?? table.order,
-    left: [...left, ...unused],
+    unusedLines: [...unusedLines, ...unused],
     typedCells,
     assumptions: [...block.assumptions, ...table.assumptions],
   }));

@@ -2,7 +2,7 @@
 // one below the other.
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
-import { setAside } from "./answers.js";
+import { listUnusedLines } from "./answers.js";
 import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
 import { linesOf, ROW_END } from "./characters.js";
 import { withoutMargins } from "./decorations.js";
@@ -14,7 +14,7 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
 
 /**
  * Rows of cells as they were typed, the headers above them, and the rest of the text.
- * @typedef {{ cells: string[][], headers: string[], context: string, left: string[],
+ * @typedef {{ cells: string[][], headers: string[], context: string, unusedLines: string[],
  *   block: import("./blocks.js").Block, isTurned?: boolean,
  *   plainLines: string[] }} TableBlock `isTurned` if each typed
  *   row is a column of the table; `plainLines` are the lines without decorations
@@ -47,7 +47,7 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
     .map((table) => ({
       ...table,
       context: collectContext(typedLines, table.block),
-      left: setAside(text, table.block).filter(
+      unusedLines: listUnusedLines(text, table.block).filter(
         (line) => !headerLines.includes(line) || hasDecimals(line),
       ),
       plainLines: lines,

@@ -26,9 +26,9 @@ const MOST_ROWS = 32;
  */
 /**
  * A table whose entries have names: `sources` says where each entry stands in the text, `context`
- * is the text around the table, and `left` lists what was not used.
+ * is the text around the table, and `unusedLines` lists what was not used.
  * @typedef {{ cells: string[][], headers: string[], assumptions: string[], convention?: string,
- *   sources: Source[], parts: Span[], context: string, left: string[] }} NamedTable
+ *   sources: Source[], parts: Span[], context: string, unusedLines: string[] }} NamedTable
  */
 /** @typedef {Span & { row: number, column: number }} Source `column` in the order of ENTRIES */
 
@@ -91,7 +91,7 @@ function listUnused(text, parts, sources) {
   );
   const trimmed = otherLines.map((line) => line.text.trim());
   const told = trimmed.filter((line) => /[\p{L}\d]{2}/u.test(line));
-  return { context: trimmed.join("\n"), left: [...told, ...decimals] };
+  return { context: trimmed.join("\n"), unusedLines: [...told, ...decimals] };
 }
 
 const DECIMAL = /(?<!\d)\d*\.\d+/g;

@@ -75,7 +75,7 @@ export function judgeFirstTorques(typed, { arm, q, load, tolerance, taken }) {
   const headline = formatMessage("tau first joints", { arm: arm.name, count, all: dof });
   return makeVerdict("torques", arm, SO_FAR, headline, {
     findings: [{ what: "missing", where: joints, words }],
-    taken: [...typed.said, ...taken],
+    taken: [...typed.taken, ...taken],
     figures: { right: count, of: dof },
     typed,
     wrong,

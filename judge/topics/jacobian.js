@@ -41,7 +41,7 @@ function judgeJacobian(mine, arm, q, options = {}) {
   const known = lookup(arm, at.values, options.values ?? []);
   const typed = readMatrix(mine, known, arm, { ...options, at });
   const question = { ...options, arm, at, frame: options.frame ?? 0 };
-  const first = judgeReadMatrix(typed, question, [...typed.said, ...(at.locked ?? [])]);
+  const first = judgeReadMatrix(typed, question, [...typed.taken, ...(at.locked ?? [])]);
   const verdict = askAboutDegrees(first, {
     arm,
     values: at.values,
@@ -131,11 +131,11 @@ function listReducedShapes(arm, columns) {
 
 // Convert the linear rows to metres if the text gives mm as their unit.
 function convertToMetres(typed) {
-  const { shape, says } = typed;
-  if (says?.lengths !== "mm" || shape[0] !== 6) return typed;
+  const { shape, statedUnits } = typed;
+  if (statedUnits?.lengths !== "mm" || shape[0] !== 6) return typed;
   const convert = (list) => list.map((x, i) => (i < 3 * shape[1] ? x / 1000 : x));
-  const said = [...typed.said, formatMessage("taken: linear millimetres")];
-  return { ...typed, values: convert(typed.values), units: convert(typed.units), said };
+  const taken = [...typed.taken, formatMessage("taken: linear millimetres")];
+  return { ...typed, values: convert(typed.values), units: convert(typed.units), taken };
 }
 
 // Report a wrong shape, with its cause if all entries are right.

@@ -107,9 +107,9 @@ function judgeText(text, reference, options) {
   const [typed, table] = [typedTables[index], tables[index]];
   const misnamed = isSame ? findMisnamedRow(typed.rows) : null;
   const judged = misnamed ? reportWrong(table, reference, [misnamed]) : verdict;
-  const { left, tokens, rows } = typed;
+  const { unusedLines, tokens, rows } = typed;
   const cells = formatReadTable(typed, table, judged.findings);
-  return { ...judged, left, tokens, table: { rows: table.rows, typed: rows, ...cells } };
+  return { ...judged, unusedLines, tokens, table: { rows: table.rows, typed: rows, ...cells } };
 }
 
 // Choose the best verdict over all readings. A verdict on the same arm comes first, then a verdict
@@ -147,7 +147,7 @@ function readTextOrNoLink(text, options, known) {
     // The tokens have positions in the shorter text, so none of them can be marked.
     return tables.map((table) => ({
       ...table,
-      left: [...table.left, ...others],
+      unusedLines: [...table.unusedLines, ...others],
       tokens: undefined,
     }));
   }

@@ -21,7 +21,7 @@ import {
   notPerJoint,
   ofMoving,
   rowsOf,
-  setAside,
+  noteLockedValues,
   unnamed,
 } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
@@ -83,8 +83,8 @@ function judgeTorques(typed, context) {
   const count = load.wrenches.length;
   const arranged = arrangeByPose(typed, count, arm);
   if (arranged) {
-    const said = [...typed.said, ...arranged.said, ...taken];
-    const verdict = judgeArrangedTorques({ ...arranged, said }, q, load, context);
+    const allTaken = [...typed.taken, ...arranged.taken, ...taken];
+    const verdict = judgeArrangedTorques({ ...arranged, taken: allTaken }, q, load, context);
     if (!arranged.isPerJoint) return { ...verdict, typed };
     return {
       ...verdict,
@@ -112,14 +112,14 @@ function listShapes(count, arm) {
 // Convert torques to N m if the text gives their unit. An entry with its own unit is converted
 // already.
 function convertToNewtonMetres(typed) {
-  const unit = typed.says?.moments;
+  const unit = typed.statedUnits?.moments;
   if (!unit) return typed;
   const scale = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x * unit : x));
-  const said = [
-    ...typed.said,
+  const taken = [
+    ...typed.taken,
     formatMessage(unit < 1 ? "taken: millinewton metres" : "taken: kilonewton metres"),
   ];
-  return { ...typed, values: scale(typed.values), units: scale(typed.units), said };
+  return { ...typed, values: scale(typed.values), units: scale(typed.units), taken };
 }
 
 // Pair poses with wrenches. A single wrench belongs to all poses, a single pose to all wrenches.
@@ -157,18 +157,18 @@ function arrangeByPose({ values, units, shape }, count, arm) {
   const [dof, rows] = [moving.length, arm.rows.length];
   const sizes = shape.filter((n) => n !== 1);
   for (const width of new Set([dof, rows])) {
-    const noteLocked = (all) => (width > dof ? [setAside(arm, all)] : []);
+    const noteLocked = (all) => (width > dof ? [noteLockedValues(arm, all)] : []);
     const dropLocked = (list) =>
       width > dof ? list.filter((_, i) => moving.includes(i % rows)) : list;
     const hasShape = (m, n) => sizes.length === 2 && sizes[0] === m && sizes[1] === n;
     if (hasShape(count, width) || (count === 1 && sizes.length === 1 && values.length === width))
-      return { values: dropLocked(values), units: dropLocked(units), said: noteLocked(values) };
+      return { values: dropLocked(values), units: dropLocked(units), taken: noteLocked(values) };
     if (hasShape(width, count) && count !== width) {
       const transposeList = (list) => transpose(list, sizes);
       return {
         values: dropLocked(transposeList(values)),
         units: dropLocked(transposeList(units)),
-        said: [formatMessage("taken: list per joint"), ...noteLocked(transposeList(values))],
+        taken: [formatMessage("taken: list per joint"), ...noteLocked(transposeList(values))],
         isPerJoint: true,
       };
     }
@@ -196,7 +196,7 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance, isGradeOnly }) 
   const causes = judged.mistakes.map(({ cause }) => cause);
   const expected = makeTorqueMaker(load, load.c.dof, at.values)()(at.values);
   const figures = measureErrors(typed.values, expected, judged, load.c.dof);
-  const rest = { taken: typed.said, figures, wrong: judged.wrong };
+  const rest = { taken: typed.taken, figures, wrong: judged.wrong };
   if (judged.grade === WRONG) {
     const verdict = typed.values.some(Boolean)
       ? reportWrongTorques(causes, judged.wrong, typed, expected, arm)

@@ -15,7 +15,7 @@ import {
 import { DEG, RAD } from "../geometry/angles.js";
 import { pick } from "../geometry/task_rows.js";
 import { RIGHT, WRONG } from "../digits.js";
-import { jointShapes, numbers, asDegrees, rowsOf, setAside } from "../reading/numbers.js";
+import { jointShapes, numbers, asDegrees, rowsOf, noteLockedValues } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
 import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
 import {
@@ -84,7 +84,7 @@ export const judgeTrace = completeVerdicts(judgeTypedTrace);
 
 function judgeTypedTrace(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
-  const read = arrangeBySteps(typed, arm, path.times.length, typed.says?.angles ?? angles);
+  const read = arrangeBySteps(typed, arm, path.times.length, typed.statedUnits?.angles ?? angles);
   if (!read) return reportWrongShape(typed, arm, path);
   const trajectory = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const { q, units, unit, taken } = trajectory;
@@ -133,7 +133,7 @@ function arrangeBySteps(typed, arm, count, unit) {
   const dof = movingRows(arm).length;
   const shape = typed.shape.filter((n) => n !== 1);
   if (shape.length !== 2) return null;
-  const taken = [...typed.said];
+  const taken = [...typed.taken];
   const lengths = [count - 1, count, count + 1];
   // An angle with a unit of its own was converted to rad already; here it gets its degrees back.
   const typedUnit = ({ angle }) => (angle && unit === "deg" ? RAD : 1);
@@ -148,7 +148,7 @@ function arrangeBySteps(typed, arm, count, unit) {
     taken.push(formatMessage("taken: list per joint"));
   }
   if (hasLockedColumns(rows, arm)) {
-    taken.push(setAside(arm, rows.flat()));
+    taken.push(noteLockedValues(arm, rows.flat()));
     [rows, units] = [rows, units].map((list) => list.map((row) => pick(row, movingRows(arm))));
   }
   const first = rows.map(([x]) => x);
