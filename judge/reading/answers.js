@@ -1,7 +1,7 @@
 // The answer in a text: all blocks that have the shape that is asked for, wherever they stand, with
 // rows and columns in the order that their labels say.
 
-import { makeBlockFinders, isCalledOld, namesOtherQuantity, makePlainText } from "./blocks.js";
+import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
 import { isJointCount, isSeries, dropCountCells, dropCountHeader, dropLabels } from "./counts.js";
 import {
@@ -23,6 +23,7 @@ import {
   transpose,
 } from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
+import { isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 

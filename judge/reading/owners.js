@@ -1,10 +1,10 @@
 // Owners: what each number of a pasted text was taken for. A number that nothing claims, within the
 // answer's lines or beside them, is unread, and then nothing is graded.
 
-import { isCalledOld, namesOtherQuantity } from "./blocks.js";
+import { isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { hasDecimals } from "./formula.js";
 import { findLabel, findValueLabel } from "./labels.js";
-import { isUnit } from "./lines.js";
+import { isUnit } from "./cells.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /**

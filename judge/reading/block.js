@@ -1,0 +1,54 @@
+// A block: rows of one length, and the words beside them.
+
+import { readRowLabels } from "./labels.js";
+
+/** @typedef {import("./lines.js").Cell} Cell */
+/** @typedef {import("./lines.js").Row} Row */
+/**
+ * A rectangle of entries. `labels` are the words before each row, `headers` those above the first;
+ * `name` is what the block is assigned to; `from` and `to` are its first and last line; `sources`
+ * are the rows of the text that it is made of, `lines` all rows and words of the text.
+ * @typedef {object} Block
+ * @property {Cell[][]} rows
+ * @property {Cell[][]} labels
+ * @property {Cell[]} headers
+ * @property {string} name
+ * @property {number} from
+ * @property {number} to
+ * @property {Row[]} sources
+ * @property {Lines} [lines]
+ */
+/**
+ * All rows and words of a text. The rows `given` repeat numbers of the question.
+ * @typedef {{ all: Row[], given: Set<Row>, words: Cell[] }} Lines
+ */
+
+/**
+ * Write the factor of a row behind its entries, or take the unit of a list off its last entry.
+ * @param {Row} row @returns {Cell[]}
+ */
+export function applyUnits({ cells, scale, hasAnd }) {
+  if (scale) return cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` }));
+  const inDegrees = cells.filter(({ text }) => DEGREES_BEHIND.test(text));
+  const isList = hasAnd && cells.length > 1;
+  if (!isList || inDegrees.length !== 1 || inDegrees[0] !== cells.at(-1)) return cells;
+  // In "10, 20 and 30 deg" the unit belongs to the whole list. The unit of the text stands for it.
+  return cells.map((cell) => ({ ...cell, text: cell.text.replace(DEGREES_BEHIND, "") }));
+}
+
+const DEGREES_BEHIND = / deg$/;
+
+/**
+ * Make a block of rows.
+ * @param {Row[]} rows @returns {Block}
+ */
+export function makeBlock(rows) {
+  return {
+    rows: rows.map(applyUnits),
+    ...readRowLabels(rows),
+    name: rows[0].name || (rows[0].words.at(-1)?.text ?? ""),
+    from: rows[0].line,
+    to: rows.at(-1).last,
+    sources: rows,
+  };
+}
