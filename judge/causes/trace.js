@@ -69,9 +69,9 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  * Explain a wrong trajectory, or return null.
  *
  * Causes in this order: coordinates of the centre left out; if the tip is `off`, a mistake in the
- * table or the path; the rule of the loop, to the digits; a mistake in the joint values; any other
- * shift; if a mistake is `shown`, the rule to the error of a right program; two mistakes in the
- * path.
+ * table or the path; the rule of the loop, to the digits; if a mistake is `shown`, a mistake in the
+ * joint values; any other shift; if a mistake is `shown`, the rule to the error of a right program;
+ * two mistakes in the path.
  * @param {Trace} trace @param {number[][]} tip @param {number[]} allowed
  * @param {{ off: boolean, shown: boolean }} seen
  */
@@ -90,7 +90,7 @@ export function findTraceCause(trace, tip, allowed, { off, shown }) {
       ...others.map(makePathRule),
       ...listMatrixRules(trace),
     ]) ??
-    findJointCause(trace, allowed) ??
+    findJointCause(trace, allowed, shown) ??
     findPathCause(shifted, path, tip, allowed) ??
     (shown ? findLoopCause(trace, listMatrixRules(trace), [METHOD_ERROR, METHOD_TILT]) : null) ??
     (off ? findPathCause(listPathsWithTwoMistakes(path), path, tip, allowed) : null)
@@ -104,7 +104,7 @@ function findShiftCause(trace, named, shifted, allowed) {
   return (
     named[0]?.cause ??
     findTableCause(trace, allowed) ??
-    findJointCause(trace, allowed) ??
+    findJointCause(trace, allowed, true) ??
     shift.cause
   );
 }
@@ -116,8 +116,9 @@ function findWrongPathCause(trace, others, tip, allowed, off) {
 }
 
 // Find a mistake in the joint values, such as a joint in degrees. Without it the tip would follow
-// the path and the tool would keep its orientation.
-function findJointCause({ typedRows, arm, path }, allowed) {
+// the path and the tool would keep its orientation. If they do so as typed, no mistake is `shown`.
+function findJointCause({ typedRows, arm, path }, allowed, shown) {
+  if (!shown) return null;
   const isHeld = typedRows[0].length >= 6;
   const isRight = (undo) => {
     const toolAt = (row) => linkFrames(arm, undo(row)).at(-1);

@@ -9,6 +9,7 @@ import { judgeEntries } from "../entries.js";
 import { isOutsideLimits } from "../geometry/arm.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
 import { findClosedForm, needsPose } from "../geometry/inverse.js";
+import { listPosesWithOneChange } from "../geometry/one_joint.js";
 import { orthonormalize, solveTarget } from "../geometry/target.js";
 import {
   cross,
@@ -18,6 +19,7 @@ import {
   norm,
   jointNames,
   movingRows,
+  revoluteFlags,
   rotationBetween,
 } from "../geometry/kinematics.js";
 import { describeMiss } from "../matching.js";
@@ -29,6 +31,7 @@ import {
   ArmError,
   describeShape,
   formatMessage,
+  formatNumber,
   joinList,
   tryOrNull,
   uncapitalize,
@@ -145,13 +148,15 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
       notes: [...noteBeyondLimits(arm, q)],
     });
   const off = describeTargetMiss(T, judged.wrong, distance, angle);
-  if (!judged.mistakes.length) {
+  const causes = judged.mistakes.length
+    ? judged.mistakes.map(({ cause }) => cause)
+    : findWrongJoint(q, arm, T, mine, right);
+  if (!causes.length) {
     const findings = listWrongEntries(T, judged.wrong);
     const headline = formatMessage("pose wrong", { arm: arm.name, off });
-    const causes = [...new Set(findings.map(({ what }) => what))];
-    return makePoseVerdict(arm, WRONG, headline, { ...rest, findings, causes });
+    const names = [...new Set(findings.map(({ what }) => what))];
+    return makePoseVerdict(arm, WRONG, headline, { ...rest, findings, causes: names });
   }
-  const causes = judged.mistakes.map(({ cause }) => cause);
   const words = joinCauseMessages(causes);
   const headline = formatMessage("pose cause", { arm: arm.name, off, cause: uncapitalize(words) });
   const findings = [{ what: "cause", where: "", words: `${words}.` }];
@@ -160,6 +165,25 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
     findings,
     causes: causes.map(causeName),
   });
+}
+
+// Return the cause that a single joint is off, if its change alone takes the tip to a target of
+// numbers. There is none if the change of a second joint does so too.
+/** @returns {import("../causes/ranking.js").Cause[]} */
+function findWrongJoint(q, arm, T, mine, right) {
+  const [x, y, z] = [0, 1, 2].map((k) => T.values.map((row) => row[k]));
+  const goal = T.pose
+    ? { point: T.values.map((row) => row[3]), tool: { x, y, z, o: [0, 0, 0] } }
+    : { point: T.values[0], tool: null };
+  const poses = T.formulas ? [] : listPosesWithOneChange(arm, q.values, goal);
+  const causes = poses.flatMap((values, k) => {
+    const slack = slackOf({ ...q, values }, values.length, right);
+    if (!agrees(mine, right(values), slack)) return [];
+    const _off = formatNumber(Math.abs(values[k] - q.values[k]), 2);
+    const _unit = revoluteFlags(arm)[k] ? "rad" : "m";
+    return [makeCause("ik.number", { joint: jointNames(arm)[k], _off, _unit })];
+  });
+  return causes.length === 1 ? causes : [];
 }
 
 /**

@@ -25,6 +25,7 @@ import {
   measureStep,
   removeWholeTurns,
 } from "./trace_steps.js";
+import { findOnlyWrongRow, makeRowCause } from "./trace_row.js";
 import { boundTipError, isDriftOfEuler, unitsWithoutTrimming } from "./trace_units.js";
 import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import {
@@ -50,6 +51,7 @@ const SAME_ERROR = 1e-9; // m: errors that differ by less are equal
  * @property {string} unit of the typed angles, "rad" or "deg"
  * @property {string[]} taken
  * @property {boolean} extra whether it has one step too many
+ * @property {boolean} isPerJoint whether it was typed as a list for each joint
  */
 
 /**
@@ -143,7 +145,9 @@ function arrangeBySteps(typed, arm, count, unit) {
       shape[1],
     ),
   );
-  if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
+  const isPerJoint =
+    shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1]);
+  if (isPerJoint) {
     [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
     taken.push(formatMessage("taken: list per joint"));
   }
@@ -159,7 +163,8 @@ function arrangeBySteps(typed, arm, count, unit) {
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
   const typedRows = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
-  return { ...convertToUnit(typedRows, arm, unit), taken, extra: rows.length === count + 1 };
+  const extra = rows.length === count + 1;
+  return { ...convertToUnit(typedRows, arm, unit), taken, extra, isPerJoint };
 }
 
 // Return whether rows include constant values of the locked joints.
@@ -208,6 +213,16 @@ function reportWrongShape({ shape }, arm, { times }) {
 function judgeTrajectory(trajectory, arm, path, allowed, hasTolerance) {
   const [q, turnNotes] = removeWholeTurns(trajectory.q, arm, path);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
+  const motion = { q, turnNotes, frames };
+  return (
+    judgeOnlyWrongRow({ ...trajectory, q }, frames, arm, path, allowed) ??
+    judgeMotion(trajectory, motion, { arm, path, allowed, hasTolerance })
+  );
+}
+
+// Judge a trajectory by its motion, which is its joint values without whole turns and the frames of
+// its tip.
+function judgeMotion(trajectory, { q, turnNotes, frames }, { arm, path, allowed, hasTolerance }) {
   const tip = frames.map(({ o }) => o);
   const errors = measureDistances(path.times.map(path.position), tip);
   const isOff = exceedsAllowed(errors, allowed);
@@ -274,6 +289,36 @@ function reportCause(arm, cause, symptoms, taken, rest) {
     findings,
     causes,
     ...rest,
+  });
+}
+
+// Judge a trajectory of which only one row is wrong, or return null. A wrong first or last row may
+// belong to a jump, unless its joints explain it.
+function judgeOnlyWrongRow(trajectory, frames, arm, path, allowed) {
+  const wrongRow = findOnlyWrongRow(trajectory, arm, path, frames, allowed);
+  if (!wrongRow || trajectory.extra) return null;
+  const { row, mends, exchanged } = wrongRow;
+  const isInside = row > 0 && row < frames.length - 1;
+  const isExplained = mends.length > 0 || exchanged !== null;
+  return isInside || isExplained ? reportWrongRow(arm, wrongRow, trajectory, path) : null;
+}
+
+/** @param {import("./trace_row.js").WrongRow} wrongRow */
+function reportWrongRow(arm, wrongRow, trajectory, path) {
+  const { row, distance, angle, mends, exchanged } = wrongRow;
+  const { q, taken, isPerJoint } = trajectory;
+  const suspects = mends.length
+    ? mends.map(({ index }) => index)
+    : (exchanged ?? q[0].map((_, i) => i));
+  const wrong = q.flatMap((values, k) => values.map((_, i) => k === row && suspects.includes(i)));
+  const [mend] = mends;
+  const mended = q.map((values, k) =>
+    k === row && mend ? values.map((x, i) => (i === mend.index ? mend.value : x)) : values,
+  );
+  return reportCause(arm, makeRowCause(wrongRow, q[row], arm), [], taken, {
+    notes: mend ? [...listNotes(arm, path, mended)] : [],
+    figures: { position_error: distance, tool_turn: angle, q },
+    ...(isPerJoint ? {} : { wrong }),
   });
 }
 
