@@ -104,6 +104,9 @@ function readWithLengths(typedText, request) {
     const named = plainText && readNamedTable(plainText.text);
     if (!named) continue;
     const tokens = listNamedNumbers(plainText, text, named);
+    const { unread } = named;
+    const span = unread && plainText.span(unread.from, unread.to);
+    if (span) refuseUnreadCell(text, tokens, span, formatMessage("your table"));
     return readCells(named, request).map((table) => ({ ...table, tokens }));
   }
   const readWithout = (spannedText) =>

@@ -79,8 +79,10 @@ function damageTable(text, entryLines, pick) {
 
 // Return whether a text is a table of rows and columns; in HTML and LaTeX a word is no cell,
 // and "#" begins a comment.
-const isBlock = (one) =>
-  listReadings(one).length > 0 && !readNamedTable(one.text) && !/<td|\\begin|\r|#/.test(one.text);
+const isBlock = (one) => !isNamed(one) && !/<td|\\begin|\r|#/.test(one.text);
+
+// Return whether the entries of a table have names: Link(...) lines, dictionaries, pairs, lists.
+const isNamed = ({ text }) => readNamedTable(text) !== null;
 
 // List the numbers of the lines that hold entries.
 function listEntryLines({ text, options }) {
@@ -98,11 +100,12 @@ function listReadings({ text, options }) {
   }
 }
 
-test("a damaged table is refused or read as before", () => {
+// List the damaged tables that are read otherwise than before, of those that a condition selects.
+function listMisread(condition) {
   const random = makeRandom(SEED);
   const pick = (list) => list[Math.floor(random() * list.length)];
   const readable = cases
-    .filter(isBlock)
+    .filter((one) => listReadings(one).length > 0 && condition(one))
     .map((one) => ({ ...one, lines: listEntryLines(one), rows: listReadings(one)[0] }));
   const misread = [];
   for (let k = 0; k < COUNT; k++) {
@@ -112,5 +115,15 @@ test("a damaged table is refused or read as before", () => {
     if (readings.length && !readings.includes(one.rows))
       misread.push(`${one.text}\n  became\n${text}`);
   }
+  return misread;
+}
+
+test("a damaged table is refused or read as before", () => {
+  const misread = listMisread(isBlock);
   assert.ok(misread.length <= MOST_MISREAD * COUNT, misread.join("\n\n"));
+});
+
+test("a damaged table whose entries have names is refused or read as before", () => {
+  const misread = listMisread(isNamed);
+  assert.ok(misread.length <= MOST_MISREAD * COUNT, `${misread.length}\n${misread.join("\n\n")}`);
 });

@@ -1,0 +1,179 @@
+// Tables of dictionaries, {'a': 0, 'alpha': pi/2, ...}, and of lines of pairs, a = 0, alpha = pi/2.
+
+import { number } from "./formula.js";
+import { listLines } from "./spans.js";
+import { findEntry } from "./table_columns.js";
+import { makeEntry, makeUntyped } from "./table_named_entries.js";
+import { findUnusedText } from "./table_named_unread.js";
+import { ENTRIES } from "./table_rows.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/** @typedef {import("./spans.js").Span} Span */
+/** @typedef {import("./table_named_entries.js").Bracket} Bracket */
+/** @typedef {import("./table_named_entries.js").Entry} Entry */
+/** @typedef {import("./table_named_entries.js").EntryRows} EntryRows */
+
+const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|mm|cm|m)?[)}]?`;
+const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ/])([A-Za-zαθ]+${INDEX})['"]?\s*[:=]\s*`, "g");
+
+/**
+ * An entry with its name, without the name's number, and its column. `use` is their stretch.
+ * @typedef {{ column: string, name: string, index: string | undefined, entry: Entry, use: Span
+ *   }} Pair
+ */
+/** A dictionary or a line. @typedef {Span & { body: string, start: number }} Body */
+/** @typedef {{ pairs: Pair[], parts: Span[], body: Body, fewest: number }} PairRow */
+
+/**
+ * Read a row from each dictionary, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), or from each
+ * line of pairs. If the names have numbers, a_1 = 0, each number is a row. A dictionary may leave
+ * out what is 0; other pairs make a row if there are three. A dictionary that counts alpha0, a0,
+ * d1, ... follows Craig: its rows are alpha0, a0, d1.
+ * @param {string} text @param {Bracket[]} brackets @returns {EntryRows | null}
+ */
+export function readDictionaries(text, brackets) {
+  const braced = brackets.filter(
+    ({ open, before, hasPairs }) => hasPairs && (open === "{" || before.endsWith("dict")),
+  );
+  const isBraced = braced.length > 0;
+  const lines = listLines(text).map((line) => ({ ...line, body: line.text, start: line.from }));
+  /** @type {Body[]} */
+  const bodies = isBraced ? braced : lines;
+  const pairsByBody = bodies.map(listPairs);
+  const isCraig = countsTwistsFromZero(pairsByBody.flat());
+  const rows = collectRows(
+    bodies,
+    isCraig ? pairsByBody.map((pairs) => pairs.map(countFromOne)) : pairsByBody,
+    isBraced,
+  );
+  const kept = listRows(rows);
+  if (!kept) return null;
+  const columnsByRow = kept.map(({ pairs }, k) => mapColumns(pairs, k + 1));
+  const isNumbered = kept.some(({ pairs }) => pairs.some(({ index }) => index !== undefined));
+  if (isNumbered || !isBraced) requireSameColumns(columnsByRow);
+  const columns = columnsByRow.some((map) => map.has(OFFSET)) ? [...ENTRIES, OFFSET] : ENTRIES;
+  const table = {
+    rows: columnsByRow.map((map, k) =>
+      columns.map((name) => map.get(name)?.entry ?? makeOmitted(name, k + 1)),
+    ),
+    headers: columns.map((name) => columnsByRow[0].get(name)?.name ?? name),
+    parts: kept.flatMap(({ parts }) => parts),
+    findUnread: () =>
+      findUnusedText(text, isNumbered ? [] : kept.map(isBraced ? makeRow : makeLineRow), brackets),
+  };
+  return isCraig ? { ...table, convention: "craig" } : table;
+}
+
+// Collect the pairs of each row, by the number of its names, else by its dictionary or line.
+/** @param {Body[]} bodies @param {Pair[][]} pairsByBody @param {boolean} isBraced */
+function collectRows(bodies, pairsByBody, isBraced) {
+  /** @type {Map<string | number, PairRow>} */
+  const rows = new Map();
+  bodies.forEach((body, k) => {
+    const isWhole = isBraced && body.body.match(/[:=]/g)?.length === pairsByBody[k].length;
+    for (const pair of pairsByBody[k]) {
+      const fewest = isWhole && !pair.index ? 1 : 3;
+      const row = rows.get(pair.index ?? k) ?? { pairs: [], parts: [], body, fewest };
+      rows.set(pair.index ?? k, row);
+      row.pairs.push(pair);
+      row.parts.push({ from: body.from, to: body.to });
+    }
+  });
+  return rows;
+}
+
+// List the rows that have enough entries; null if there are fewer than two. If their entries are
+// numbered, each number is a row.
+/** @param {Map<string | number, PairRow>} rows */
+function listRows(rows) {
+  const kept = [...rows].filter(([, { pairs, fewest }]) => countColumns(pairs) >= fewest);
+  if (kept.length < 2) return null;
+  const isNumbered = kept.every(([key]) => typeof key === "string");
+  const numbered = [...rows].filter(([key]) => typeof key === "string");
+  const sorted = isNumbered ? numbered.sort(([one], [other]) => Number(one) - Number(other)) : kept;
+  return sorted.map(([, row]) => row);
+}
+
+const OFFSET = "offset";
+const countColumns = (pairs) => new Set(pairs.map(({ column }) => column)).size;
+
+/** @param {PairRow} row */
+const makeRow = ({ pairs, body }) => ({
+  part: { from: body.from, to: body.to },
+  body: { from: body.start, to: body.start + body.body.length },
+  uses: pairs.map(({ use }) => use),
+  isWhole: ENTRIES.every((name) => pairs.some(({ column }) => column === name)),
+});
+
+// Make a row of a line of pairs; what stands before its first pair is its label.
+/** @param {PairRow} row */
+function makeLineRow(row) {
+  const [{ use }] = row.pairs;
+  const label = row.body.body.slice(0, use.from - row.body.start);
+  const { body, ...rest } = makeRow(row);
+  return { ...rest, body: label.includes("=") ? body : { ...body, from: use.from } };
+}
+
+// Map the pairs of a row by their columns; refuse two values of one column. An offset beside d
+// belongs to the joint's variable.
+/** @param {Pair[]} pairs @param {number} row */
+function mapColumns(pairs, row) {
+  const isTwice = pairs.some(({ name }) => name === "d");
+  /** @type {Map<string, Pair>} */
+  const columns = new Map();
+  for (const pair of pairs) {
+    const column = isTwice && pair.name === OFFSET ? OFFSET : pair.column;
+    const before = columns.get(column)?.entry.text;
+    if (before !== undefined && !isSameValue(before, pair.entry.text)) {
+      const values = [before, pair.entry.text].map(quoteText);
+      const fields = { row, name: column, one: values[0], other: values[1] };
+      throw new ArmError(formatMessage("row two values", fields));
+    }
+    columns.set(column, pair);
+  }
+  return columns;
+}
+
+const isSameValue = (one, other) => {
+  const [bare, otherBare] = [one, other].map((text) => text.replace(/\s*m?$/, ""));
+  return bare === otherBare || (number(bare) !== null && number(bare) === number(otherBare));
+};
+
+// Refuse a row that lacks an entry that another row has.
+/** @param {Map<string, Pair>[]} columnsByRow */
+function requireSameColumns(columnsByRow) {
+  for (const name of ENTRIES) {
+    const row = columnsByRow.findIndex((columns) => !columns.has(name));
+    if (row >= 0 && columnsByRow.some((columns) => columns.has(name)))
+      throw new ArmError(formatMessage("row lacks", { row: row + 1, name }));
+  }
+}
+
+const isTwist = ({ column }) => column === "a" || column === "alpha";
+
+// Return whether the numbers of a and alpha begin with 0 and those of d and theta with 1.
+function countsTwistsFromZero(pairs) {
+  const least = (list) => Math.min(...list.map(({ index }) => Number(index ?? Infinity)));
+  const others = pairs.filter((pair) => !isTwist(pair));
+  return least(pairs.filter(isTwist)) === 0 && least(others) === 1;
+}
+
+const countFromOne = (pair) =>
+  isTwist(pair) && pair.index ? { ...pair, index: String(Number(pair.index) + 1) } : pair;
+
+// List the entries that a text names; a value reaches to the next name.
+/** @param {Body} body @returns {Pair[]} */
+function listPairs({ body, start }) {
+  const names = [...body.matchAll(PAIR)];
+  return names.flatMap(({ 0: all, 1: name, 2: index, index: at }, k) => {
+    const from = at + all.length;
+    const [value] = body.slice(from, names[k + 1]?.index).split(/[,;[]/);
+    const entry = makeEntry(value, start + from);
+    const column = findEntry(index ? name.replace(index, "") : name);
+    if (!ENTRIES.includes(column) || !entry.text) return [];
+    const use = { from: start + at, to: start + from + value.length };
+    return [{ column, name: index ? column : name, index, entry, use }];
+  });
+}
+
+const makeOmitted = (column, row) => makeUntyped(column === "theta" ? `q_${row}` : "0");

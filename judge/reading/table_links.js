@@ -1,0 +1,113 @@
+// Tables of calls of the Robotics Toolbox: Link(...), RevoluteDH(...) and their kin.
+
+import { number } from "./formula.js";
+import { listEntries, makeEntry, makeUntyped } from "./table_named_entries.js";
+import { findUnusedText } from "./table_named_unread.js";
+import { ENTRIES } from "./table_rows.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/** @typedef {import("./spans.js").Span} Span */
+/** @typedef {import("./table_named_entries.js").Bracket} Bracket */
+/** @typedef {import("./table_named_entries.js").Entry} Entry */
+/** @typedef {import("./table_named_entries.js").EntryRows} EntryRows */
+
+const LINK = /(?<!\p{L})(?:(?:DH)?Link|(?:Revolute|Prismatic)[\p{L}\d_]*)\s*$/u;
+
+/**
+ * Read Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]), RevoluteDH(d=0.3).
+ * @param {string} text @param {Bracket[]} brackets @returns {EntryRows | null}
+ */
+export function readLinks(text, brackets) {
+  const links = brackets.flatMap((bracket) => {
+    const [call] = (bracket.open === "(" && LINK.exec(bracket.before)) || [""];
+    return call ? [readLink(call, bracket)] : [];
+  });
+  if (!links.length) return null;
+  const table = {
+    rows: links.map(({ values, slides }, k) => {
+      const moving = slides ? "d" : "theta";
+      const variable = makeVariable(k + 1, values[moving], values.offset);
+      return ENTRIES.map((name) =>
+        name === moving ? variable : (values[name] ?? makeUntyped("0")),
+      );
+    }),
+    headers: ENTRIES,
+    parts: links.map(({ part }) => part),
+    findUnread: () => findUnusedText(text, links, brackets),
+    assumptions: [formatMessage("taken: links")],
+  };
+  return links.some(({ call }) => MODIFIED.test(call)) ? { ...table, convention: "craig" } : table;
+}
+
+/**
+ * Make the entry of a joint's variable from what stands in its place and its offset. A number in
+ * its place is the offset; another text in its place, as q1 or 0, only says that it moves.
+ * @param {number} row @param {Entry} [typed] @param {Entry} [offset]
+ */
+function makeVariable(row, typed = makeUntyped("0"), offset = makeUntyped("0")) {
+  const still = number(typed.text) ? typed : offset;
+  const spans = still === typed ? typed.spans : [...typed.spans, ...offset.spans];
+  return { text: `q_${row} + (${still.text})`, spans };
+}
+
+const MODIFIED = /MDH\b|\bmodified\b|\bmdh\s*=\s*(?:True|1)/;
+const LISTED = ["d", "a", "alpha", "offset"]; // arguments of RevoluteDH without names
+
+const POSITIONS = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
+const NAMED = /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset|sigma)['"]?\s*[,=]\s*([^,]+)/gu;
+
+/** Read the values of one Link(...). @param {string} name @param {Bracket} bracket */
+function readLink(name, { body, start, from, to }) {
+  const call = `${name}(${body})`;
+  const inputs =
+    listVector(body, start) ?? listNamedValues(body, start) ?? listUnnamedValues(name, body, start);
+  /** @type {Record<string, Entry>} */
+  const values = Object.fromEntries(inputs.map((input) => [input.name, input.entry]));
+  const sigma = number(values.sigma?.text ?? "0");
+  if ("" in values || (sigma !== 0 && sigma !== 1))
+    throw new ArmError(formatMessage("link sigma", { given: quoteText(call) }));
+  const isPrismatic = call.toLowerCase().includes("prismatic") || sigma === 1;
+  return {
+    values,
+    slides: isPrismatic || Boolean(values.theta && !values.d),
+    call,
+    part: { from: from - name.length, to },
+    body: { from: start, to: start + body.length },
+    uses: inputs.map(({ use }) => use),
+    isWhole: false, // what moves has no entry of its own
+  };
+}
+
+/**
+ * Make an input of a call; `use` is the stretch of its name and value.
+ * @param {string} name @param {Entry} entry @param {Span} use
+ */
+const makeInput = (name, entry, use) => ({ name, entry, use });
+
+// List the values of Link([...]); a name is empty if there are too many.
+function listVector(body, start) {
+  const [, vector] = /^\s*\[([^\]]*)/.exec(body) ?? [];
+  const entries = vector ? listEntries(vector, start + body.indexOf(vector)) : [];
+  return entries.length
+    ? entries.map((entry, k) => makeInput(POSITIONS[k] ?? "", entry, entry.spans[0]))
+    : null;
+}
+
+function listNamedValues(body, start) {
+  const pairs = [...body.matchAll(NAMED)].map(({ 0: all, 1: name, 2: value, index }) => {
+    const [from, to] = [start + index, start + index + all.length];
+    return makeInput(name, makeEntry(value, to - value.length), { from, to });
+  });
+  return pairs.length || !body.trim() ? pairs : null;
+}
+
+// List arguments by their order, which only Revolute and Prismatic of the Robotics Toolbox fix.
+function listUnnamedValues(name, body, start) {
+  const entries = listEntries(body, start).filter(({ text }) => !text.includes("="));
+  const names = /prismatic/i.test(name) ? ["theta", ...LISTED.slice(1)] : LISTED;
+  if (!/^(?:revolute|prismatic)/i.test(name) || entries.length > names.length)
+    throw new ArmError(
+      formatMessage("link order", { given: quoteText(`${name}(${body})`), call: name.trim() }),
+    );
+  return entries.map((entry, k) => makeInput(names[k], entry, entry.spans[0]));
+}

@@ -1,0 +1,134 @@
+// Finds text of a table whose entries have names that no entry used: a misspelt name of an entry or
+// of a call, a row that was not read.
+
+import { isNumber } from "./formula.js";
+import { listLines } from "./spans.js";
+
+/** @typedef {import("./spans.js").Span} Span */
+/** @typedef {import("./table_named_entries.js").Bracket} Bracket */
+/**
+ * A row: the stretch that holds its entries, and the stretches that its entries used, with their
+ * names. `isWhole` if it has all four entries.
+ * @typedef {{ part: Span, body: Span, uses: Span[], isWhole: boolean }} NamedRow
+ */
+
+const FEWEST_NUMBERS = 3; // of a row that was not read
+const PREFIX = 2; // characters with which lines of rows begin alike
+
+// Arguments of Link and their kin, and names in dictionaries, that are no entries.
+const OTHER_NAME =
+  "name|type|kind|joint(?:_?type)?|link|i|index|id|qlim|limits?|mdh|flip|m|mass|r|I|G|B|Jm|Tc";
+const OTHER_PAIR = new RegExp(
+  String.raw`(?<![\p{L}\p{N}_])(['"]?)(?:${OTHER_NAME})\1\s*[:=,]\s*` +
+    String.raw`(?:\[[^\]]*\]|'[^']*'|"[^"]*"|[^,;\n]*)`,
+  "gu",
+);
+const KIND = /(['"])(?:revolute|prismatic|standard|modified|sym|[RP])\1/gi;
+
+/**
+ * Find the first piece of text within the rows of a table, between them or next to them that may be
+ * an entry or a row and was not used.
+ * @param {string} text
+ * @param {NamedRow[]} rows
+ * @param {Bracket[]} brackets of the text
+ * @returns {Span | null}
+ */
+export function findUnusedText(text, rows, brackets) {
+  for (const row of rows) {
+    const piece = row.isWhole ? null : findUnusedPiece(text, row);
+    if (piece) return piece;
+  }
+  return rows.length ? findUnusedRow(text, rows, brackets) : null;
+}
+
+/** @param {string} text @param {NamedRow} row @returns {Span | null} */
+function findUnusedPiece(text, { body, uses }) {
+  const characters = [...text.slice(body.from, body.to).split("")];
+  for (const { from, to } of uses) characters.fill(" ", from - body.from, to - body.from);
+  const blank = (other) => " ".repeat(other.length);
+  const rest = characters.join("").replace(KIND, blank).replace(OTHER_PAIR, blank);
+  for (const { 0: piece, index } of rest.matchAll(/[^,;\n]+/g)) {
+    const trimmed = piece.trim();
+    const from = body.from + index + piece.indexOf(trimmed);
+    if (/[\p{L}\d]/u.test(trimmed)) return { from, to: from + trimmed.length };
+  }
+  return null;
+}
+
+// Find a stretch between rows or beside them that may be a row: on the same line, or on the next
+// line if it begins as the lines of rows do or ends a bracket.
+/** @param {string} text @param {NamedRow[]} rows @param {Bracket[]} brackets */
+function findUnusedRow(text, rows, brackets) {
+  const parts = rows.map(({ part }) => part).sort((one, other) => one.from - other.from);
+  const [first, last] = [parts[0], parts.at(-1)];
+  const lines = listLines(text);
+  const [start, end] = [first.from, last.to].map((at) =>
+    lines.findIndex(({ from, to }) => from <= at && at <= to),
+  );
+  const readPrefix = ({ text: line }) => line.replace(/[\d\s]/g, "").slice(0, PREFIX);
+  const isBeside = (line) => line && readPrefix(line) === readPrefix(lines[start]);
+  const [above, below] = [lines[start - 1], lines[end + 1]];
+  const between = parts.slice(1).map((part, k) => ({ from: parts[k].to, to: part.from }));
+  const before = { from: lines[start].from, to: first.from };
+  const behind = { from: last.to, to: lines[end].to };
+  const read = ({ from, to }) => text.slice(from, to);
+  const holdsBracket = (gap) => hasBracket(text, gap, brackets);
+  const isRow = (gap) => holdsBracket(gap) || countNumbers(read(gap)) >= FEWEST_NUMBERS;
+  const gap =
+    [...between, above, below].find(
+      (one) => (between.includes(one) || isBeside(one)) && isRow(one),
+    ) ??
+    between.find((one) => WORD_BETWEEN.test(read(one))) ??
+    [before, behind].find(holdsBracket) ??
+    [behind].find((one) => WORD_BEHIND.test(read(one))) ??
+    [above, below].find((one) => one && UNOPENED.test(one.text));
+  return gap ? trimSpan(text, gap) : null;
+}
+
+const WORD_BETWEEN = /^\s*,[^\n]*[\p{L}\d][^\n]*,\s*$/u;
+const WORD_BEHIND = /^\s*,\s*[\p{L}\d][^\n=]*$/u;
+const UNOPENED = /^[\s[(]*[^[\](){}]*[:=][^(){}]*\}/; // the end of a dictionary
+const FEWEST_BRACKETED = 2; // numbers of a call
+
+// Return whether a stretch holds a bracket with entries, or one that does not open or close.
+/** @param {string} text @param {Span} gap @param {Bracket[]} brackets */
+function hasBracket(text, { from, to }, brackets) {
+  const isEntries = ({ body }) => /[=:]/.test(body) || countNumbers(body) >= FEWEST_BRACKETED;
+  if (brackets.some((one) => one.from >= from && one.to <= to && isEntries(one))) return true;
+  const opens = new Set(brackets.map((one) => one.from));
+  const closes = new Set(brackets.map((one) => one.to - 1));
+  for (let at = from; at < to; at++) {
+    if ("({".includes(text[at]) && !opens.has(at) && /[=:,]/.test(text.slice(at, to))) return true;
+    if (")}".includes(text[at]) && !closes.has(at) && /[=:,]/.test(text.slice(from, at)))
+      return true;
+  }
+  return false;
+}
+
+const countNumbers = (text) =>
+  text.split(/[\s,;()[\]{}=:'"]+/).filter((word) => /\d/.test(word) && isNumber(word)).length;
+
+/** @param {string} text @param {Span} gap @returns {Span} */
+function trimSpan(text, { from, to }) {
+  const trimmed = text.slice(from, to).replace(/^[\s,;)]+|[\s,;([]+$/g, "");
+  const start = text.indexOf(trimmed, from);
+  return { from: start, to: start + trimmed.length };
+}
+
+/**
+ * Find a list of as many entries as the lists of a table, on a line between them or next to them.
+ * @param {string} text
+ * @param {Span[]} parts the lists of the table with their names
+ * @param {number} count of the entries of each list
+ * @returns {Span | null}
+ */
+export function findUnusedList(text, parts, count) {
+  const lines = listLines(text);
+  const isUsed = ({ from, to }) => parts.some((part) => part.from < to && part.to > from);
+  const first = Math.max(0, lines.findIndex(isUsed) - 1);
+  const candidates = lines.slice(first, lines.findLastIndex(isUsed) + 2);
+  const countEntries = (line) => line.trim().split(/[,;]\s*(?=.)/).length;
+  const isList = (line) => !isUsed(line) && count > 1 && countEntries(line.text) === count;
+  const list = candidates.find(isList);
+  return list ? trimSpan(text, list) : null;
+}
