@@ -12,7 +12,7 @@ import { findBranches } from "../page/src/motion.js";
 import { simulateCircle, computeTorquesAlong, traceCircle } from "../page/src/homework_run.js";
 import { makeInitialState, Store } from "../page/src/state.js";
 import { formatTable } from "../page/src/text.js";
-import { describeRank, describeTable, describeBranches } from "../page/src/verdicts.js";
+import { describeRank, describeTable, describeBranches } from "../page/src/statements.js";
 
 const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
 

@@ -14,8 +14,8 @@ import { parseRun, formatRun } from "./homework_run.js";
 
 const MAX_FRAGMENT_LENGTH = 4000; // characters
 const KIND_BY_LETTER = Object.fromEntries(ROW_KINDS.map((kind) => [kind[0].toUpperCase(), kind]));
-const MAX_FORCE = 1e5;
-const MAX_RUNS = 8;
+const MAX_FORCE = 1e5; // N or N m
+const MAX_RUNS = 8; // of the homework's circle
 
 const parseNumbers = (text) =>
   text ? text.split(",").map((part) => (part.trim() ? Number(part) : NaN)) : [];
@@ -27,13 +27,16 @@ export function formatFragment(state) {
   const fields = { arm: base.name, q: formatNumbers(q), view, unit, frames };
   if (wrench.some(Boolean)) fields.wrench = formatNumbers(wrench);
   if (arm !== base) {
-    const row = (r) => `${r.kind[0].toUpperCase()},${formatNumbers([r.a, r.alpha, r.d, r.theta])}`;
-    fields.rows = arm.rows.map(row).join(";");
+    fields.rows = arm.rows.map(formatRow).join(";");
   }
   if (mark) fields.mark = formatNumbers(mark);
   if (view === "homework") Object.assign(fields, formatHomework(state));
   return `#${new URLSearchParams(fields)}`;
 }
+
+// Format a row as its kind's first letter and its four entries.
+const formatRow = ({ kind, a, alpha, d, theta }) =>
+  `${kind[0].toUpperCase()},${formatNumbers([a, alpha, d, theta])}`;
 
 // Format the runs of the homework, the number of the one that is played, and where they begin.
 function formatHomework({ q, runs, chosenRun, runStart }) {
@@ -80,33 +83,35 @@ export function parseFragment(fragment, arms, views) {
 
 // Each parser returns a patch of the state, a fault, or both.
 
-function parseJoints(fields, arm, otherArm) {
+// Joint values of refused rows are not those of the arm shown instead: no fault of their own.
+function parseJoints(fields, arm, areRowsRefused) {
   const q = parseNumbers(fields.get("q"));
   if (isJointVector(arm, q)) return { patch: { q } };
-  const wrong = fields.has("q") && !otherArm;
-  const fault = wrong && `${arm.name} has ${movingRows(arm).length} joint values`;
+  const isWrong = fields.has("q") && !areRowsRefused;
+  const fault = isWrong && `${arm.name} has ${movingRows(arm).length} joint values`;
   return { patch: { q: homePose(arm) }, fault };
 }
 
 function parseWrench(fields) {
   if (!fields.has("wrench")) return {};
   const wrench = parseNumbers(fields.get("wrench"));
-  const good = wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MAX_FORCE);
-  return good ? { patch: { wrench } } : { fault: "its wrench is not six numbers in N and N m" };
+  const isValid = wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MAX_FORCE);
+  return isValid ? { patch: { wrench } } : { fault: "its wrench is not six numbers in N and N m" };
 }
 
 function parseMark(fields) {
   if (!fields.has("mark")) return { patch: { mark: null } };
   const mark = parseNumbers(fields.get("mark"));
-  const good = mark.length === 3 && mark.every((v) => Math.abs(v) <= MAX_LENGTH);
-  return { patch: { mark: good ? mark : null }, fault: !good && "its mark is no place in metres" };
+  const isValid = mark.length === 3 && mark.every((v) => Math.abs(v) <= MAX_LENGTH);
+  const fault = !isValid && "its mark is not three coordinates in metres";
+  return { patch: { mark: isValid ? mark : null }, fault };
 }
 
 function parseRuns(fields) {
   if (!fields.has("runs")) return {};
   const runs = fields.get("runs").split(";").map(parseRun);
-  const areGood = runs.length <= MAX_RUNS && !runs.includes(null);
-  if (!areGood) return { fault: "its runs are none that the homework could make" };
+  const areValid = runs.length <= MAX_RUNS && !runs.includes(null);
+  if (!areValid) return { fault: "its runs cannot come from the homework" };
   const chosenRun = Number(fields.get("run") ?? 1) - 1;
   if (runs[chosenRun]) return { patch: { runs, chosenRun } };
   return { patch: { runs, chosenRun: 0 }, fault: "it plays a run that it does not have" };
@@ -120,12 +125,12 @@ function parseRunStart(fields, arm) {
 }
 
 function parseChoices(fields, views) {
-  const known = { view: views, unit: ["deg", "rad"], frames: ["all", "ends"] };
-  const keys = Object.keys(known).filter((key) => known[key].includes(fields.get(key)));
+  const choices = { view: views, unit: ["deg", "rad"], frames: ["all", "ends"] };
+  const keys = Object.keys(choices).filter((key) => choices[key].includes(fields.get(key)));
   return Object.fromEntries(keys.map((key) => [key, fields.get(key)]));
 }
 
-const refuse = (why) => ({ patch: {}, message: `Part of the link was left out: ${why}.` });
+const refuse = (reason) => ({ patch: {}, message: `Part of the link was left out: ${reason}.` });
 
 // Parse rows without checking them; null if the link has none.
 function parseRows(text) {
@@ -154,10 +159,10 @@ export function syncWithAddress(store, arms, views, notify, signal) {
   read();
   store.dispatch({ type: "setFields", past: [] }, "link"); // opening the page is no step to undo
   addEventListener("hashchange", read, { signal });
-  store.listen((_, by) => {
+  store.listen((_, source) => {
     if (store.state.dragging) return;
     clearTimeout(timer);
-    if (by !== "link")
+    if (source !== "link")
       timer = setTimeout(() => history.replaceState(null, "", formatFragment(store.state)), 400);
   }, signal);
   signal.addEventListener("abort", () => clearTimeout(timer));

@@ -21,7 +21,7 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { determinant, simplifyBasis, decomposeSingular } from "../../judge/geometry/linear.js";
 import { pick, taskRows } from "../../judge/geometry/task_rows.js";
-import { countRank } from "./verdicts.js";
+import { countRank } from "./statements.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /**

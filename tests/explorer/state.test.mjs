@@ -7,7 +7,7 @@ import { EMPTY, measureTipOffset, makeInitialState, Store } from "../../page/src
 import { DEFAULT_RUN } from "../../page/src/homework_run.js";
 import { makeStartingRun } from "../../page/src/views/homework_words.js";
 import { findBranches } from "../../page/src/motion.js";
-import { describeRank, describeTable } from "../../page/src/verdicts.js";
+import { describeRank, describeTable } from "../../page/src/statements.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
 const start = (arm = PANDA) => new Store(makeInitialState({ arm, q: [...arm.home] }));

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { isPlanar, taskRows } from "../../judge/geometry/task_rows.js";
 import { findBranches } from "../../page/src/motion.js";
 import { makeInitialState, Store } from "../../page/src/state.js";
-import { describeRank } from "../../page/src/verdicts.js";
+import { describeRank } from "../../page/src/statements.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
 const link = (a, entries = {}) => ({ kind: "revolute", a, alpha: 0, d: 0, theta: 0, lower: null, upper: null, ...entries });

@@ -15,7 +15,7 @@ import { getBranchColour } from "../look.js";
 import { Arrow, makeTube } from "../shapes.js";
 import { formatFixed } from "../text.js";
 import { joinList } from "../../../judge/sentences.js";
-import { describeRank, describeBranches } from "../verdicts.js";
+import { describeRank, describeBranches } from "../statements.js";
 import { makeHeatTable } from "../views/jacobian.js";
 import { makeMatrix } from "../views/pose.js";
 import { buildEllipsesFigure } from "./ellipses.js";

@@ -3,7 +3,7 @@
 
 import { updateAttribute, h, setText } from "../dom.js";
 import { enableGrabbing, moveTipByKey } from "../pointers.js";
-import { describeHold } from "../verdicts.js";
+import { describeDragLimit } from "../statements.js";
 import { movableRows, pick } from "../../../judge/geometry/task_rows.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { nullSpace } from "../../../judge/geometry/linear.js";
@@ -40,7 +40,7 @@ export function makeStage(store, tools) {
   const { goTo, id, announce = () => {}, signal, isGrabbable = true, hasTipBar = true } = tools;
   const handleKey = (event) => {
     if (!live.picture || !moveTipByKey(live.picture, store, event)) return;
-    announce(() => describeHold(store.state.hold));
+    announce(() => describeDragLimit(store.state.hold));
   };
   const parts = makeStageParts(id, makeTipBar(store, hasTipBar), handleKey);
   const { paper, grip, hold } = parts;
@@ -79,7 +79,7 @@ function updateParts({ hold, grip, why }, state, isGrabbable) {
   // Without a force, the torque view's ball stands at the tip and needs the place.
   const isTipFree = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
   grip.hidden = !isGrabbable || !movingRows(state.arm).length || !isTipFree;
-  const message = describeHold(state.hold);
+  const message = describeDragLimit(state.hold);
   setText(why, message);
   why.hidden = !message;
 }

@@ -8,7 +8,7 @@ import { isAtPose } from "../motion.js";
 import { getBranchColour } from "../look.js";
 import { measureTipOffset } from "../state.js";
 import { formatFixed, formatJointValue } from "../text.js";
-import { describeTarget, describeBranches } from "../verdicts.js";
+import { describeTarget, describeBranches } from "../statements.js";
 
 export const title = "IK branches";
 

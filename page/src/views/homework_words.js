@@ -2,7 +2,7 @@
 
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { DEFAULT_RUN } from "../homework_run.js";
-import { listJointsWhere, listJointsPastLimits } from "../verdicts.js";
+import { listJointsWhere, listJointsPastLimits } from "../statements.js";
 import { formatDegrees, formatFixed, formatScientific } from "../text.js";
 import { joinList } from "../../../judge/sentences.js";
 

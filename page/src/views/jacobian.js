@@ -4,7 +4,7 @@ import { updateAttribute, h, makeIndexedSymbol, makeScrollRegion, setText } from
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { formatFixed, formatScientific, formatSparse } from "../text.js";
 import { isPlanar, movableRows, taskRows } from "../../../judge/geometry/task_rows.js";
-import { getFullRank, describeRank } from "../verdicts.js";
+import { getFullRank, describeRank } from "../statements.js";
 
 export const title = "Jacobian";
 

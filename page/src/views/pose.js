@@ -5,7 +5,7 @@ import { readField, refillField, makeTextField } from "../entry.js";
 import { moveTip } from "../pointers.js";
 import { frameMatrix as matrixOf, minus, norm } from "../../../judge/geometry/kinematics.js";
 import { formatFixed, replaceAt, formatSparse } from "../text.js";
-import { describeStop } from "../verdicts.js";
+import { describeStop } from "../statements.js";
 
 export const title = "Pose";
 

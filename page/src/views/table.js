@@ -13,7 +13,7 @@ import { readField, makeTextField } from "../entry.js";
 import { makePoseRows, readPose } from "../mounting.js";
 import { readPastedTable } from "../paste.js";
 import { formatEntry, replaceAt, formatTable } from "../text.js";
-import { describeTable } from "../verdicts.js";
+import { describeTable } from "../statements.js";
 
 export const title = "DH table";
 

@@ -8,7 +8,7 @@ import { formatShort } from "../text.js";
 import { joinList, capitalize } from "../../../judge/sentences.js";
 import { makePlots, PATH_TICKS } from "./plots.js";
 import { makeTransport } from "./transport.js";
-import { listJointsPastLimits } from "../verdicts.js";
+import { listJointsPastLimits } from "../statements.js";
 
 export const title = "Circle trace";
 

@@ -1,5 +1,5 @@
-// Statements of the explorer: rank, solution branches, whether two arms are the same.
-// tests/test_explorer.py compares each with Python.
+// Sentences of the explorer about an arm: its rank, its solution branches, why a dragged tip stops,
+// whether a typed table is the same arm. tests/test_explorer.py compares them with Python.
 
 import { hasLimits, isOutsideLimits } from "../../judge/geometry/arm.js";
 import { isSameMachine } from "../../judge/geometry/axes.js";
@@ -15,7 +15,7 @@ import { joinList, capitalize } from "../../judge/sentences.js";
 
 const RANK_TOLERANCE = 1e-6; // singular values below this share of the largest count as zero
 
-// Return what the joints are solved for.
+// Name what inverse kinematics solves for.
 export const describeTarget = (arm) => (hasTaskOrientation(arm) ? "pose" : "position");
 
 export const countRank = (values) =>
@@ -83,7 +83,7 @@ export function describeBranches(
   { list, families = [], lockedJoint = -1, hasOrientation = true },
 ) {
   const pose = hasOrientation ? "pose" : "position, whatever the tool’s direction";
-  const few = list.length - families.length;
+  const isolatedCount = list.length - families.length;
   const fixedJoint =
     lockedJoint < 0
       ? ""
@@ -91,20 +91,20 @@ export function describeBranches(
         "free, it makes them infinitely many";
   if (!families.length) return `${formatBranchCount(list.length)} for this ${pose}${fixedJoint}.`;
   const free = families[0].moving;
-  const how =
+  const freedom =
     free.length === 1
       ? `${listJoints(arm, free)} is free`
       : `${listJoints(arm, free)} are free to move together`;
   const kinds = families.length > 1 ? `, in ${families.length} families` : "";
-  const rest = few ? ` and ${formatBranchCount(few).toLowerCase()} more` : "";
-  const still = lockedJoint < 0 ? "" : `, joint ${movingRows(arm)[lockedJoint] + 1} held`;
-  const shown = `one of each is shown${rest}${still}`;
-  return `Infinitely many solutions for this ${pose}: ${how}${kinds}; ${shown}.`;
+  const rest = isolatedCount ? ` and ${formatBranchCount(isolatedCount).toLowerCase()} more` : "";
+  const locked = lockedJoint < 0 ? "" : `, joint ${movingRows(arm)[lockedJoint] + 1} held`;
+  const shown = `one of each is shown${rest}${locked}`;
+  return `Infinitely many solutions for this ${pose}: ${freedom}${kinds}; ${shown}.`;
 }
 
 // List the joints for which a condition holds, by their rows in the table.
-export const listJointsWhere = (arm, holds) =>
-  movingRows(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
+export const listJointsWhere = (arm, condition) =>
+  movingRows(arm).flatMap((row, k) => (condition(row, k) ? [`joint ${row + 1}`] : []));
 
 // List the joints that pass a limit on a path.
 export const listJointsPastLimits = (arm, path) =>
@@ -118,13 +118,13 @@ export function describeStop({ stops = [], short = 0 }) {
 }
 
 // Describe what stops a dragged tip, or will stop it soon.
-export function describeHold(hold) {
+export function describeDragLimit(hold) {
   if (!hold?.target) return "";
-  const stopped = hold.moving ? "" : describeStop(hold);
-  if (stopped || !hold.fading?.length) return stopped;
+  const stop = hold.moving ? "" : describeStop(hold);
+  if (stop || !hold.fading?.length) return stop;
   const arrows = hold.fading.length > 1 ? "the arrows" : "the arrow";
-  const gone = hold.fading.every(({ share }) => share < 1e-3);
-  return gone
+  const isSingular = hold.fading.every(({ share }) => share < 1e-3);
+  return isSingular
     ? `Singular: the tip cannot move along ${arrows}.`
     : `Nearly singular along ${arrows}.`;
 }
@@ -146,7 +146,7 @@ export function describeTable(state, { frames }) {
   return [compareWithReference(state, frames), describeKeptLimits(arm, base)].join(" ").trim();
 }
 
-// Say whether a typed arm keeps the limits of the arm whose table was edited.
+// Describe whether a typed arm keeps the limits of the arm whose table was edited.
 function describeKeptLimits(arm, base) {
   if (arm === base || !hasLimits(base)) return "";
   if (hasLimits(arm)) return `Its joints keep the limits of the ${base.name}.`;
@@ -154,17 +154,18 @@ function describeKeptLimits(arm, base) {
 }
 
 function compareWithReference({ arm, reference, q }, frames) {
-  const counts = [arm, reference].map((one) => movingRows(one).length);
+  const counts = [movingRows(arm).length, movingRows(reference).length];
   if (counts[0] !== counts[1])
     return `Yours has ${counts[0]} joints, the ${reference.name} ${counts[1]}.`;
-  const [mine, first] = [frames.at(-1), linkFrames(reference, q).at(-1)];
-  const cosine = (dot(mine.x, first.x) + dot(mine.y, first.y) + dot(mine.z, first.z) - 1) / 2;
+  const [tip, ghostTip] = [frames.at(-1), linkFrames(reference, q).at(-1)];
+  const trace = dot(tip.x, ghostTip.x) + dot(tip.y, ghostTip.y) + dot(tip.z, ghostTip.z);
+  const cosine = (trace - 1) / 2; // of the angle between the two frames
   const turn = (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI;
-  const far = 1000 * norm(minus(mine.o, first.o));
-  const apart = `${formatFixed(far, 1)} mm and ${formatFixed(turn, 1)}°`;
+  const distance = 1000 * norm(minus(tip.o, ghostTip.o)); // mm
+  const apart = `${formatFixed(distance, 1)} mm and ${formatFixed(turn, 1)}°`;
   const here = `at these joint values its tip is ${apart} away from the ghost’s`;
-  if (!isSameArm(arm, reference)) return `Another arm than the ${reference.name}: ${here}.`;
-  if (far < 0.05 && turn < 0.05) return `The same arm as the ${reference.name}: ${here}.`;
+  if (!isSameArm(arm, reference)) return `Not the same arm as the ${reference.name}: ${here}.`;
+  if (distance < 0.05 && turn < 0.05) return `The same arm as the ${reference.name}: ${here}.`;
   return (
     `The same arm as the ${reference.name}, ` +
     `with another zero, direction or frame that is free to choose: ` +
@@ -173,9 +174,9 @@ function compareWithReference({ arm, reference, q }, frames) {
 }
 
 // The comparison depends only on the tables, so it is not repeated for each pose.
-let lastComparison = { arm: null, reference: null, is: false };
+let lastComparison = { arm: null, reference: null, isSame: false };
 function isSameArm(arm, reference) {
   if (lastComparison.arm !== arm || lastComparison.reference !== reference)
-    lastComparison = { arm, reference, is: isSameMachine(arm.rows, reference.rows) };
-  return lastComparison.is;
+    lastComparison = { arm, reference, isSame: isSameMachine(arm.rows, reference.rows) };
+  return lastComparison.isSame;
 }
