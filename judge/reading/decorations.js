@@ -5,7 +5,7 @@ import { foldCharacters } from "./characters.js";
 
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const UNIT =
-  String.raw`Newton-?met[er]{2}s?|[kmM]?N\s?[-·*.]?\s?m{0,2}|` +
+  String.raw`Newton-?met[er]{2}s?|[kmM]?N\s?[-·*.]?\s?(?:c?m|mm)?|` +
   String.raw`rad(?:ians?)?|deg(?:rees?)?|°|mm?|cm`;
 const QUANTITY = String.raw`${NUMBER}(?: ?(?:${UNIT}|π|pi))?`;
 const BEFORE = String.raw`(?<![^\s|&,;:=[({>$])`;

@@ -1,7 +1,7 @@
 // Joint vectors as they are typed: one for each row or each column, with the units of their digits.
 
 import { transpose } from "../geometry/chains.js";
-import { movingRows } from "../geometry/kinematics.js";
+import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { formatMessage } from "../sentences.js";
 import {
   eachJoint,
@@ -13,6 +13,7 @@ import {
   noteLockedValues,
   unnamed,
 } from "./numbers.js";
+import { LENGTH_UNITS } from "./units.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
@@ -49,16 +50,23 @@ export function answers(mine, arm, angles, { byColumns = false, ...asked } = {})
   const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
   const [each, places] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
   const locked = width > dof ? [noteLockedValues(arm, upright(typed.values))] : [];
-  const taken = [...typed.taken, ...inUnit(typed, angles), ...perColumn(lies, each), ...locked];
+  const notes = [...describeUnits(typed, angles, arm), ...perColumn(lies, each), ...locked];
+  const taken = [...typed.taken, ...notes];
   return { answers: each.map((one, i) => ({ values: one, units: places[i] })), taken, typed };
 }
 
-// Return the message for a text that names another unit than the question.
-/** @param {import("./numbers.js").Typed} typed @param {string} angles */
-const inUnit = ({ statedUnits }, angles) =>
-  statedUnits?.angles && statedUnits.angles !== angles
+/**
+ * Describe the units that a text names: of angles if it is not the question's, of slides.
+ * @param {import("./numbers.js").Typed} typed @param {string} angles @param {Arm} arm
+ */
+export const describeUnits = ({ statedUnits }, angles, arm) => [
+  ...(statedUnits?.angles && statedUnits.angles !== angles
     ? [formatMessage(statedUnits.angles === "deg" ? "taken: degrees" : "taken: radians")]
-    : [];
+    : []),
+  ...(statedUnits?.lengths && revoluteFlags(arm).includes(false)
+    ? [formatMessage("taken: lengths", { unit: LENGTH_UNITS[statedUnits.lengths] })]
+    : []),
+];
 
 const perColumn = (lies, { length }) =>
   lies && length > 1 ? [formatMessage("taken: answer per column")] : [];

@@ -1,7 +1,7 @@
-// The labels beside numbers: names of joints, of rows, and plain counts, which order an answer;
-// and what is said of its units.
+// The labels beside numbers: names of joints, of rows, and plain counts, which order an answer.
 
 import { hasDecimals, plain } from "./formula.js";
+import { readUnits } from "./units.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
@@ -84,35 +84,6 @@ export function readRowLabels(rows) {
     names.every((name) => findLabel([name])?.kind === "row");
   if (isListOfRows) return { labels: names.map((name) => [name]), headers: [] };
   return { labels: rows.map(({ words }) => words), headers: rows[0].above };
-}
-
-const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
-const IN_DEGREES = /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]/; // np.radians([...])
-const RADIANS = /\brad(?:ians?)?\b/i;
-const MILLIMETRES = /(?<![\d.]\s?|\bN\s?[·*]?\s?)\bmm\b/;
-// 10, 20 and 30 deg
-const LIST_IN_DEGREES = /,\s*[-\u2212]?[\d.,]+,?\sand\s[-\u2212]?[\d.,]+\s?(?:deg|°)/i;
-/** @type {[RegExp, number][]} */
-const MOMENTS = [
-  [/\b(?:N\s?[·*]?\s?mm|mN\s?[·*]?\s?m)\b/, 1e-3],
-  [/\bkN\s?[·*]?\s?m\b/, 1e3],
-];
-
-/**
- * @param {string} text
- * @returns {{ angles: string | null, lengths: string | null, moments: number | null }} the
- *   torques' unit in N m; null where
- *   nothing is said, or both
- */
-export function readUnits(text) {
-  const [degrees, radians] = IN_DEGREES.test(text)
-    ? [true, false]
-    : [DEGREES.test(text) || LIST_IN_DEGREES.test(text), RADIANS.test(text)];
-  return {
-    angles: degrees === radians ? null : degrees ? "deg" : "rad",
-    lengths: MILLIMETRES.test(text) ? "mm" : null,
-    moments: MOMENTS.find(([unit]) => unit.test(text))?.[1] ?? null,
-  };
 }
 
 /**

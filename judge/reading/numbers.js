@@ -10,7 +10,7 @@ import {
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { findAnswer, NoFitError } from "./answers.js";
-import { readUnits } from "./labels.js";
+import { findOtherUnit, readUnits } from "./units.js";
 import {
   formulaSlack,
   isNumber,
@@ -32,9 +32,11 @@ const SHORT = /^([cs])((?:[+-]?\d)+)$/;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
- * A number as typed: `worth` is the factor of its unit or power of ten, `angle` whether it has an
- * angle's unit itself, `slack` the round-off of a formula's decimals.
- * @typedef {{ text: string, worth: number, angle: boolean, slack: number }} Entry
+ * A number as typed: `worth` is the factor of its unit or power of ten, `hasUnit` whether it has a
+ * unit of lengths, forces or moments itself, `angle` whether it has one of angles, `slack` the
+ * round-off of a formula's decimals.
+ * @typedef {{ text: string, worth: number, hasUnit?: boolean, angle: boolean,
+ *   slack: number }} Entry
  */
 /**
  * Numbers as typed, row by row, with the unit of the last decimal place of each.
@@ -153,6 +155,8 @@ function entryIn(known) {
 
 /** @param {string} text @param {any} question @returns {Typed} */
 function readText(text, { known, ...question }) {
+  const unit = findOtherUnit(text);
+  if (unit) throw new ArmError(formatMessage("other unit", { what: question.what, unit }));
   const answer = findAnswer(text, { wants: ANY, isEntry: entryIn(known), ...question });
   const texts = answer.rows.flat().map((cell) => plain(cell.text));
   const trees = texts.map((cell) =>
@@ -194,7 +198,9 @@ function readCell(typed, slack = 0) {
   const [, scaled, power] = SCALED.exec(cell) ?? [];
   if (scaled) {
     const worth = Number(power);
-    return { text: scaled, worth, angle: false, slack: slack / worth };
+    // A unit stands as 1e-3, the power of ten in MATLAB's heading as 1.0e-03.
+    const hasUnit = !power.includes(".");
+    return { text: scaled, worth, hasUnit, angle: false, slack: slack / worth };
   }
   const [, degrees] = IN_DEGREES.exec(cell) ?? [];
   if (degrees) return { text: degrees, worth: RAD, angle: true, slack: slack / RAD };
@@ -281,6 +287,13 @@ function tooMany(arm, width) {
     : "";
 }
 
+/**
+ * Return the factor to m of a length: that of the text's unit, 1 if it has a unit of its own.
+ * @param {Typed} typed @param {number} i
+ */
+export const lengthFactor = ({ statedUnits, entries }, i) =>
+  statedUnits?.lengths && !entries[i].hasUnit ? statedUnits.lengths : 1;
+
 // Convert joint values to SI, row by row. Angles and slides have last decimal places of their own,
 // since metres need more decimals. An angle with a unit keeps that unit.
 export function inRadians(typed, arm, angles) {
@@ -292,7 +305,10 @@ export function inRadians(typed, arm, angles) {
   );
   const own = (i) => (mixed ? (turn(i) ? angular : linear).shift() : typed.units[i]);
   const unit = typed.statedUnits?.angles ?? angles;
-  const factor = (i) => (unit === "deg" && turn(i) && !typed.entries[i].angle ? RAD : 1);
+  const factor = (i) => {
+    if (!turn(i)) return lengthFactor(typed, i);
+    return unit === "deg" && !typed.entries[i].angle ? RAD : 1;
+  };
   return {
     ...typed,
     values: typed.values.map((x, i) => x * factor(i)),

@@ -14,7 +14,8 @@ import * as chains from "../geometry/chains.js";
 import { fixedRows, norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
 import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task_rows.js";
-import { lookup, numbers, pose } from "../reading/numbers.js";
+import { lengthFactor, lookup, numbers, pose } from "../reading/numbers.js";
+import { LENGTH_UNITS } from "../reading/units.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
@@ -99,7 +100,7 @@ function readMatrix(mine, known, arm, { at, which, generic = false, computed = f
   const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
   const wants = [...listShapes(dof, arm.rows.length), ...listReducedShapes(arm, dof)];
   const request = { wants, names: NAMES, given: [at.values], which };
-  const read = convertToMetres(numbers(mine, what, known, undefined, request));
+  const read = convertToMetres(numbers(mine, what, known, undefined, request), arm);
   const symbolic = read.symbolic || computed;
   if (generic && !symbolic) throw new ArmError(formatMessage("J needs q"));
   const extraAxis = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
@@ -129,14 +130,20 @@ function listReducedShapes(arm, columns) {
   return counts.flatMap((rows) => (rows > 1 && rows < 6 ? [{ rows, columns, by: "row" }] : []));
 }
 
-// Convert the linear rows to metres if the text gives mm as their unit.
-function convertToMetres(typed) {
+// Convert the linear rows to metres if the text names another unit of lengths.
+function convertToMetres(typed, arm) {
   const { shape, statedUnits } = typed;
-  if (statedUnits?.lengths !== "mm" || shape[0] !== 6) return typed;
-  const convert = (list) => list.map((x, i) => (i < 3 * shape[1] ? x / 1000 : x));
-  const taken = [...typed.taken, formatMessage("taken: linear millimetres")];
+  const count = countLinearRows(shape[0], arm) * shape[1];
+  if (!statedUnits?.lengths || !count) return typed;
+  const convert = (list) => list.map((x, i) => (i < count ? x * lengthFactor(typed, i) : x));
+  const unit = LENGTH_UNITS[statedUnits.lengths];
+  const taken = [...typed.taken, formatMessage("taken: linear rows", { unit })];
   return { ...typed, values: convert(typed.values), units: convert(typed.units), taken };
 }
+
+// Three rows with a unit of lengths are the linear half, but for a planar arm x, y and an angle.
+const countLinearRows = (rows, arm) =>
+  ({ 6: 3, 3: isPlanar(arm) ? 2 : 3, 2: isPlanar(arm) ? 2 : 0 })[rows] ?? 0;
 
 // Report a wrong shape, with its cause if all entries are right.
 function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, frame }, taken) {

@@ -24,6 +24,7 @@ import {
   noteLockedValues,
   unnamed,
 } from "../reading/numbers.js";
+import { MOMENT_UNITS } from "../reading/units.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import { judgeFirstTorques, judgeFirstTorquesInText, judgeWholeOrPart } from "./first_joints.js";
@@ -114,11 +115,8 @@ function listShapes(count, arm) {
 function convertToNewtonMetres(typed) {
   const unit = typed.statedUnits?.moments;
   if (!unit) return typed;
-  const scale = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x * unit : x));
-  const taken = [
-    ...typed.taken,
-    formatMessage(unit < 1 ? "taken: millinewton metres" : "taken: kilonewton metres"),
-  ];
+  const scale = (list) => list.map((x, i) => (typed.entries[i].hasUnit ? x : x * unit));
+  const taken = [...typed.taken, formatMessage("taken: moments", { unit: MOMENT_UNITS[unit] })];
   return { ...typed, values: scale(typed.values), units: scale(typed.units), taken };
 }
 

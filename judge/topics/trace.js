@@ -10,12 +10,14 @@ import {
   linkFrames,
   minus,
   norm,
+  revoluteFlags,
   rotationBetween,
 } from "../geometry/kinematics.js";
 import { DEG, RAD } from "../geometry/angles.js";
 import { pick } from "../geometry/task_rows.js";
 import { RIGHT, WRONG } from "../digits.js";
-import { jointShapes, numbers, asDegrees, rowsOf, noteLockedValues } from "../reading/numbers.js";
+import { describeUnits } from "../reading/joint_vectors.js";
+import { jointShapes, numbers, rowsOf, noteLockedValues } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
 import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
 import {
@@ -111,11 +113,8 @@ function followsOnlyInDegrees({ q, units }, arm, path, allowed) {
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
   if (!exceedsAllowed(measureTipErrors(q), allowed)) return false;
-  const converted = convertToUnit(
-    q.map((values, k) => ({ values, units: units[k] })),
-    arm,
-    "deg",
-  );
+  const rows = q.map((values, k) => ({ values, units: units[k] }));
+  const converted = convertToSI(rows, arm, null, "deg");
   const errors = measureTipErrors(converted.q);
   if (!exceedsAllowed(errors, allowed)) return true;
   const follows = (trajectory) =>
@@ -136,17 +135,12 @@ function arrangeBySteps(typed, arm, count, unit) {
   const shape = typed.shape.filter((n) => n !== 1);
   if (shape.length !== 2) return null;
   const taken = [...typed.taken];
-  const lengths = [count - 1, count, count + 1];
-  // An angle with a unit of its own was converted to rad already; here it gets its degrees back.
-  const typedUnit = ({ angle }) => (angle && unit === "deg" ? RAD : 1);
+  const counts = [count - 1, count, count + 1];
   let [rows, units] = [typed.values, typed.units].map((list) =>
-    rowsOf(
-      list.map((x, i) => x / typedUnit(typed.entries[i])),
-      shape[1],
-    ),
+    rowsOf(inNamedUnits(list, typed, unit), shape[1]),
   );
   const isPerJoint =
-    shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1]);
+    shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && counts.includes(shape[1]);
   if (isPerJoint) {
     [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
     taken.push(formatMessage("taken: list per joint"));
@@ -161,10 +155,11 @@ function arrangeBySteps(typed, arm, count, unit) {
     [rows, units] = [rows, units].map((list) => list.map((row) => row.slice(1)));
     taken.push(formatMessage("taken: times"));
   }
-  if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
+  if (rows[0].length !== dof || !counts.includes(rows.length) || rows.length < 2) return null;
   const typedRows = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
+  taken.push(...describeUnits(typed, unit, arm));
   const extra = rows.length === count + 1;
-  return { ...convertToUnit(typedRows, arm, unit), taken, extra, isPerJoint };
+  return { ...convertToSI(typedRows, arm, typed.statedUnits, unit), taken, extra, isPerJoint };
 }
 
 // Return whether rows include constant values of the locked joints.
@@ -174,13 +169,22 @@ function hasLockedColumns(rows, arm) {
   return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
 }
 
-function convertToUnit(typedRows, arm, unit) {
-  const converted = unit === "deg" ? asDegrees(typedRows, arm) : typedRows;
-  return {
-    q: converted.map(({ values }) => values),
-    units: converted.map((row) => row.units),
-    unit,
+// Write all values in the units that the text names. Those with a unit of their own are in SI.
+function inNamedUnits(list, { entries, statedUnits }, unit) {
+  const named = ({ angle, hasUnit }) => {
+    if (angle) return unit === "deg" ? RAD : 1;
+    return hasUnit ? (statedUnits?.lengths ?? 1) : 1;
   };
+  return list.map((x, i) => x / named(entries[i]));
+}
+
+// Convert rows of joint values to rad and m.
+function convertToSI(typedRows, arm, statedUnits, unit) {
+  const [angular, linear] = [unit === "deg" ? RAD : 1, statedUnits?.lengths ?? 1];
+  const factors = revoluteFlags(arm).map((turns) => (turns ? angular : linear));
+  const convert = (list) => list.map((x, i) => x * factors[i]);
+  const q = typedRows.map(({ values }) => convert(values));
+  return { q, units: typedRows.map(({ units }) => convert(units)), unit };
 }
 
 /** @returns {import("../verdict.js").Verdict} */
