@@ -227,3 +227,11 @@ test("the starting run uses the arm's own circle", () => {
   assert.equal(makeStartingRun({ ...base, rows: base.rows.slice(1) }, base), null);
   assert.equal(makeStartingRun(PANDA, PANDA), null);
 });
+
+test("a joint at half a turn doubles no branch", () => {
+  for (const joint of [0, 3, 5])
+    for (const angle of [Math.PI, -Math.PI]) {
+      const q = [0.3, -1.2, 1.1, -0.7, 0.9, 0.4].with(joint, angle);
+      assert.equal(findBranches(STANFORD, q).list.length, 8, `${q}`);
+    }
+});
