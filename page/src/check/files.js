@@ -22,11 +22,11 @@ export function addFileInput(check, stub) {
     }
     check.notify("");
     setText(description, `From ${file.name}, ${fileText.trim().split("\n").length} lines. `);
-    check.edit({ answer: fileText });
+    check.editQuestion({ answer: fileText });
   };
   const { input, button } = makeFileButton(readFile);
   button.hidden = check.question.ask !== "trace";
-  const close = () => check.edit({ answer: "" });
+  const close = () => check.editQuestion({ answer: "" });
   const description = h("span");
   const closing = h("button", { onclick: close }, "Close it");
   const name = h("p.file", { hidden: true }, description, closing);

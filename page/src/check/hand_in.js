@@ -5,7 +5,7 @@ import { RIGHT, RIGHT_BY_MAP } from "../../../judge/digits.js";
 import { formatVerdict } from "../../../judge/verdict.js";
 import { copyToClipboard, h, setText } from "../dom.js";
 
-const COPIED_NOTE = "Copied, as it stands here.";
+const COPIED_NOTE = "Copied: the text below.";
 const NOT_COPIED_NOTE = "The clipboard is closed to this page: copy it from here.";
 const SEND_NOTE = " If you think that this is mistaken, send it to whoever keeps this book.";
 
@@ -17,7 +17,7 @@ export function addReportButton(check) {
   const text = h("textarea", { rows: 8, readonly: true, "aria-label": "The report" });
   const note = h("p.about", { role: "status" });
   const onclick = async () => {
-    check.refresh(); // include what was typed a moment ago
+    check.judgeAndShow(); // include what was typed a moment ago
     text.value = writeReport(check);
     text.hidden = false;
     const isCopied = await copyToClipboard(text.value);
@@ -45,7 +45,7 @@ function writeReport({ form, parts, question, outcome, given }) {
     const value = fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
     return `${boxes[key].querySelector("label").textContent}: ${value}`;
   });
-  const rows = parts.taken.hidden ? [] : [...parts.taken.querySelectorAll("tr")];
+  const rows = parts.reading.hidden ? [] : [...parts.reading.querySelectorAll("tr")];
   const read = rows.map(({ cells }) => [...cells].map((cell) => cell.textContent).join("\t"));
   const { verdict, error } = outcome;
   return [

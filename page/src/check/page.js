@@ -50,7 +50,7 @@ const PRIVACY_NOTE =
   "It names the mistake and does not print the solution.";
 const CLEARED_NOTE = "Cleared: this browser keeps none of your answers.";
 // Events by which the reader turns to the form.
-const SIGNS = ["pointerover", "touchstart", "focusin", "input"];
+const TURNING_EVENTS = ["pointerover", "touchstart", "focusin", "input"];
 const DEFAULT_FIELDS = ["ask", "arm", "unit"]; // the defaults of the other fields depend on these
 
 /**
@@ -71,7 +71,7 @@ export function mount(stub, book, id) {
   addReportButton(check);
   const { focus, patch } = readStillForm(stub, Object.keys(form.fields));
   const isLinked = !given && readLinks(check, stub);
-  const isAnswered = isLinked || (!("answer" in patch) && check.restore());
+  const isAnswered = isLinked || (!("answer" in patch) && check.restoreLastAnswer());
   const isUntouched = !isAnswered && !Object.keys(patch).length;
   if (!isUntouched || !keepStillVerdict(check, stub)) replaceStillForm(check, stub, patch);
   restoreFocus(form.fields, focus);
@@ -82,14 +82,14 @@ function replaceStillForm(check, stub, patch) {
   const { beside, below } = groupParts(check);
   stub.replaceChildren(h("div.desk", {}, check.form.form, ...beside), ...below);
   if (DEFAULT_FIELDS.some((key) => key in patch)) check.changeQuestion(patch);
-  check.update(patch);
+  check.updateQuestion(patch);
 }
 
 // Return the parts that stand beside the form, and those below both.
 function groupParts({ parts, markedText }) {
-  const { verdict, joints, report, path, taken, tools, said, privacy } = parts;
-  const result = h("div.told", {}, verdict, joints, report, path, taken);
-  return { beside: [result, markedText.root], below: [tools, said, privacy] };
+  const { verdict, joints, report, path, reading, tools, notice, privacy } = parts;
+  const outcome = h("div.outcome", {}, verdict, joints, report, path, reading);
+  return { beside: [outcome, markedText.root], below: [tools, notice, privacy] };
 }
 
 // Keep the verdict on the example, which the build has written, until the reader turns to the form:
@@ -102,7 +102,8 @@ function keepStillVerdict(check, stub) {
   check.fillFields();
   const waiting = new AbortController();
   const options = { signal: waiting.signal, capture: true };
-  for (const type of SIGNS) stub.addEventListener(type, () => check.refresh(), options);
+  for (const type of TURNING_EVENTS)
+    stub.addEventListener(type, () => check.judgeAndShow(), options);
   check.onVerdict(() => {
     if (!waiting.signal.aborted) replaceStillParts(check, stub, desk);
     waiting.abort();
@@ -135,8 +136,8 @@ function readLinks(check, stub) {
     if (question || message) stub.scrollIntoView({ block: "start" });
     check.notify(message);
     if (!question) return false;
-    check.start = EMPTY; // a link's fields are all the reader's own
-    check.update(question);
+    check.start = EMPTY; // the reader typed all fields of a link
+    check.updateQuestion(question);
     return true;
   };
   addEventListener("hashchange", read);
@@ -156,8 +157,8 @@ export class AnswerCheck {
     this.examples = examples;
     this.given = given;
     this.memory = new AnswerMemory(scope);
-    this.memory.onClear(() => this.reset());
-    this.markedText = makeMarkedText((answer) => this.edit({ answer }));
+    this.memory.onClear(() => this.resetQuestion());
+    this.markedText = makeMarkedText((answer) => this.editQuestion({ answer }));
     /** @type {Question} what the page itself filled in */
     this.start = this.makeFirstQuestion();
     this.question = this.start;
@@ -176,7 +177,7 @@ export class AnswerCheck {
     return { ...EMPTY, arm: this.arms[0]?.key, ...(this.given ?? this.examples[0]) };
   }
 
-  // An example is selected, to be typed over. On a phone the field is scrolled up so that the
+  // Select an example, so that typing replaces it. On a phone, scroll the field up so that the
   // verdict stays above the keyboard.
   raiseAnswerField() {
     const { answer } = this.form.fields;
@@ -196,7 +197,7 @@ export class AnswerCheck {
   }
 
   notify(message) {
-    setText(this.parts.said, message);
+    setText(this.parts.notice, message);
   }
 
   // Write the question into the fields.
@@ -238,8 +239,8 @@ export class AnswerCheck {
   // Apply an advice of the judge. After an advice about a symbol, the reader still types its value.
   applyOffer({ key, value }) {
     if (DEFAULT_FIELDS.includes(key)) this.changeQuestion({ [key]: value });
-    else this.update({ [key]: value });
-    this.save();
+    else this.updateQuestion({ [key]: value });
+    this.saveQuestion();
     if (key !== "values") return;
     this.form.folded.open = true;
     this.form.fields.values.focus();
@@ -249,63 +250,63 @@ export class AnswerCheck {
     const { joints } = this.parts;
     showOwnJoints(joints, this.question, this.outcome, (rows) => this.useJoints(rows));
     showPath(this.parts.path, this.question, this.outcome);
-    showReading(this.parts.taken, this.question, this.outcome);
+    showReading(this.parts.reading, this.question, this.outcome);
     this.markedText.update(this.question, this.outcome, this.isExample());
   }
 
-  refresh() {
+  judgeAndShow() {
     this.judge();
     this.announceVerdict();
     this.showDetails();
   }
 
-  update(patch) {
+  updateQuestion(patch) {
     this.question = { ...this.question, ...patch };
     this.fillFields();
-    this.refresh();
+    this.judgeAndShow();
   }
 
   // Change fields for the reader, and keep the result.
-  edit(patch) {
-    this.update(patch);
-    this.save();
+  editQuestion(patch) {
+    this.updateQuestion(patch);
+    this.saveQuestion();
   }
 
-  save() {
+  saveQuestion() {
     if (!this.isExample()) this.memory.save(this.question);
   }
 
-  // Begin with a question of the page's own.
-  begin(question) {
+  // Start with a question that the page filled in.
+  startQuestion(question) {
     this.start = question;
-    this.update(question);
+    this.updateQuestion(question);
   }
 
   // Bring back the reader's last answer. Returns false if there is none.
-  restore() {
-    return this.#restoreFrom(this.memory.loadLast());
+  restoreLastAnswer() {
+    return this.#restoreQuestion(this.memory.loadLast());
   }
 
-  #restoreFrom(kept) {
+  #restoreQuestion(kept) {
     const question = { ...EMPTY, ...kept, ...this.given };
     const keys = this.arms.map(({ key }) => key);
     if (!kept || findQuestionFault(question, keys)) return false;
     this.start = { ...makeStartingQuestion(question, this), ...this.given };
-    this.update(question);
+    this.updateQuestion(question);
     return true;
   }
 
   // Forget all answers of the book, here and in other tabs.
-  clear() {
+  forgetAnswers() {
     clearAnswers();
     if (location.hash.startsWith("#ask="))
       history.replaceState(null, "", location.pathname + location.search);
-    this.reset();
+    this.resetQuestion();
     this.notify(CLEARED_NOTE);
   }
 
-  reset() {
-    this.begin(this.makeFirstQuestion());
+  resetQuestion() {
+    this.startQuestion(this.makeFirstQuestion());
   }
 
   /** @param {FieldEvent} event */
@@ -322,9 +323,9 @@ export class AnswerCheck {
   typeInto(key, text) {
     this.question = { ...this.question, [key]: text };
     this.fillFields();
-    this.save();
+    this.saveQuestion();
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.judgeSoon(), READ_DELAY);
+    this.timer = setTimeout(() => this.judgeAfterTyping(), READ_DELAY);
   }
 
   // Change the question, arm or unit. The page's own defaults are replaced, and the reader's
@@ -334,13 +335,13 @@ export class AnswerCheck {
     const { ask, arm, unit } = { ...this.question, ...patch };
     const joints = arm === this.question.arm ? this.question.joints : "";
     const kept = ask === this.question.ask ? null : this.memory.load({ ask, arm });
-    if (kept && (kept.joints ?? "") === joints && this.#restoreFrom(kept)) return;
+    if (kept && (kept.joints ?? "") === joints && this.#restoreQuestion(kept)) return;
     const typed = Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
     const entries = Object.fromEntries(typed);
     // A right answer stays with its question; another was perhaps pasted below the wrong one.
     if (ask !== this.question.ask && this.hasRightAnswer()) delete entries.answer;
     this.start = { ...makeStartingQuestion({ ask, arm, unit, joints }, this), ...this.given, arm };
-    this.update({ ...this.start, ...entries, ask, arm, unit, joints, frame: "0" });
+    this.updateQuestion({ ...this.start, ...entries, ask, arm, unit, joints, frame: "0" });
   }
 
   hasRightAnswer() {
@@ -355,7 +356,7 @@ export class AnswerCheck {
     const isHome = q === this.start.q;
     const { q: home } = makeStartingQuestion({ ask, arm, unit, joints }, this);
     this.start = { ...this.start, joints, ...(isHome ? { q: home } : {}) };
-    this.edit({ joints, ...(isHome ? { q: home } : {}) });
+    this.editQuestion({ joints, ...(isHome ? { q: home } : {}) });
   }
 
   judgeAtOnce() {
@@ -364,7 +365,7 @@ export class AnswerCheck {
     this.timer = setTimeout(() => this.showDetails()); // takes as long as judging a long answer
   }
 
-  judgeSoon() {
+  judgeAfterTyping() {
     this.judge();
     this.showDetails();
     this.timer = setTimeout(() => this.announceVerdict(), SPEAK_DELAY - READ_DELAY);
@@ -384,12 +385,12 @@ const makeParts = () => ({
   joints: h("div", { hidden: true }),
   report: h("div.report", { hidden: true }),
   path: h("div", { hidden: true }),
-  taken: h("div.scroll.taken", {
+  reading: h("div.scroll.taken", {
     role: "region",
     tabindex: "0",
     "aria-label": "How your answer is read",
   }),
   tools: h("div.tools"),
-  said: h("p.about", { role: "status" }),
+  notice: h("p.about", { role: "status" }),
   privacy: h("p.about", {}, PRIVACY_NOTE),
 });
