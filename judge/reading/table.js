@@ -3,7 +3,7 @@
 // guess is reported.
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
-import { hasDecimals, simple } from "./formula.js";
+import { hasDecimals, simple, symbolsIn } from "./formula.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
@@ -18,6 +18,7 @@ import {
   listUsedDefinitions,
   refuseTwoLengths,
 } from "./table_definitions.js";
+import { refuseUnclearUnits, refuseUnreadValues } from "./table_symbols.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
@@ -53,6 +54,7 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  * @property {boolean} [isOrderGuessed]
  * @property {string[]} [order] the entries of its columns; a table of link matrices has none
  * @property {string[]} [typedCells] all cells of its rows, without notes and footnote marks
+ * @property {import("./spans.js").Span[]} [cellSpans] where those cells stand in the text
  * @property {string[]} [unusedLines] the lines of the text and numbers that were not used
  * @property {import("./owners.js").Token[]} [tokens]
  */
@@ -75,18 +77,30 @@ const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 
  */
 export function readTables(typedText, options = {}, values = []) {
   refuseSize(typedText);
-  const definitions = listDefinitions(withoutStruckText(new SpannedText(typedText)));
+  const known = new Map(values.map(([name, x]) => [simple(name), x]));
+  const definitions = listDefinitions(withoutStruckText(new SpannedText(typedText)), known);
   const lengths = listDefinedLengths(definitions, new Set(values.map(([name]) => simple(name))));
-  const known = new Map([...values, ...lengths].map(([name, x]) => [simple(name), x]));
-  const tables = readWithLengths(typedText, { options, known });
-  return tables.map((table) => useDefinitions(table, definitions, typedText));
+  const defined = new Map(lengths.map(([name, x]) => [simple(name), x]));
+  const request = { options, known: new Map([...known, ...defined]) };
+  const tables = readWithLengths(typedText, request);
+  const undefinedNames = values.map(([name]) => name).filter((name) => !defined.has(simple(name)));
+  return tables.map((table) => useDefinitions(table, definitions, undefinedNames, typedText));
 }
 
-// Refuse a symbol of a table with two lengths; give the numbers of used definitions their owner.
-/** @param {TypedTable} table @param {import("./table_definitions.js").Definition[]} definitions */
-function useDefinitions({ unusedLines, tokens, ...table }, definitions, text) {
-  const used = listUsedDefinitions(definitions, table.typedCells, tokens);
+// Refuse a symbol of a table with two lengths or an unread one; give the numbers of used
+// definitions their owner.
+/**
+ * @param {TypedTable} table @param {import("./table_definitions.js").Definition[]} definitions
+ * @param {string[]} undefinedNames symbols of the arm that the text does not define
+ */
+function useDefinitions(table, definitions, undefinedNames, text) {
+  const { unusedLines, tokens, typedCells, cellSpans } = table;
+  const used = listUsedDefinitions(definitions, typedCells, tokens);
   refuseTwoLengths(used, tokens, text);
+  const symbols = new Set(typedCells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));
+  const names = undefinedNames.filter((name) => symbols.has(simple(name)));
+  refuseUnreadValues(names, [...cellSpans, ...definitions], tokens, text);
+  refuseUnclearUnits(used, table, text);
   return {
     ...table,
     unusedLines: dropDefinitions(unusedLines, used),
@@ -107,7 +121,8 @@ function readWithLengths(typedText, request) {
     const { unread } = named;
     const span = unread && plainText.span(unread.from, unread.to);
     if (span) refuseUnreadCell(text, tokens, span, formatMessage("your table"));
-    return readCells(named, request).map((table) => ({ ...table, tokens }));
+    const cellSpans = named.sources.map(({ from, to }) => plainText.span(from, to));
+    return readCells(named, request).map((table) => ({ ...table, tokens, cellSpans }));
   }
   const readWithout = (spannedText) =>
     readFirstBlock(text, listTableBlocks(text, known, spannedText), request);
@@ -134,8 +149,10 @@ function readFirstBlock(text, blocks, request) {
     let tokens = [];
     try {
       tokens = requireReadable(block, text, request);
+      const cellSpans = listCellSpans(block);
       return readCells({ ...block, assumptions: [] }, request).map((table) => ({
         ...table,
+        cellSpans,
         tokens: table.order
           ? placeBlockNumbers(tokens, block, table, text)
           : placeMatrixNumbers(tokens, text),
@@ -152,6 +169,12 @@ function readFirstBlock(text, blocks, request) {
   }
   throw firstError ?? new ArmError(formatMessage("no rows", { given: quoteText(text) }));
 }
+
+/** @param {import("./table_blocks.js").TableBlock} table */
+const listCellSpans = ({ block: { sources, rows } }) =>
+  [...sources.flatMap((row) => row.cells), ...rows.flat()].flatMap(
+    (cell) => cell.stretches ?? [cell],
+  );
 
 // Return the numbers of a block with their owners; refuse unread cells, and poses of frames in the
 // base, which are no link matrices.

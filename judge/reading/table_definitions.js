@@ -1,94 +1,188 @@
 // Lengths that a text defines beside its table, such as l_1 = 0.5 m. A symbol with two values stops
 // the verdict.
 
+import { foldCharacters } from "./characters.js";
 import { withoutComments } from "./decorations.js";
-import { number, plain, simple, symbolsIn } from "./formula.js";
+import { parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
 import { findEntry } from "./table_columns.js";
 import { IN_NAME } from "./table_owners.js";
 import { isVariable, toMetres, UNITS } from "./table_rows.js";
-import { ArmError, formatMessage, quoteText } from "../sentences.js";
+import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 /** @typedef {import("./owners.js").Token} Token */
 /** @typedef {import("./spans.js").Span} Span */
 /**
  * A length that a text defines.
- * @typedef {Span & { name: string, length: number, text: string, valueFrom: number }} Definition
- *   `length` is in m; `text` is the definition as typed; its value begins at `valueFrom`
+ * @typedef {Span & { name: string, length: number, text: string, value: string,
+ *   valueFrom: number }} Definition `length` is in m; `text` is the definition as typed; `value` is
+ *   its formula, which begins at `valueFrom`
  */
 
 /** The reason of a number that is the value of a symbol. */
 export const IN_DEFINITION = "value of a symbol";
 
-const PRODUCT = String.raw`-?\d+(?:\.\d+)?(?:[ ]?[*/][ ]?\d+(?:\.\d+)?)*`; // L1 = 2 * 0.15
-const DEFINITION = new RegExp(
-  String.raw`(?<![\p{L}\p{N}_.])([A-Za-z](?:_?\{?\w{1,4}\}?)?)(\s*:?=\s*)` +
-    String.raw`(${PRODUCT})\s*(mm|cm|m)?(?![\w.*/+^°]| ?[*/+^])`,
-  "gu",
+const NUMERAL = String.raw`(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?`;
+const DECIMAL_COMMA = String.raw`\d+,\d+(?![\d.]|,\d)`;
+const SYMBOL = String.raw`\p{L}(?:_?\{?\w{1,4}\}?|[₀-₉]{1,2})?`;
+// A symbol with an index, d1 or d_f, which is no unit.
+const NUMBERED = String.raw`\p{L}{1,3}(?:_?\{?\d{1,2}\}?|[₀-₉]{1,2}|_\{?\w{1,4}\}?)`;
+const WHOLE_NAME = new RegExp(`^${NUMBERED}$`, "u");
+const ROOT = String.raw`\\?sqrt[ ]?[({]${NUMERAL}[)}]`;
+const TERM = `(?:${ROOT}|${DECIMAL_COMMA}|${NUMERAL}|${NUMBERED})`;
+const FORMULA = String.raw`[-+]?${TERM}(?:[ ]?[-+*/][ ]?${TERM})*`; // L1 = 2 * 0.15
+const UNIT = String.raw`[ \t]*(?:([[(])[ ]?(?:in )?)?(mm|cm|m)(?![\p{L}\p{N}])[ ]?[\])]?`;
+const END = String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=]|[ ]+[.\d])`;
+// Behind a colon, an arrow or a word nothing but the value may stand.
+const STRICT_END = String.raw`(?=[ \t]*(?:[,;)\]}$]|\.?[ \t]*$|\.\s|and\b))`;
+const SIGN = String.raw`["'$]*\s*:?={1,2}\s*`;
+const OTHER_SIGN = String.raw`["'$]*(?:[ ]*(?:->|→|≈|:(?!=))|[ ]+is(?: equal to)?\b)[ ]*`;
+const START = String.raw`(?<![\p{L}\p{N}_.\\])`;
+const VALUE = String.raw`(${FORMULA}(?:\s*=\s*${FORMULA})*)(?:${UNIT})?`;
+const DEFINITIONS = [
+  new RegExp(`${START}(${SYMBOL})(${SIGN})${VALUE}${END}`, "gu"),
+  new RegExp(`${START}(${NUMBERED})(${OTHER_SIGN})${VALUE}${STRICT_END}`, "gmu"),
+];
+const NAMES = String.raw`\(?${NUMBERED}(?:[ ]?,[ ]?${NUMBERED})+\)?`; // (a2, a3) = (0.4, 0.3)
+const NUMERALS = String.raw`[[(]?-?${NUMERAL}(?:[ ]?,[ ]?-?${NUMERAL})+[\])]?`;
+const SEVERAL = new RegExp(`(?<![=+*/-][ ]?)${START}(${NAMES})(${SIGN})(${NUMERALS})${END}`, "gu");
+// A name before the last of several names, which the last value alone does not define.
+const NAME_BEFORE = new RegExp(
+  String.raw`(?<![=+*/-][ ]?)${START}${NUMBERED}\$?[ ]?,[ ]?\$?$`,
+  "u",
 );
 
 /**
  * List the lengths that a text defines. One in a comment counts if no other line defines its name.
  * @param {import("./spans.js").SpannedText} pasted
+ * @param {Map<string, number>} known symbols that a formula may hold, with their lengths
  * @returns {Definition[]}
  */
-export function listDefinitions(pasted) {
-  const definitions = matchDefinitions(pasted);
+export function listDefinitions(pasted, known = new Map()) {
+  const typed = matchDefinitions(foldCharacters(pasted));
   const uncommented = withoutComments(pasted);
-  if (!uncommented) return definitions;
-  const kept = matchDefinitions(uncommented);
-  const names = new Set(kept.map(({ name }) => name));
-  return [...kept, ...definitions.filter(({ name }) => !names.has(name))];
+  const kept = uncommented ? matchDefinitions(uncommented) : typed;
+  const names = new Set(kept.map(({ name }) => simple(name)));
+  const all = [...kept, ...typed.filter(({ name }) => !names.has(simple(name)))];
+  return all.flatMap(({ unit, ...definition }) => {
+    const length = evaluateLength(definition.value, unit, all, known);
+    return length === null ? [] : [{ ...definition, length }];
+  });
 }
 
+/**
+ * A definition with its formula as typed.
+ * @typedef {Span & { name: string, text: string, valueFrom: number, value: string,
+ *   unit: string | undefined }} TypedDefinition
+ */
+
+/** @param {import("./spans.js").SpannedText} pasted @returns {TypedDefinition[]} */
 function matchDefinitions(pasted) {
-  return [...pasted.text.matchAll(DEFINITION)].flatMap(
-    ({ 0: text, 1: symbol, 2: sign, ...rest }) => {
-      const { 3: product, 4: unit = "m", index } = rest;
-      const length = toMetres(number(product), UNITS[unit]);
-      const valueAt = index + symbol.length + sign.length;
-      const { from } = pasted.span(valueAt, index + text.length);
-      const span = pasted.span(index, index + text.length);
-      const definition = {
-        ...span,
-        name: plain(symbol),
-        length,
-        text: text.trim(),
-        valueFrom: from,
-      };
-      return Number.isFinite(length) ? [definition] : [];
-    },
-  );
+  const { text } = pasted;
+  const make = (symbol, value, unit, valueAt, { 0: typed, index }) => {
+    const { from, to } = pasted.span(index, index + typed.length);
+    const valueFrom = pasted.span(valueAt, valueAt + 1).from;
+    return { from, to, name: plain(symbol), text: typed.trim(), valueFrom, value, unit };
+  };
+  const single = DEFINITIONS.flatMap((pattern) => [...text.matchAll(pattern)]).flatMap((match) => {
+    const [, symbol, sign, value, bracket, unit] = match;
+    if (NAME_BEFORE.test(text.slice(Math.max(0, match.index - 12), match.index))) return [];
+    const valueAt = match.index + symbol.length + sign.length;
+    const lineStart = text.lastIndexOf("\n", match.index);
+    const parts = value.split("=").map((part) => part.trim());
+    const isName = (part) => WHOLE_NAME.test(part) && part !== parts.at(-1); // a_3 = a_6 = 0.088
+    const formula = parts.filter((part) => !isName(part)).join("=");
+    return [symbol, ...parts.filter(isName)].map((name) => ({
+      ...make(name, formula, unit, valueAt, match),
+      lineStart,
+      isBracketed: Boolean(bracket),
+    }));
+  });
+  const several = [...text.matchAll(SEVERAL)].flatMap((match) => {
+    const [, names, sign, values] = match;
+    const [symbols, numerals] = [names, values].map((list) =>
+      list.replace(/[()[\]]/g, "").split(","),
+    );
+    const valueAt = match.index + names.length + sign.length;
+    if (symbols.length !== numerals.length) return [];
+    return symbols.map((symbol, k) => make(symbol.trim(), numerals[k], undefined, valueAt, match));
+  });
+  return [...spreadUnits(single), ...several];
 }
+
+// Give the unit in brackets at a line's end to the bare values before it.
+const spreadUnits = (definitions) =>
+  definitions.map(({ isBracketed: _, lineStart, ...definition }) => {
+    const isAtEnd = (other) =>
+      other.isBracketed && other.lineStart === lineStart && other.from > definition.from;
+    return { ...definition, unit: definition.unit ?? definitions.find(isAtEnd)?.unit };
+  });
+
+const DEEPEST = 5; // definitions that refer to another one
+
+/**
+ * Evaluate a typed formula, or several that should be equal, in m; null if they cannot be.
+ * @param {string} formula @param {string | undefined} unit
+ * @param {TypedDefinition[]} definitions @param {Map<string, number>} known
+ * @returns {number | null}
+ */
+function evaluateLength(formula, unit, definitions, known, depth = 0) {
+  const lookUp = (name) => {
+    const other = definitions.find((one) => simple(one.name) === simple(name));
+    if (!other) return known.get(simple(name));
+    if (depth === DEEPEST) return undefined;
+    const { value: its, unit: itsUnit } = other;
+    return evaluateLength(its, itsUnit, definitions, known, depth + 1) ?? undefined;
+  };
+  const numbers = formula.split("=").map((part) => {
+    const tree = tryOrNull(() => parse(part.replace(/(\d),(\d)/g, "$1.$2")));
+    const isMixed = tree && unit && unit !== "m" && symbols(tree).size > 0;
+    return tree && !isMixed ? tryOrNull(() => value(tree, lookUp)) : null;
+  });
+  const last = numbers.at(-1);
+  const isEqual = numbers.every((x) => x !== null && Math.abs(x - last) < ROUND_OFF);
+  return isEqual ? toMetres(last, UNITS[unit ?? "m"]) : null;
+}
+
+const ROUND_OFF = 1e-9; // m
 
 /**
  * List the symbols of a table that a text defines, with their lengths. A joint's variable is no
  * length. A column's name is one if it is a symbol of the arm and the text gives it one length.
  * @param {Definition[]} definitions
- * @param {Set<string>} symbols of the asked arm
+ * @param {Set<string>} symbolsOfArm
  * @returns {[string, number][]}
  */
-export function listDefinedLengths(definitions, symbols) {
+export function listDefinedLengths(definitions, symbolsOfArm) {
   const countLengths = (symbol) =>
     new Set(definitions.filter(({ name }) => name === symbol).map(({ length }) => length)).size;
   const isLength = (name) =>
-    findEntry(name) ? symbols.has(simple(name)) && countLengths(name) === 1 : !isVariable(name);
+    findEntry(name)
+      ? symbolsOfArm.has(simple(name)) && countLengths(name) === 1
+      : !isVariable(name);
   return definitions.filter(({ name }) => isLength(name)).map(({ name, length }) => [name, length]);
 }
 
 /**
- * List the definitions of symbols in cells. A definition with an entry of the table is a cell.
+ * List the definitions of symbols in cells, and of symbols in those definitions. A definition with
+ * an entry of the table is a cell.
  * @param {Definition[]} definitions
  * @param {string[]} cells
  * @param {Token[]} tokens
  * @returns {Definition[]}
  */
 export function listUsedDefinitions(definitions, cells, tokens) {
-  const used = new Set(cells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));
   const isCell = ({ from, to }) =>
     tokens.some((token) => token.owner === "entry" && token.from >= from && token.to <= to);
-  return definitions.filter(
-    (definition) => used.has(simple(definition.name)) && !isCell(definition),
-  );
+  const others = definitions.filter((definition) => !isCell(definition));
+  const names = new Set();
+  const addNames = (formulas) => {
+    const added = formulas.flatMap((formula) => symbolsIn(formula) ?? []).map(simple);
+    const isNew = added.some((name) => !names.has(name));
+    added.forEach((name) => names.add(name));
+    const used = others.filter(({ name }) => names.has(simple(name)));
+    return isNew ? addNames(used.map(({ value: formula }) => formula)) : used;
+  };
+  return addNames(cells);
 }
 
 /**
@@ -144,9 +238,11 @@ const claimValues = (definitions, tokens, claim) =>
  */
 export const dropDefinitions = (lines, definitions) =>
   lines.flatMap((line) => {
-    const parts = line.split(/[,;]/);
-    const unused = parts.filter((part) => !definitions.some(({ text }) => part.includes(text)));
-    if (unused.length === parts.length) return [line];
-    const rest = unused.join(",").trim();
-    return /\d/.test(rest) ? [rest] : [];
+    const rest = definitions.reduce(
+      (kept, { text }) => kept.replace(text, ""),
+      foldCharacters(line),
+    );
+    if (rest === foldCharacters(line)) return [line];
+    const trimmed = rest.replace(/^[\s,;]+|[\s,;]+$/g, "");
+    return /\d/.test(trimmed) ? [trimmed] : [];
   });

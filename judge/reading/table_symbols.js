@@ -1,0 +1,106 @@
+// The symbols of a table get their values from the text around it. A line that seems to give a
+// symbol its value and cannot be read stops the verdict, and so do values in unclear units.
+
+import { plain, simple } from "./formula.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/** @typedef {import("./owners.js").Token} Token */
+/** @typedef {import("./spans.js").Span} Span */
+/** @typedef {import("./table_definitions.js").Definition} Definition */
+
+// A symbol's name, in plain characters, and the same counted as an entry of a list, a(2).
+const NAME = /(?<![A-Za-z0-9_.])[A-Za-z][A-Za-z]*_?\{?\w*\}?'?/g;
+const LIST_ENTRY = /(?<=\b[A-Za-z]{1,5}) ?[[(](\d{1,2})[\])]/g;
+// A number with its unit, but not the 3 of 3R.
+const NUMERAL = /(?<![\w.])\.?\d[\d.,]*(?:e[-+]?\d+)?(?=(?: ?(?:mm?|cm|deg))?(?![A-Za-z\d]))/gi;
+// A number that counts something.
+const COUNTED = "joint|row|link|frame|line|step|fig(?:ure)?\\.?|table|homework|part|page|question";
+const COUNT = new RegExp(String.raw`^\s*[[(]?\d{1,2}[\]).:|\t]|(?:${COUNTED})s? ?\d+`, "gi");
+const FACTOR = /^ ?\*? ?(?:cos|sin|[cs]_?\d)|(?:cos|sin)$/i; // beside a symbol in a formula
+const MATRIX_ROW = /^[01]$/; // all numbers of a link matrix's row
+
+/**
+ * Refuse a table if the text may give a value that was not read to a symbol of it.
+ * @param {string[]} names of the symbols whose values the text does not define
+ * @param {Span[]} spans of the table's cells and of the definitions that were read
+ * @param {Token[]} tokens @param {string} text as it was pasted
+ */
+export function refuseUnreadValues(names, spans, tokens, text) {
+  const searched = new Set(names.map(simple));
+  let from = 0;
+  for (const [k, line] of maskSpans(text, spans).split("\n").entries()) {
+    const to = from + line.length;
+    const name = findValuedSymbol(line, searched);
+    if (name) {
+      const quoted = quoteText(text.slice(from, to));
+      const marked = tokens.map((token) =>
+        token.line === k && token.owner !== "entry" ? { ...token, owner: "unread" } : token,
+      );
+      const message = formatMessage("unread value", { name, line: k + 1, quoted });
+      throw new ArmError(message, [], marked, text);
+    }
+    from = to + 1;
+  }
+}
+
+// Write blanks over stretches of a text.
+function maskSpans(text, spans) {
+  const characters = text.split("");
+  for (const { from, to } of spans)
+    for (let at = from; at < to; at++) if (characters[at] !== "\n") characters[at] = " ";
+  return characters.join("");
+}
+
+// Find a symbol on a line that holds a number beside the symbols and their indices, or assigns
+// another symbol to it.
+/** @param {string} line @param {Set<string>} searched simple names */
+function findValuedSymbol(line, searched) {
+  if (!/[\d₀-₉]/.test(line)) return undefined;
+  const text = plain(line).replace(LIST_ENTRY, "_$1");
+  const hasValue = hasValues(text);
+  const match = [...text.matchAll(NAME)].find(({ 0: typed, index }) => {
+    const name = simple(typed);
+    const [before, behind] = [text.slice(0, index), text.slice(index + typed.length)];
+    if (!searched.has(name) || FACTOR.test(behind) || FACTOR.test(before)) return false;
+    if (ASSIGNED.test(behind)) return !MATRIX.test(behind) && (hasValue || /\d/.test(behind));
+    return hasValue && name.length > 1; // "a" is a word, too
+  });
+  return match?.[0];
+}
+
+const ASSIGNED = /^['"]? ?:?={1,2}(?!=)/;
+const MATRIX = /^[^=]*= ?\[/; // A_2 = [...]
+
+// Return whether a line holds numbers apart from names and counts, and is no row of a link matrix.
+function hasValues(text) {
+  const rest = text.replace(COUNT, "").replace(NAME, (name) => "x".repeat(name.length));
+  const numerals = rest.match(NUMERAL) ?? [];
+  const isMatrixRow = numerals.length > 1 && numerals.every((one) => MATRIX_ROW.test(one));
+  return numerals.length > 0 && !isMatrixRow;
+}
+
+const LEAST_MILLIMETRES = 10;
+const MOST_METRES = 1;
+
+/**
+ * Refuse a defined length that is in other units than the other lengths, as it seems.
+ * @param {Definition[]} definitions that the table uses
+ * @param {import("./table.js").TypedTable} table
+ * @param {string} text as it was pasted
+ */
+export function refuseUnclearUnits(definitions, { rows, tokens }, text) {
+  const lengths = rows.flatMap(({ numbers, metres }) =>
+    ["a", "d"].flatMap((name) => (metres.has(name) ? [] : [Math.abs(numbers[name])])),
+  );
+  const isLarge = (x) => x >= LEAST_MILLIMETRES;
+  const isSmall = (x) => x > 0 && x < MOST_METRES;
+  const [large, small] = [lengths.find(isLarge), lengths.find(isSmall)];
+  if (large === undefined || small === undefined) return;
+  const unclear =
+    definitions.find(({ length }) => isLarge(Math.abs(length))) ??
+    definitions.find(({ length }) => isSmall(Math.abs(length)));
+  if (!unclear) return;
+  const line = text.slice(0, unclear.from).split("\n").length;
+  const fields = { name: unclear.name, quoted: quoteText(unclear.text), line, large, small };
+  throw new ArmError(formatMessage("unclear unit", fields), [], tokens, text);
+}
