@@ -33,6 +33,11 @@ def test_pasted_matrix_is_read(case):
     np.testing.assert_allclose(found, case["rows"], rtol=1e-6, atol=1e-9)
 
 
+def test_pasted_matrix_with_nan_is_rejected():
+    with pytest.raises(ArmError, match="finite"):
+        read_numbers("0.1 nan 0.3", "your matrix")
+
+
 @pytest.mark.parametrize("arm", [ELBOW, STANFORD, PANDA.lock(3)], ids=str)
 @pytest.mark.parametrize("form", [sp.expand_trig, sp.factor, sp.expand])
 def test_sympy_latex_of_sums_is_read(arm, form):

@@ -62,7 +62,7 @@ export function findAnswer(text, question) {
   const typed = foldCharacters(new SpannedText(text));
   const pasted = joinFrameParts(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
-  const texts = live && /\d/.test(live.text) ? [live, pasted] : [pasted];
+  const texts = live ? [live, pasted] : [pasted];
   let refusal = null; // that of the text without comments, if nothing fits in either
   for (const version of texts) {
     try {
@@ -92,7 +92,7 @@ function findIn(pasted, text, question) {
   refuseUnread(text, tokens, what);
   if (block.sources.every(isCalledOld)) throw makeOldAnswerError(text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
-  if (isUnlikely(block) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);
+  if (isUnlikely(block, names) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);
   const unusedLines = listUnusedLines(
     text,
     { ...block, ...findLinesOfEntries(block, tokens) },
@@ -116,7 +116,7 @@ function findFirstFit(partings, partingsWithGiven, question) {
   for (const { unlikely, want } of shapes)
     for (const makeBlocks of want.rows > 1 ? [...partingsWithGiven, ...partings] : partings) {
       const fits = listFits(makeBlocks(), want, question);
-      const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit));
+      const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit, question.names));
       const block = chooseBlock(candidates, question);
       if (block && which === null) refuseRivals(block, makeBlocks(), question);
       if (block) return { block, want };
@@ -126,10 +126,12 @@ function findFirstFit(partings, partingsWithGiven, question) {
 
 const NONE = /(?!)/; // no name
 
-// Return whether a block is hardly the answer: it only counts, or is called another quantity or an
-// old answer.
-const isUnlikely = (block) =>
-  countsAlone(block) || isOtherQuantity(block) || block.sources.every(isCalledOld);
+// Return whether a block is hardly the answer: it only counts without the answer's name, or is
+// called another quantity or an old answer.
+const isUnlikely = (block, names = NONE) =>
+  (countsAlone(block) && !names.test(bareName(block.name))) ||
+  isOtherQuantity(block) ||
+  block.sources.every(isCalledOld);
 
 // Three or more whole numbers in order, as of joints.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
@@ -164,8 +166,7 @@ const textsOf = (cells) => cells.map(({ text }) => text);
 function chooseBlock(fits, { which = null }) {
   const texts = ({ rows }) => JSON.stringify(rows.map(textsOf));
   const all = [...new Map(fits.map((block) => [texts(block), block])).values()];
-  const answers = all.filter(({ rows }) => rows.length > 1 || !isJointCount(rows[0]));
-  const different = withoutRepeated(answers.length ? answers : all);
+  const different = withoutRepeated(all);
   if (different.length < 2 || which !== null) return different[(which ?? 1) - 1];
   throw askWhich(different);
 }
@@ -201,7 +202,6 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
   const mayBeAnswer = ({ sources: [{ name, words }] }) =>
     isAnswer(name) || (isNamed ? !words.length : !name || /^\d{1,3}$/.test(name));
   const rivals = wants
-    .filter(({ largest: any, rows, columns }) => !any && (rows !== null || columns !== null))
     .flatMap((want) => listFits(blocks, want, { wants, names }))
     .filter((other) => other.from > block.to || other.to < block.from)
     .filter((other) => count(other) === count(block) && mayBeAnswer(other))
@@ -216,10 +216,9 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
 function fitBlock(block, want, wants, names) {
   const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
-  const counted = dropCountHeader(block);
   const candidates = [
-    ...counted,
-    ...(counted.length ? [] : [block]),
+    ...dropCountHeader(block),
+    block,
     ...dropCountCells(block),
     ...columnOf(block, names),
     ...jointColumns(block, want),

@@ -4,6 +4,7 @@ import { transpose } from "../geometry/chains.js";
 import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { formatMessage } from "../sentences.js";
 import {
+  JOINT_NAMES,
   eachJoint,
   inRadians,
   jointShapes,
@@ -22,8 +23,6 @@ import { LENGTH_UNITS } from "./units.js";
  * @typedef {{ values: number[], units: number[] }} Answer
  */
 
-const NAMES = /^(?:q|th|θ|sol|position|ans$|s\d*$)/i; // position: of ROS
-
 /**
  * Joint vectors with their units, however they were held, and how they were read; a square is read
  * by rows unless told. Where each row of a locked arm has a value, those of its locked joints are
@@ -35,7 +34,7 @@ export function answers(mine, arm, angles, { byColumns = false, ...asked } = {})
   const moving = movingRows(arm);
   const dof = moving.length;
   const what = `${arm.name}: your answer`;
-  const wants = { wants: jointShapes(arm), names: NAMES, ...asked };
+  const wants = { wants: jointShapes(arm), names: JOINT_NAMES, ...asked };
   const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = shapeOf(typed, dof);

@@ -230,10 +230,16 @@ export function rowsGiven(target) {
   return rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
 }
 
+/** The names of joint values that a text holds. */
+export const JOINT_NAMES = /^(?:q|th|θ|sol|position|ans$|s\d*$)/i; // position: of ROS
+
 // Read a joint vector with its units, without the values of locked joints.
 export function pose(q, arm, angles = "rad") {
   const wants = jointShapes(arm, false);
-  const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), { wants });
+  const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
+    wants,
+    names: JOINT_NAMES,
+  });
   const typed = given.values.length === arm.rows.length ? ofMoving(given, arm) : given;
   if (typed.values.length !== movingRows(arm).length)
     throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
