@@ -1,10 +1,11 @@
 // Owners: what each number of a pasted text was taken for. A number that nothing claims, within the
 // answer's lines or beside them, is unread, and then nothing is graded.
 
-import { isCalledOld, namesOtherQuantity } from "./row_names.js";
+import { isUnit } from "./cells.js";
+import { isJointCount } from "./counts.js";
 import { hasDecimals } from "./formula.js";
 import { findLabel, findValueLabel } from "./labels.js";
-import { isUnit } from "./cells.js";
+import { isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /**
@@ -161,11 +162,10 @@ const claimWord = (tokens, cell, owner) => {
   if (!isMisspelt(cell.text)) tokens.claim(cell, owner);
 };
 
+// Dates, times and versions; the seconds since 1970; the time that a program took; -2.9..2.9
 const DATES = [
-  /\d{4}-\d\d-\d\d|(?<![\d.])\d{1,2}[./]\d{1,2}[./]\d{2,4}|\d{1,2}:\d\d|^\[?\d{9,}\.\d/,
-  /^[^,]*(?<![\d.])\d{1,3}\.\d{1,3}\.\d{1,4}(?![\d.])[^,]*$|^v\d/i, // a version
-  /^(?:\d+m)?[\d.]+ ?m?s$/, // how long a program took
-  /\d\.{2,3}[-+−]?[\d.]/, // a range, -2.9..2.9
+  /\d([-/])\d{1,2}\1\d|\d:\d\d|(?<![\d.])\d{1,3}\.\d{1,3}\.\d{1,4}(?![\d.]|,\d)/,
+  /^\[?\d{9,}\.\d|^(?:\d+m)?[\d.]+ ?m?s$|\d\.{2,3}[-+−]?[\d.]/,
 ];
 export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 // Digits with a letter for one, 7l2 and O.5, or with a mark behind them, 0!
@@ -181,8 +181,8 @@ export const isMisspelt = (word) =>
 const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && !isDate(word);
 
 /**
- * The lines next to a block, over empty ones.
- * @param {string} text @param {Block} block @returns {Map<number, boolean>} whether each has cells
+ * Return the lines next to a block, over empty ones, that may be rows.
+ * @param {string} text @param {Block} block @returns {Set<number>}
  */
 function linesBeside(text, { from, to }) {
   const lines = text.split(LINE_END);
@@ -190,15 +190,12 @@ function linesBeside(text, { from, to }) {
   let [above, below] = [from - 1, to + 1];
   while (isBlank(above)) above--;
   while (isBlank(below)) below++;
-  const beside = [above, below].filter((k) => lines[k] !== undefined && mayBeRow(lines[k]));
-  return new Map(beside.map((k) => [k, isParted(lines[k])]));
+  return new Set([above, below].filter((k) => lines[k] !== undefined && mayBeRow(lines[k])));
 }
-
-const isParted = (line) => (line.match(/[&|\t;]/g) ?? []).length > 2 && /\d/.test(line);
 
 // Return whether a line has cells, or two numbers or more and neither a name nor a sentence.
 function mayBeRow(line) {
-  if (isParted(line)) return true;
+  if ((line.match(/[&|\t;]/g) ?? []).length > 2) return true;
   if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
   const words = (line.match(/\p{L}[\p{L}-]{2,}/gu) ?? []).filter((word) => !isUnit(word));
   return words.length < 2 && (hasDecimals(line) || TWO_NUMBERS.test(line));
@@ -209,18 +206,22 @@ const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+\S?(?:\s|$)/;
 // The words and rows that are no part of the block.
 function claimRest(tokens, block, beside) {
   const { from, to, sources, lines } = block;
-  const own = new Set(sources);
+  const rowsOfBlock = new Set(sources);
+  const starts = new Map(
+    sources.flatMap(({ line, last, cells: [cell] }) => [line, last].map((k) => [k, cell.from])),
+  );
   const isNear = (line) => line >= from && line <= to;
-  const others = lines.all.filter((row) => !own.has(row) && !lines.given.has(row));
+  const others = lines.all.filter((row) => !rowsOfBlock.has(row));
   claimWords(tokens, block, beside, others);
-  const order = new Map(lines.all.map((row, k) => [row, k]));
-  const lasts = lastByLine(sources, order);
   const inside = others.filter(({ line }) => isNear(line));
   const perRow = inside.length % sources.length === 0;
   for (const row of others) {
-    const leads = order.get(row) < (lasts.get(row.line) ?? -1);
     const owner = isNear(row.line)
-      ? ownerInside(row, { leads, perRow, alone: !lasts.has(row.line) })
+      ? ownerInside(row, {
+          leads: row.cells[0].from < starts.get(row.line),
+          perRow,
+          alone: !starts.has(row.line),
+        })
       : ownerOutside(row, block, beside);
     for (const cell of row.cells) tokens.claim(cell, owner, { reason: "another list" });
   }
@@ -240,13 +241,6 @@ function claimWords(tokens, block, beside, others) {
       (isNear && isMisspelt(word.text)) || (isBrokenRow(line) && beginsAsNumber(word.text));
     tokens.claim(word, unread ? "unread" : "context", { reason: "a name or a sentence" });
   }
-}
-
-function lastByLine(sources, order) {
-  const lasts = new Map();
-  for (const row of sources)
-    for (let line = row.line; line <= row.last; line++) lasts.set(line, order.get(row));
-  return lasts;
 }
 
 // A function that tells whether a line apart from the block holds, read or not, as many numbers as
@@ -269,27 +263,20 @@ const withDecimals = ({ cells }) => cells.some(({ text }) => hasDecimals(text));
 
 // Numbers on the block's lines: of another name, a time or an index for each row, or unread.
 function ownerInside(row, { leads, perRow, alone }) {
-  if (row.name || (leads && hasWord(row))) return "context";
+  if (row.name || hasWord(row)) return "context";
   if (leads && perRow && row.cells.length === 1) return "label";
   return !withDecimals(row) && (alone || row.cells.length === 1) ? "context" : "unread";
 }
 
-// Return whether a row holds two numbers or more that do not count 1, 2, 3.
+// Return whether a row holds two numbers or more that do not count joints, as 1, 2, 3 do.
 function holdsValues({ cells }) {
-  const numbers = cells.map(({ text }) => Number(text)).filter(Number.isFinite);
-  const isCount = numbers.every((number, k) => !k || number === numbers[k - 1] + 1);
-  const areJoints = numbers.every(
-    (number, k) => /^\d$/.test(`${number}`) && (!k || number > numbers[k - 1]),
-  );
-  return numbers.length > 1 && !isCount && !areJoints;
+  const numbers = cells.filter(({ text }) => Number.isFinite(Number(text)));
+  return numbers.length > 1 && !isJointCount(numbers);
 }
 
 // Numbers apart from the block: a row that was torn off it, or another list.
 function ownerOutside(row, block, beside) {
-  const width = widthOf(block);
-  const least = Math.max(1, Math.min(2, width - 1));
-  const { length } = row.cells;
-  const isRow = holdsValues(row) || (!beside.get(row.line) && withDecimals(row) && length >= least);
+  const isRow = holdsValues(row) || (withDecimals(row) && widthOf(block) < 3);
   const torn = beside.has(row.line) && isRow && !row.name;
   return torn || mayBePart(row, block) ? "unread" : "context";
 }
@@ -360,7 +347,7 @@ function whereOf(text, { from }) {
     .slice(start, from)
     .split(/[\s|&,;:=]+/)
     .filter(Boolean);
-  const label = words.length ? findLabel(words.map((word) => ({ text: word }))) : null;
+  const label = findLabel(words.map((word) => ({ text: word })));
   if (!label || label.kind === "row") return "";
   const [key, number] = [label.kind === "joint" ? "joint" : "row", label.number];
   return ` (${formatMessage(key, { [key]: number })})`;
