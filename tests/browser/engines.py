@@ -1,8 +1,8 @@
-"""Three engines, asked for the same few things: a page, what is in it, real keys, a real pointer.
+"""Drive Chromium, Firefox and WebKit by the same methods: open a page, ask, type, press, drag.
 
-Chromium is driven by Playwright, as in all other tests. Firefox and WebKitGTK are as distributions
-have them, which Playwright cannot drive: each speaks a protocol of the W3C, and the two have the
-same words for what a hand does.
+Playwright drives Chromium, as in all other tests. It cannot drive Firefox and WebKitGTK as
+distributions have them. These speak WebDriver BiDi and WebDriver, protocols of the W3C with the same
+description of key and pointer actions.
 """
 
 import json
@@ -56,7 +56,7 @@ class _WebDriverBrowser:
 
 
 class Firefox(_WebDriverBrowser):
-    """By WebDriver BiDi, which Firefox itself speaks."""
+    """Drive Firefox by WebDriver BiDi, which needs no driver program."""
 
     def __init__(self, line):
         self.line, self.count, self.context = line, 0, {}
@@ -88,7 +88,7 @@ class Firefox(_WebDriverBrowser):
 
 
 class WebKit(_WebDriverBrowser):
-    """By WebDriver."""
+    """Drive WebKit by WebDriver."""
 
     def __init__(self, address):
         self.address = address
@@ -111,7 +111,7 @@ class WebKit(_WebDriverBrowser):
 
 @contextmanager
 def chromium(browser):
-    """In the browser of the other tests, since a process drives only one."""
+    """Open a page in the browser of the other tests, since a process drives only one."""
     page = browser.new_page(viewport=WINDOW, offline=True)
     yield Chromium(page)
     page.close()
@@ -141,7 +141,7 @@ def webkit():
 
 
 def _start(running, name, *arguments):
-    """A browser or its driver on a screen of its own, which nobody sees; both go when all is done."""
+    """Start a browser or its driver on a virtual screen; `running` ends both."""
     for program in ("Xvfb", name):
         if not shutil.which(program):
             raise NoBrowser(f"{program} is not installed")

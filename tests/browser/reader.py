@@ -1,4 +1,4 @@
-"""A reader of the built book: a page of the browser with a size, a look and no network."""
+"""Open pages of the built book with a window size and a theme, and record what goes wrong."""
 
 from pathlib import Path
 
@@ -41,7 +41,7 @@ NOBODY = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.s
 
 
 class Reader:
-    """One visit to a page, with everything that went wrong on it."""
+    """A browser page that records its errors, warnings and requests."""
 
     def __init__(self, browser, theme, size, allowed, **context):
         self.context = browser.new_context(

@@ -1,5 +1,4 @@
-"""The answer sheets as a reader has them: whole on paper, and blocks that are copied from a file and
-run."""
+"""Test the answer sheets in a browser: complete on paper, with code blocks that can be copied."""
 
 from io import BytesIO
 
@@ -55,7 +54,7 @@ def test_all_blocks_open_and_copy_together(sheet):
 
 
 def test_block_without_clipboard_is_selected(browser, tmp_path):
-    """An older browser, or a page in a frame; from the sheet of one file."""
+    """An older browser or a page in a frame has no clipboard."""
     page = browser.new_page(offline=True)
     page.add_init_script(
         "Object.defineProperty(navigator, 'clipboard', { value: undefined });"

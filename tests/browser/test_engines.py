@@ -1,5 +1,6 @@
-"""One list of steps for three engines: a reader plays, drags, types, searches and follows a link,
-with real keys and a real pointer. What differs from browser to browser is seen here.
+"""Take the same steps in three engines: play, drag, type, search and follow a link.
+
+Keys and pointer events are real ones, so differences between browsers show here.
 """
 
 import time
@@ -34,7 +35,7 @@ def reader(request):
 
 
 class Reader:
-    """Somebody who uses one of the engines."""
+    """Find, click and fill parts of a page in one of the engines."""
 
     def __init__(self, engine):
         self.ask, self.type, self.press, self.drag = (
@@ -56,15 +57,15 @@ class Reader:
         )
 
     def until(self, holds):
-        """Ask until it holds, 600 times: a busy machine answers slowly."""
+        """Wait until an expression is true: 600 tries, since a busy machine answers slowly."""
         for _ in range(600):
             if self.ask(f"!!({holds})"):
                 return
             time.sleep(0.05)
-        raise AssertionError(f"it did not come to hold: {holds}")
+        raise AssertionError(f"it did not become true: {holds}")
 
     def at(self, part):
-        """The middle of a part, scrolled into view."""
+        """Scroll a part into view and return its middle."""
         x, y = self.ask(
             f"((part) => {{ part.scrollIntoView({{ block: 'center', behavior: 'instant' }});"
             " const { left, top, width, height } = part.getBoundingClientRect();"
@@ -82,7 +83,7 @@ class Reader:
         self.type(text)
 
     def explorer(self, fragment="", name="explorer"):
-        """The instrument of a page, once its picture is there."""
+        """Open a page and wait for the picture of its explorer."""
         self.open(name, fragment)
         self.until(INSTRUMENT)
         self.at(INSTRUMENT)

@@ -1,4 +1,4 @@
-"""The explorer in the built page: from a file, with no network, by mouse, keyboard and phone."""
+"""Test the explorer in the built page by mouse, keyboard and touch, without a network."""
 
 import re
 
@@ -22,13 +22,12 @@ STORE = "document.querySelector('.arm-explorer').explorer.store"
 
 
 def until(page, holds):
-    """Wait until something holds, for 900 frames and not for so many seconds: a busy machine draws
-    fewer a second."""
+    """Wait up to 900 frames until a condition holds; a busy machine draws fewer frames a second."""
     for _ in range(150):
         if holds():
             return
         page.evaluate(FRAMES, 6)
-    raise AssertionError("it did not come to hold within 900 frames")
+    raise AssertionError("the condition did not hold within 900 frames")
 
 
 def until_still(page):
@@ -45,8 +44,10 @@ def until_still(page):
 
 
 def at_rest(page, locator):
-    """Its box, once it has stood in the same place of the window for six frames: a page that was
-    swiped rolls on, and a touch would only stop it."""
+    """Return the box of an element once the page has stopped scrolling.
+
+    A page goes on scrolling after a swipe, and a touch would only stop it.
+    """
     locator.scroll_into_view_if_needed()
     seen = []
 
@@ -73,7 +74,7 @@ AFRESH = f"""(fragment) => {{
 
 
 class Visit(Reader):
-    """A visit to the explorer's page that waits until the instrument stands."""
+    """A visit to a page with an explorer, which waits until the explorer is live."""
 
     def __init__(
         self,
@@ -91,7 +92,7 @@ class Visit(Reader):
         self.enter(fragment, name)
 
     def enter(self, fragment="", name="explorer", drawn=False):
-        """The page that is open gets an instrument as new."""
+        """Open a page, or mount its explorer anew if the page is open."""
         self.page.emulate_media(media="screen", reduced_motion="no-preference")
         again, self.opened = name == self.opened, name
         if not again:
@@ -107,7 +108,7 @@ class Visit(Reader):
             self.page.locator(".stage .labels:not([hidden])").wait_for()
 
     def leave(self):
-        """Nothing of this page stays: the next visit opens it anew."""
+        """Let the next visit load the page anew."""
         self.opened = None
 
     def pose(self):
@@ -119,7 +120,7 @@ class Visit(Reader):
         self.page.get_by_role("tab", name=name).click()
 
     def state(self, field):
-        """A field of the state, as the page holds it."""
+        """Return a field of the explorer's state."""
         return self.page.evaluate(f"{STORE}.state.{field}")
 
     def q(self):
@@ -142,9 +143,11 @@ document.addEventListener("DOMContentLoaded", () => {{
 
 @pytest.fixture(scope="module")
 def usual_page(browser):
-    """A reader by day, on a wide screen, who comes again and again, and reads no formulas. Pictures
-    are drawn by the processor: here where a test looks at them, at half the pixels; other readers
-    see them all."""
+    """Share one page in light colours on a wide screen.
+
+    The processor draws the pictures, so only tests that look at them have them drawn, with half the
+    pixels in each direction.
+    """
     here = Visit(browser, script=USUAL)
     yield here
     here.context.close()
@@ -214,8 +217,7 @@ SEEN = """() => {
 
 @pytest.fixture(scope="module")
 def untouched(browser):
-    """A reader who opens pages and touches nothing, with the letters of the system: others that come
-    late move a line."""
+    """Share a page for tests without input, in a system font: a late web font would move a line."""
     page = browser.new_page(viewport=SIZES["wide"], offline=True)
     page.add_init_script(UNDRAWN + UNTOUCHED)
     page.route("**/*.woff2", lambda route: route.abort())
@@ -568,7 +570,7 @@ NAMELESS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']
 
 
 @pytest.mark.parametrize(("theme", "size"), [("light", "wide"), ("dark", "phone")])
-def test_every_tab_fits_and_passes_axe(visit, theme, size):
+def test_every_tab_fits_and_names_its_controls(visit, theme, size):
     here = visit(theme=theme, size=size)
     card = here.page.locator("section.explorer")
     assert card.get_attribute("data-theme") == theme
@@ -656,7 +658,7 @@ def drag_mouse(page, start, by, steps=8):
 
 
 def test_arm_is_dragged_by_links_and_tip(visit):
-    """One visit for everything that a hand does: link, tip, why it stops, undo, pin and elbow, keys."""
+    """Drag a link and the tip, read why it stops, undo, pin the tip and swing the elbow."""
     here = visit("#arm=Panda&view=pose&q=0.1,-0.4,0.3,1.6,0.2,1.9,0.4")
     page = here.page
     start = here.q()

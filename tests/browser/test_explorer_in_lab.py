@@ -1,5 +1,4 @@
-"""The explorer in JupyterLab with a kernel: what a reader moves Python sees, and what Python sets
-moves."""
+"""Test the explorer in JupyterLab: page and kernel keep the same joint values."""
 
 import json
 import os
@@ -33,7 +32,7 @@ CELLS = (
 
 @pytest.fixture(scope="module")
 def lab(tmp_path_factory):
-    """The address of a JupyterLab that serves one notebook to this machine only."""
+    """Start a JupyterLab for this machine with one notebook and return its address."""
     if not find_spec("jupyterlab"):
         pytest.skip("JupyterLab is not installed here")
     home = tmp_path_factory.mktemp("lab")
@@ -75,8 +74,7 @@ def _wait_for(address, server, log):
 
 
 def _until_connected(address):
-    """JupyterLab shows an idle kernel, and loses a cell that is run, while it is still
-    connecting."""
+    """Wait until JupyterLab is connected: before, it shows an idle kernel and loses a cell."""
     for _ in range(600):
         try:
             with urllib.request.urlopen(f"{address}/api/kernels") as answer:
@@ -102,7 +100,7 @@ def test_sliders_and_python_share_one_arm(browser, lab):
         page.keyboard.press("Shift+Enter")
 
     def comes_to_say(cell, words):
-        """The widget tells the kernel at its own pace: the cell is run until it says so."""
+        """Run a cell until it prints a text, since the widget reports to the kernel with a delay."""
         said = page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output")
         for _ in range(60):
             run(cell)

@@ -1,5 +1,4 @@
-"""The judge at the top of the page on checking, from a file and with the network blocked: what is
-typed is judged, wrong cells are marked, and a link brings it back."""
+"""Test the judge's form in the built pages: typing, verdicts, marked cells, links, without a network."""
 
 from urllib.parse import urlencode
 
@@ -50,8 +49,7 @@ wide, phone, both = (
 
 @pytest.fixture(scope="module")
 def window(request, browser):
-    """A window for all tests of its look: the page is opened anew in it, by a reader who kept
-    nothing. Words are asked for, and no picture is drawn."""
+    """Share a window for all tests of one width and theme; no picture is drawn in it."""
     scheme, width = request.param
     context = browser.new_context(
         viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
@@ -76,7 +74,7 @@ def page(window):
 
 
 def enter(page, fragment=""):
-    """Open the page anew: its address changes, since a fragment alone would open no new page."""
+    """Load the page anew at another address, since a new fragment alone loads nothing."""
     page.visits += 1
     page.goto(f"{PAGE.as_uri()}?{page.visits}{fragment}")
 
@@ -120,7 +118,7 @@ def test_link_restores_typed_answer(page):
 
 @wide
 def test_report_of_wrong_answer_is_copied(page):
-    """Asked, typed, read and said; also where the clipboard is closed, which it is to most."""
+    """The report has question, answer, reading and verdict, also without a clipboard."""
     button = page.get_by_role("button", name="Copy a report of this")
     verdict(page, "An example, with a mistake in it.")
     assert not button.is_visible()
@@ -300,7 +298,7 @@ SIX_COLUMNS = """-0.154 0 1 0 0 0
 
 @pytest.fixture
 def chapter(browser):
-    """A chapter's page on a phone, without its formulas."""
+    """Open a chapter on a phone, without its formulas."""
     context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page = context.new_page()
     page.add_init_script(UNDRAWN)
@@ -314,7 +312,7 @@ def chapter(browser):
 
 
 def scroll_to(place):
-    """Scroll until a small judge is live: what comes to life on the way moves the page."""
+    """Scroll until a small judge is live; parts that become live on the way move the page."""
     for _ in range(300):
         place.evaluate(THERE)
         if not place.locator(".unscripted").count():
@@ -342,7 +340,7 @@ def test_typing_goes_on_when_the_script_arrives(chapter):
 
 
 def test_number_fields_wait_for_the_script(chapter):
-    """The script would not see what is typed into them before it is there."""
+    """The script would not see what a reader types into them before it has loaded."""
     page, hidden = chapter("glossary"), []
     place = page.locator(".arm-judge").first
     torque = place.get_by_label("τ 1", exact=True)

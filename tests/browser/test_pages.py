@@ -1,5 +1,4 @@
-"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and
-dark."""
+"""Test every built page without a network: wide and narrow, light and dark."""
 
 from pathlib import Path
 from urllib.parse import unquote, urlparse
@@ -79,8 +78,10 @@ def readers(browser):
 
 @pytest.fixture(scope="module", params=[*NAMES, "search"])
 def visit(readers, request):
-    """Each page opened once for all tests, everything unfolded: bright on a wide screen or dark on a
-    phone, in turn; the tests then see it in every width and in both colours."""
+    """Open each page once for all tests, with every box unfolded.
+
+    Pages are light on a wide screen and dark on a phone in turn. The tests change width and theme.
+    """
     dark = [*NAMES, "search"].index(request.param) % 2
     reader = readers[dark]
     reader.page.set_viewport_size(SIZES["phone" if dark else "wide"])
@@ -99,7 +100,7 @@ def test_page_loads_completely(visit):
 
 
 def resized(page, size):
-    """The page in another window, once it has looked again at what is too wide."""
+    """Change the size of the window, and let the page mark what is too wide for it."""
     if page.viewport_size == WINDOWS[size]:
         return
     page.set_viewport_size(WINDOWS[size])
@@ -108,7 +109,7 @@ def resized(page, size):
 
 @pytest.mark.parametrize("size", WINDOWS)
 def test_page_fits_screen_or_scrolls(visit, size):
-    """And lines have 66 to 75 letters where there is room, and code 14 pixels everywhere."""
+    """Lines have 66 to 75 characters on a wide screen, and code has 14 pixels everywhere."""
     resized(visit.page, size)
     assert visit.page.evaluate("document.documentElement.scrollWidth") == WINDOWS[size]["width"]
     assert visit.page.evaluate(CUT) == []
@@ -137,7 +138,7 @@ UNMARKED = f"""(box) => {{
     indirect=["visit"],
 )
 def test_fit_check_detects_cut_content(visit, what):
-    """The test above means something: without its marks, what is too wide is found."""
+    """Without its marks a box that is too wide fails the test above."""
     resized(visit.page, "small")
     assert visit.page.locator(f"{what}.more-right").first.evaluate(UNMARKED)
 
@@ -186,8 +187,7 @@ def test_page_passes_axe_in_both_themes(visit):
 
 @pytest.mark.parametrize(("name", "pale"), [("explorer", "pre span"), ("glossary", "article p")])
 def test_axe_detects_planted_faults(browser, name, pale):
-    """The test above means something: a button without a name is found, and letters too pale on the
-    dark page that was opened bright."""
+    """A button without a name and text that is too pale on a dark page fail the test above."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / f"{name}.html").as_uri())
     page.evaluate("document.querySelectorAll('details').forEach(d => d.open = true)")

@@ -1,4 +1,4 @@
-"""What a narrow screen squeezes: the bar's links stay apart, and an arm's name can be read."""
+"""Test narrow screens: the links of the bar do not touch, and the name of an arm is readable."""
 
 from itertools import pairwise
 

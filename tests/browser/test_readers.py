@@ -1,5 +1,4 @@
-"""What a reader does with the book: scrolls, searches, unfolds, chooses colours, comes by a slow
-line or by HTTP."""
+"""Test what readers do in the book: scroll, search, choose a theme, load pages slowly or by HTTP."""
 
 import re
 import threading
@@ -37,7 +36,7 @@ def test_page_requests_no_other_host(browser):
 
 
 class LateFaces(SimpleHTTPRequestHandler):
-    """A server whose faces are half a second late."""
+    """A server that sends fonts half a second late."""
 
     def do_GET(self):
         if self.path.endswith(".woff2"):
@@ -65,7 +64,7 @@ def test_late_text_faces_move_nothing(browser):
 
 
 def test_linked_equation_is_shown_beside_its_link(browser):
-    """So are a term of the glossary, from the search index, and a page without its code."""
+    """A term of the glossary is shown as well; code can be hidden on all pages."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "02_jacobian.html").as_uri())
     preview = page.locator(".preview")
@@ -147,7 +146,7 @@ UNSAID = """() => [...document.querySelectorAll(".display, div.table, pre")].fil
 
 
 def test_boxes_are_ready_when_scrolled_to(browser):
-    """Without the order to make everything ready at once, which the other tests give."""
+    """The other tests fit all boxes at once by an event; this one does not."""
     reader = Reader(browser, "light", "phone", "file:")
     page = reader.page
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
@@ -163,7 +162,7 @@ def test_boxes_are_ready_when_scrolled_to(browser):
 
 
 def test_links_and_reloads_reach_far_sections(browser):
-    """Opened at its top, a page lays out its far sections when a reader comes near."""
+    """A page lays out a far section only when a reader comes near it."""
     reader = Reader(browser, "light", "phone", "file:")
     page, place = reader.page, "#exercises"
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
@@ -176,7 +175,7 @@ def test_links_and_reloads_reach_far_sections(browser):
 
 
 def test_scrollbar_is_true_after_the_first_move(browser):
-    """The far sections of a chapter are laid out one by one, and nothing moves in the window."""
+    """The layout of far sections moves nothing in the window."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.page
     page.add_init_script(UNTOUCHED)
@@ -192,7 +191,7 @@ def test_scrollbar_is_true_after_the_first_move(browser):
 
 
 def test_end_key_scrolls_to_page_end(browser):
-    """Far sections, which had no place yet, have one then."""
+    """The End key lays out the far sections first."""
     reader = Reader(browser, "light", "wide", "file:")
     reader.page.goto((HTML / "02_jacobian.html").as_uri())
     reader.page.keyboard.press("End")
@@ -211,7 +210,7 @@ FIRST_PLACES = """async (searches) => {
 
 
 def test_searches_bring_the_right_page_first(browser):
-    """Nine of ten of each list do; no excerpt shows a label or a formula's source."""
+    """Nine of ten searches do, and no excerpt shows a label or the source of a formula."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "search.html").as_uri() + "?q=parallel")
     page.wait_for_selector("#search-results mark")  # of the address
@@ -263,7 +262,7 @@ def test_search_opens_by_key_and_arrows_choose(browser):
 
 
 def test_contents_show_current_and_read_pages(browser):
-    """The first page leads on to chapter 1; a list of pages is scrolled to the current one."""
+    """The first page links to chapter 1, and the list of pages scrolls to the current page."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "intro.html").as_uri())
     assert page.locator(".turn .after").get_attribute("href") == "01_dh_tables.html"
@@ -288,7 +287,7 @@ GROUND = "getComputedStyle(document.body).backgroundColor"
 
 
 def find_figure_theme(page):
-    """Whether the first figure that is seen is turned for a dark page."""
+    """Return whether the first visible figure is inverted for a dark page."""
     how = "all => getComputedStyle(all.find((i) => i.offsetWidth)).filter"
     return "dark" if page.locator("figure img").evaluate_all(how) != "none" else "light"
 

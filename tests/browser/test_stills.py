@@ -1,5 +1,4 @@
-"""A live part stands in the page before its script has come, and where none comes: as high as it
-will be, with a picture."""
+"""Test live parts before their script has loaded, and without scripts: same height, with a picture."""
 
 import re
 
@@ -39,7 +38,7 @@ def page(browser):
 
 @pytest.mark.parametrize("name", PAGES)
 def test_live_part_keeps_the_still_height(page, name):
-    """At any width."""
+    """The page moves at no width when a part becomes live."""
     address = (HTML / f"{name}.html").as_uri()
     page.route(LIVE, lambda route: route.abort())
     page.goto(address)
