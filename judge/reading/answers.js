@@ -25,6 +25,7 @@ import {
 import { refuseUnread, tokensOf } from "./owners.js";
 import { isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { SpannedText } from "./spans.js";
+import { findComputation } from "./surroundings.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
 /** Numbers were read, but none of them in the shape that is asked for. */
@@ -90,6 +91,8 @@ function findIn(pasted, text, question) {
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
+  const computation = findComputation(text, block.sources);
+  if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeOldAnswerError(text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block, names) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);

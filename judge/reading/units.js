@@ -4,7 +4,8 @@ export const LENGTH_UNITS = { 0.001: "mm", 0.01: "cm" }; // by their factors to 
 export const MOMENT_UNITS = { 0.001: "N mm", 0.01: "N cm", 1000: "kN m" }; // by factors to N m
 
 const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
-const IN_DEGREES = /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]/; // np.radians([...])
+const IN_DEGREES = // np.radians([...]), [...]*pi/180
+  /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
 const RADIANS = /\brad(?:ians?)?\b/i;
 // 10, 20 and 30 deg
 const LIST_IN_DEGREES = /,\s*[-\u2212]?[\d.,]+,?\sand\s[-\u2212]?[\d.,]+\s?(?:deg|°)/i;

@@ -1,0 +1,104 @@
+// What touches a list of numbers from outside: a sign, a factor, a transpose, or a name that is a
+// computation, as "-[1, 2]", "[1, 2]*pi" and "cos q1 =" have. The numbers are then not the answer
+// itself. The judge computes none of them: it asks for the numbers.
+
+/** @typedef {import("./lines.js").Row} Row */
+
+const MATRIX_BEGIN = String.raw`\\begin\{[^{}\n]*\}(?:\{[lcr|\s]*\}|\[[a-z]\])?`;
+const ARRAY = String.raw`(?:[a-z]{1,5}\.)?(?:as)?(?:array|matrix|tensor|vector)\b`;
+const OPENING = new RegExp(
+  String.raw`(?:\s|[[({&]|\\left|\\[bB]ig+l?|\\[ ,;:!]|${MATRIX_BEGIN}|${ARRAY})+$`,
+  "i",
+);
+const CLOSING = /^(?:\s*(?:[\])}]|\\right\b|\\[bB]ig+r?|\\end\{[^{}\n]*\})|[ \t]|\\[ ,;:!])+/;
+const countBrackets = (text) => text.match(/[[\](){}]|\\(?:begin|end)/g)?.length ?? 0;
+
+// A sign or a factor before a bracket, or a function of it.
+const BEFORE = [
+  /[=:][ \t]*([-\u2212\u2013])[ \t]*$/,
+  /([\w.^{}+-]*[\w)\]}]\s*(?:[*·×/^]|\\cdot|\\times))\s*$/,
+  /((?:π|\\pi|(?<![\p{L}_])pi|\\[dt]?frac(?:\{[^{}]*\}\{[^{}]*\}|\d\d)|10\^\{?-?\d+\}?))\s*$/u,
+  /=[ \t]*(\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)[ \t]*$/i,
+  /\b(p?inv|(?:np\.)?(?:rad2deg|degrees)|sin|cos|tan|abs)\s*$/,
+];
+// The same without a blank before the bracket: elsewhere they are a bullet and a row's number.
+const SIGN = /(?:^|[\s(])([-\u2212\u2013])$/;
+const NUMBER = /(?<![\p{L}\d_.])(\d+(?:\.\d+)?)$/u;
+// A factor, a power or a transpose behind a bracket. A list may be transposed.
+const BEHIND = [
+  /^(\.?[*/][ \t]*[\d\p{L}\\][\w./]*)/u,
+  /^([×·]|\\cdot|\\times|π|\\pi|pi\b)/,
+  /^(\^[ \t]*[({]?[ \t]*-)/,
+];
+const TRANSPOSED = new RegExp(
+  String.raw`^(\.?'(?!\w)|\.T\b|\.transpose|ᵀ|` +
+    String.raw`\^[ \t]*[({]?[ \t]*(?:\\[a-z]+[ \t{]*)?T\b|\^\{?\\top)`,
+  "i",
+);
+const DEGREES_BEHIND = /^\.?[*][ \t]*(?:\w+\.)?pi[ \t]*\/[ \t]*180/;
+
+const NAME = String.raw`\\?(?:q|θ|theta|tau|τ|J)`;
+// A name that is a computation, or that of another quantity.
+const COMPUTED_NAME = new RegExp(
+  [
+    String.raw`^-(?=${NAME})`,
+    String.raw`^\d+[*·]?(?=${NAME}(?!\p{L}))`,
+    String.raw`(?<!\p{L})(?:p?inv|sin|cos|tan)(?!\p{L})`,
+    String.raw`\^\s*[({]?\s*-\s*1`,
+    String.raw`${NAME}_?\{?\d*\}?\s*[*/]\s*\d`,
+    String.raw`${NAME}_?\{?\d*\}?\s*\+\s*${NAME}`,
+    String.raw`\\dot\{?\\?(?:q|theta)|(?<!\p{L})(?:q|θ|theta)_?\d?_?dot|^d(?:q|θ|theta)\d?$`,
+    String.raw`[_ ](?:max|min|limits?)(?!\p{L})`,
+  ].join("|"),
+  "u",
+);
+
+/**
+ * Find what touches the numbers of an answer and would change them, or a name that they do not fit.
+ * @param {string} text as it was pasted @param {Row[]} rows the rows of the answer
+ * @returns {string | null} the words of the text
+ */
+export function findComputation(text, rows) {
+  const isList = rows.length === 1 || rows.every(({ cells }) => cells.length === 1);
+  for (const { cells } of rows) {
+    const [first, last] = [cells[0], cells.at(-1)];
+    const before = text.slice(Math.max(0, first.from - 200), first.from);
+    const outside = before.replace(OPENING, "");
+    const opened = countBrackets(before.slice(outside.length));
+    const name = nameBefore(outside);
+    if (COMPUTED_NAME.test(name)) return name;
+    const behind = text.slice(last.to, last.to + 200);
+    const rest = behind.replace(CLOSING, "");
+    const closed = countBrackets(behind.slice(0, behind.length - rest.length));
+    // Of a matrix in rows each row may be written as a transposed column.
+    const isMatrix = !isList && closed > opened;
+    const change =
+      (opened && findBefore(before, outside)) || (closed && findBehind(rest, isMatrix));
+    if (change) return change;
+  }
+  return null;
+}
+
+function findBefore(before, outside) {
+  const opening = before.slice(outside.length);
+  const touching = [/^\\begin/.test(opening) && NUMBER, /^\S/.test(opening) && SIGN];
+  return firstMatch([...BEFORE, ...touching.filter(Boolean)], outside);
+}
+
+const findBehind = (rest, isMatrix) =>
+  DEGREES_BEHIND.test(rest) ? null : firstMatch(isMatrix ? [...BEHIND, TRANSPOSED] : BEHIND, rest);
+
+const firstMatch = (patterns, text) =>
+  patterns.map((pattern) => pattern.exec(text)?.[1]).find(Boolean) ?? null;
+
+// Return the name that the text before a list ends with: what stands before its first sign of
+// equality, behind the last separator.
+function nameBefore(text) {
+  const line = text.slice(text.lastIndexOf("\n") + 1);
+  if (!/[=:]\s*$/.test(line)) return "";
+  const piece = line
+    .replace(/[=:]\s*$/, "")
+    .split(/[,;|&]/)
+    .at(-1);
+  return piece.split("=")[0].trim();
+}
