@@ -29,9 +29,8 @@ import { readRowLabels } from "./labels.js";
  */
 export function applyUnits({ cells, scale, hasAnd }) {
   if (scale) return cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` }));
-  const inDegrees = cells.filter(({ text }) => DEGREES_BEHIND.test(text));
-  const isList = hasAnd && cells.length > 1;
-  if (!isList || inDegrees.length !== 1 || inDegrees[0] !== cells.at(-1)) return cells;
+  const firstInDegrees = cells.findIndex(({ text }) => DEGREES_BEHIND.test(text));
+  if (!hasAnd || firstInDegrees < 1 || firstInDegrees < cells.length - 1) return cells;
   // In "10, 20 and 30 deg" the unit belongs to the whole list. The unit of the text stands for it.
   return cells.map((cell) => ({ ...cell, text: cell.text.replace(DEGREES_BEHIND, "") }));
 }
@@ -46,7 +45,7 @@ export function makeBlock(rows) {
   return {
     rows: rows.map(applyUnits),
     ...readRowLabels(rows),
-    name: rows[0].name || (rows[0].words.at(-1)?.text ?? ""),
+    name: rows[0].name || rows[0].words.at(-1)?.text || "",
     from: rows[0].line,
     to: rows.at(-1).last,
     sources: rows,

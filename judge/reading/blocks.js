@@ -80,8 +80,8 @@ const areGivenValues = (cells, given) =>
   cells.every(({ text }, k) => {
     const bare = text.replace(/ ?deg$/, "");
     const half = 0.51 * 10 ** -(bare.split(".")[1]?.length ?? 0);
-    const x = number(bare);
-    return [given[k], given[k] / RAD].some((y) => x !== null && Math.abs(x - y) <= half);
+    const x = number(bare) ?? NaN;
+    return [given[k], given[k] / RAD].some((y) => Math.abs(x - y) <= half);
   });
 
 const isAnswerName = (name, names) => names?.test(name.replace(/^"|[^\p{L}\p{N}]$/gu, "")) ?? false;
@@ -126,10 +126,11 @@ const fitsName = (row, first, names) => {
 
 // Join MATLAB's parts of a wide matrix, "Columns 1 through 4" and on.
 function joinMatrixParts(groups) {
-  const below = groups
+  const parts = groups
     .filter(([row]) => row.part > 0)
-    .sort(([first], [second]) => first.part - second.part || first.line - second.line);
-  const parts = below.filter(([row], k) => row.part !== below[k - 1]?.[0].part).map(makeBlock);
+    .sort(([first], [second]) => first.line - second.line)
+    .filter(([row], k, below) => row.part !== below[k - 1]?.[0].part) // no time below the last part
+    .map(makeBlock);
   if (parts.length < 2 || parts.some(({ rows }) => rows.length !== parts[0].rows.length)) return [];
   const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
   const sources = parts.flatMap((part) => part.sources);

@@ -44,7 +44,7 @@ function labelOf(text) {
 const simple = (text) =>
   plain([...text.normalize("NFKC")].map((sign) => DOTTED[sign] ?? sign).join(""))
     .toLowerCase()
-    .replace(/\(t\)|[([](?:deg|rad|nm|m)[^)\]]*[)\]]|(?:\bm{0,2})?\/(?:s|rad)$/g, "")
+    .replace(/[([](?:deg|rad|nm|m)[^)\]]*[)\]]|(?:\bm{0,2})?\/(?:s|rad)$/g, "")
     .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
     .replace(/deg$/, "");
 

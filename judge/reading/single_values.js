@@ -27,8 +27,7 @@ export function joinNamedValues(rows) {
     if (!sets.length || isRepeated) sets.push([]);
     sets.at(-1).push(value);
   }
-  const count = sets[0]?.length;
-  if (!count || count < 2 || sets.some((set) => set.length !== count)) return [];
+  if (!sets.length || sets.some((set) => set.length !== sets[0].length)) return [];
   const headers = sets[0].map(({ row, label }) => ({ ...joinWords(row.words), label }));
   const [first, last] = [values[0].row, values.at(-1).row];
   return [
@@ -46,10 +45,8 @@ export function joinNamedValues(rows) {
 
 // Return whether d3 = 0.4 stands beside the value of the next joint, q2 = 0.3: then it is the slide
 // of a prismatic joint, and no length.
-const isSlide = ({ row, label }, other) =>
-  /^d/i.test(row.name) &&
-  Math.abs(label.number - other.label.number) === 1 &&
-  !namesOtherQuantity(other.row);
+const isSlide = ({ label }, other) =>
+  Math.abs(label.number - other.label.number) === 1 && !namesOtherQuantity(other.row);
 
 const joinWords = (words) => ({
   text: words.map(({ text }) => text).join(" "),
@@ -64,25 +61,22 @@ const joinWords = (words) => ({
  */
 export function joinCellLines(rows, words) {
   const lines = listSingleCells(rows, words);
-  const sets = lines.flatMap((line, k) => {
-    const label = lines[k - 1];
-    return line.row && label && !label.row ? [readCellsFrom(lines, k)] : [];
-  });
+  const sets = lines.flatMap((line, k) =>
+    line.row && lines[k - 1]?.row === null ? [readCellsFrom(lines, k)] : [],
+  );
   const labelled = sets.filter(({ cells }) => !countsUp(cells.map(({ text }) => text)));
   const values = labelled.length === 1 ? splitCountedRows(labelled[0], lines) : labelled;
   const width = values[0]?.cells.length ?? 0;
   if (width < 2 || values.length < 2 || values.some(({ cells }) => cells.length !== width))
     return [];
   const sources = values.flatMap((set) => set.rows);
+  const end = lines.findIndex(({ cell }) => cell === values[0].label);
+  const top = findFirstHeader(lines, end);
   return [
     {
       rows: values.map(({ cells }) => cells),
       labels: values.map(({ label }) => [label]),
-      headers: findHeadersAbove(
-        lines,
-        lines.findIndex(({ cell }) => cell === values[0].label),
-        width,
-      ),
+      headers: lines.slice(Math.max(top, end - width - 1), end).map(({ cell }) => cell),
       name: "",
       from: sources[0].line,
       to: sources.at(-1).last,
@@ -91,17 +85,11 @@ export function joinCellLines(rows, words) {
   ];
 }
 
-// Return the words of the lines directly above a line, at most one more than a row has cells.
-function findHeadersAbove(lines, end, width) {
+// Return the index of the first of the words on the lines directly above a line.
+function findFirstHeader(lines, end) {
   let first = end;
-  while (
-    end - first <= width &&
-    first > 0 &&
-    !lines[first - 1].row &&
-    lines[first - 1].line === lines[first].line - 1
-  )
-    first--;
-  return lines.slice(first, end).map(({ cell }) => cell);
+  while (lines[first - 1]?.row === null && lines[first - 1].line === lines[first].line - 1) first--;
+  return first;
 }
 
 // List the lines with a single cell, an entry or a word, in order.
@@ -133,9 +121,7 @@ function readCellsFrom(lines, first) {
 // headers above, with or without one for the count.
 function splitCountedRows({ cells, rows }, lines) {
   const first = lines.findIndex(({ row }) => row === rows[0]);
-  let top = first;
-  while (top && !lines[top - 1].row && lines[top - 1].line === lines[top].line - 1) top--;
-  const width = first - top + 1;
+  const width = first - findFirstHeader(lines, first) + 1;
   const widths = [width, width - 1].filter((size) => size > 2);
   for (const size of widths) {
     const from = Array.from({ length: Math.floor(cells.length / size) }, (_, i) => i * size);
