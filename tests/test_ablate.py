@@ -1,4 +1,4 @@
-"""Ablation lists the decisions of the judge that change no answer."""
+"""Test that ablation lists the decisions of the judge that change no answer."""
 
 import json
 

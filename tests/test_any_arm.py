@@ -1,4 +1,4 @@
-"""Inverse kinematics by structure: random arms of every structure, and published industrial arms.
+"""Test inverse kinematics on random arms of every structure and on published industrial arms.
 
 Forward kinematics decides whether a branch is right. A list is complete if the joint vector that
 made the pose is in it, and if a numeric search from many random starts finds no other solution.

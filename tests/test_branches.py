@@ -39,7 +39,7 @@ CASES = [
 
 
 def poses(arm, q):
-    """Tip poses (n, 4, 4) at q (n, dof), link by link."""
+    """Return the tip poses (n, 4, 4) at q (n, dof), link by link."""
     T = np.tile(np.eye(4), (len(q), 1, 1))
     for row, x in zip(arm.numeric, q.T, strict=True):
         theta = row.theta + x * (row.kind == "revolute")
@@ -54,7 +54,7 @@ def poses(arm, q):
 
 
 def jacobians(arm, q, h=1e-6):
-    """By central differences, (n, 6, dof)."""
+    """Return Jacobians (n, 6, dof) by central differences."""
     T, columns = poses(arm, q), []
     for step in h * np.eye(arm.dof):
         rate = (poses(arm, q + step) - poses(arm, q - step)) / (2 * h)
@@ -65,7 +65,7 @@ def jacobians(arm, q, h=1e-6):
 
 
 def at_boundaries(arm, n, rng):
-    """Joints at 0, 90°, -90° and 180° and from there by 10^-6 to 10^-16, slides near 0 too."""
+    """Return joints at 0, 90°, -90° and 180°, moved by 10^-6 to 10^-16; slides near 0 too."""
     q = rng.uniform(-np.pi, np.pi, (n, arm.dof))
     off = rng.choice([-1, 0, 1], q.shape) * 10.0 ** -rng.integers(6, 17, q.shape)
     special = rng.choice([0, np.pi / 2, -np.pi / 2, np.pi], q.shape) + off
@@ -84,7 +84,7 @@ def solve_poses(form, arm, q, **start):
 
 
 def measure_difference(arm, one, other):
-    """The largest difference of two joint vectors, whole turns aside."""
+    """Return the largest difference of two joint vectors, without whole turns."""
     off = np.abs(np.exp(1j * one) - np.exp(1j * other))
     return np.where(arm.turning, off, np.abs(one - other)).max(axis=-1)
 
@@ -108,7 +108,7 @@ def test_valid_solutions_reach_and_contain_the_pose(form, arm):
 
 @pytest.mark.parametrize(("form", "arm"), CASES)
 def test_as_many_branches_as_newton_finds(form, arm):
-    """From 400 starts; both find them all, and no other. It takes 2 s for a pose."""
+    """Newton starts from 400 joint vectors, which takes 2 s for a pose."""
     rng = np.random.default_rng(2)
     for q in rng.uniform(-2.5, 2.5, (1, arm.dof)):
         found, asked = solve_poses(form, arm, q[None])

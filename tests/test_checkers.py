@@ -51,7 +51,7 @@ x1, x2 = (sp.Function(n)(T) for n in ("theta1", "theta2"))
 
 
 def planar(a, b):
-    """The Jacobian of two links of 0.4 and 0.3 m in a plane, by hand."""
+    """Return the Jacobian, by hand, of two links of 0.4 and 0.3 m in a plane."""
     low, high = 0.4 * s(a), 0.3 * s(a + b)
     right, far = 0.4 * c(a), 0.3 * c(a + b)
     return sp.Matrix([[-low - high, -high], [right + far, far], [0, 0], [0, 0], [0, 0], [1, 1]])

@@ -1,4 +1,4 @@
-"""Old names of the helpers still work, and warn with the new name."""
+"""Test that old names of the helpers still work, and warn with the new name."""
 
 import importlib
 

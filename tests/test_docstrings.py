@@ -1,4 +1,4 @@
-"""The examples in the docstrings of the helpers are run, and their outputs compared."""
+"""Run the examples in the docstrings of the helpers and compare their outputs."""
 
 import doctest
 import importlib

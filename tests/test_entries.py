@@ -20,7 +20,7 @@ PUSH = np.array([3.0, -5, 8, 1, -2, 0.5])
 
 
 def write_rows(rows, digits):
-    """Each entry to its own number of decimals."""
+    """Write each entry with its own number of decimals."""
     rows = np.atleast_2d(rows)
     return "\n".join(
         " ".join(f"{x + 0.0:.{n}f}" for x, n in zip(row, ns, strict=True))
@@ -76,7 +76,7 @@ def test_rounded_or_cut_entries_are_right(about, seed):
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS)
 def test_unit_off_in_last_place_is_no_mistake(about, seed):
-    """In the largest entry, away from zero, so that it is not cut; q has no unwritten digits."""
+    """The largest entry moves away from zero, which no cut does; q is exact."""
     asked = Asked(about, seed, 15)
     digits = asked.digits()
     place = np.unravel_index(np.abs(asked.right).argmax(), np.shape(asked.right))
@@ -90,7 +90,7 @@ def test_unit_off_in_last_place_is_no_mistake(about, seed):
 @BOTH
 @pytest.mark.parametrize("seed", SEEDS[:8])
 def test_rounding_of_each_joint_is_allowed_for(about, seed):
-    """Joint 1 is given to nine decimals and the others to three: theirs are what counts."""
+    """Joint 1 has nine decimals and the others three, which set the tolerance."""
     asked = Asked(about, seed, 15)
     asked.q = " ".join(f"{x:.{9 if k == 0 else 3}f}" for k, x in enumerate(asked.q))
     assert asked.judge(write_rows(asked.right, 5)).grade == "right"
@@ -165,7 +165,7 @@ def test_digits_that_a_known_mistake_shares_are_too_few():
 
 
 def test_three_significant_figures_are_right():
-    """As a hand writes them, each to its own place: the findings' own example of such a list."""
+    """Each number is rounded to its own decimal place, as by hand."""
     text = " ".join(f"{x:.3g}" for x in tau_of())
     assert checks.compare_torques(text, PANDA, Q, [-5, 0, 0, 0, 0, 0]).grade in ("right", "so far")
 

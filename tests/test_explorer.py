@@ -53,7 +53,7 @@ def ask(job, **given):
 
 
 def draw_poses(arm, count=1000):
-    """Joint vectors over the whole range, where one is known."""
+    """Return joint vectors over the whole range, where limits are known."""
     lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1),
         strict=True))  # fmt: skip
     return np.random.default_rng(7).uniform(lower, upper, (count, arm.dof))
@@ -86,7 +86,7 @@ def test_javascript_kinematics_match_python(arm):
     "file", sorted((ROOT / "tests" / "explorer").glob("*.test.mjs")), ids=lambda file: file.stem
 )
 def test_javascript_tests_pass(file):
-    """States, links, drags, pastes: asserted in JavaScript, as nothing of it exists in Python."""
+    """States, links, drags and pastes exist in JavaScript only, so their tests do too."""
     assert NODE, "Node.js is not installed"
     done = subprocess.run(
         [NODE, "--test-reporter=spec", str(file)],
@@ -107,7 +107,7 @@ LINKED = {
 
 @pytest.fixture(scope="module")
 def opened_link():
-    """What each erratum's link opens, by its number."""
+    """Return the state that each erratum's link opens, by the erratum's number."""
     fragments = {number: links[0] for number, links in LINKED.items() if links}
     arms = [arm_data(arm) for arm in ARMS]
     answers = ask("links", arms=arms, fragments=list(fragments.values()))
@@ -284,7 +284,7 @@ def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
 
 @needs_node
 def test_same_arm_agrees_with_compare_tables():
-    """With every slip of the corpus, and with every choice of frames that is free."""
+    """The tables have every mistake of the corpus, and every free choice of frames."""
     pairs, wanted = [], []
     for arm in (PANDA, STANFORD, UR10E, ELBOW):
         for mine in (*list_same_arms(arm), *list_other_arms(arm)):
@@ -360,7 +360,7 @@ def test_failed_trace_blames_arm_only_if_singular():
 
 
 def list_same_arms(arm):
-    """Tables of the same arm: other zeros, axes turned round, angles typed short."""
+    """List tables of the same arm: other zeros, reversed axes, angles with few digits."""
     yield shift_zero(arm, len(arm.rows) - 1, 0.7)
     for k in range(len(arm.rows) - 1):
         yield from (shift_zero(arm, k, 0.7), flip_x(arm, k), flip_z(arm, k))
@@ -381,7 +381,7 @@ def list_other_arms(arm):
 @needs_node
 @every_arm
 def test_copied_table_reads_back_as_same_arm(arm):
-    """As Python reads tables, without a setting."""
+    """Python reads the copied table without a setting."""
     q = draw_poses(arm, 1)[0]
     back = Arm.from_table(ask("copied", arm=arm_data(arm)))
     assert [row.joint.kind for row in back.rows] == [row.joint.kind for row in arm.rows]
@@ -427,7 +427,7 @@ def test_branches_match_closed_forms(arm):
 
 
 def measure_difference(arm, p, q):
-    """The largest difference of two joint vectors, whole turns aside."""
+    """Return the largest difference of two joint vectors, without whole turns."""
     slides = [arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints]
     return np.where(slides, np.abs(p - q), np.abs(2 * np.sin((p - q) / 2))).max(axis=-1)
 

@@ -14,7 +14,7 @@ PANELS = ((12, 8, 93, 166), (207, 17, 186, 166))
 
 
 def make_drawing(*panels, wide=400, high=200):
-    """A drawing with these panels."""
+    """Return a drawing with these panels."""
     views = "".join(
         f'<view id="panel-{k}" viewBox="{" ".join(map(str, box))}"/>'
         for k, box in enumerate(panels, 1)
@@ -32,7 +32,7 @@ def test_svg_size_is_read_in_points_or_pixels(width, expected):
 
 
 def render_picture(tmp_path, svg, **attributes):
-    """The HTML of a picture on a page."""
+    """Return the HTML of a picture on a page."""
     (tmp_path / "a.svg").write_text(svg, encoding="utf-8")
     builder = SimpleNamespace(images={"a.svg": "b.svg"}, srcdir=tmp_path, imgpath="_images")
     translator = SimpleNamespace(builder=builder, body=[])

@@ -36,7 +36,7 @@ x, y, t = sp.symbols("x y t")
 
 
 class Frame:
-    """As a table of pandas."""
+    """Imitate a data frame of pandas."""
 
     def __init__(self, rows):
         self.rows = np.array(rows)
@@ -49,7 +49,7 @@ class Frame:
 
 
 class Held:
-    """As what other packages hold: a list is all it gives."""
+    """Imitate an array of other packages, which can only become a list."""
 
     def tolist(self):
         return [1.5, 2.0]

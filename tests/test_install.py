@@ -32,7 +32,7 @@ except ModuleNotFoundError as error:
 
 @pytest.fixture(scope="module")
 def python(tmp_path_factory):
-    """The interpreter of a fresh environment that holds the package and what it asks for."""
+    """Return the Python of a fresh environment with the package and its dependencies."""
     place, source = tmp_path_factory.mktemp("bare"), tmp_path_factory.mktemp("source")
     for room in ("helpers", "answers"):  # the build leaves files beside them
         shutil.copytree(ROOT / room, source / room)
@@ -53,7 +53,7 @@ def python(tmp_path_factory):
 
 
 def share_bytecode(ours, theirs):
-    """To compile SymPy anew takes 5 s; Python itself looks whether bytecode is its source's."""
+    """Share bytecode, since compiling SymPy takes 5 s; Python checks that it is current."""
     for package in theirs.iterdir():
         for cache in (ours / package.name).rglob("__pycache__"):
             shutil.copytree(cache, theirs / cache.relative_to(ours), dirs_exist_ok=True)
@@ -69,7 +69,7 @@ def test_modules_import_without_extras_but_explorer_explains(python, tmp_path):
 
 
 def test_wheel_holds_exactly_the_package(python, tmp_path):
-    """Typed, with its scripts and style sheets; no tests, no bundler's sources, no guides."""
+    """The wheel has py.typed, scripts and style sheets; no tests, sources of bundles, guides."""
     done = subprocess.run(
         [python, "-c", "import helpers; print(helpers.__path__[0])"], cwd=tmp_path,
         capture_output=True, text=True, check=True,

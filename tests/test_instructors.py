@@ -33,7 +33,7 @@ def test_instructors_arm_works_in_explorer_and_checks():
 
 
 def a_chapter():
-    """Steps 1 and 2 of the page, the smallest that they allow."""
+    """Run steps 1 and 2 of the page for the smallest course."""
     title = "# Dynamics\n\nWhat moves it?\n\nAfter this chapter you can\n\n- say what moves it."
     names = ("checks import check", "plotting import use_book_style")
     imports = "".join(f"from helpers.{name}\n" for name in names) + "\nuse_book_style()"

@@ -42,7 +42,7 @@ def random_q(arm, count, seed=0):
 
 
 def joint_gaps(arm, q, other):
-    """The largest difference of a joint, whole turns aside."""
+    """Return the largest difference of a joint, without whole turns."""
     turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
     gap = q - other
     return np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
@@ -357,7 +357,7 @@ def test_infinite_family_is_listed_as_one_branch():
 
 
 def limit_joints(arm, limits):
-    """The arm with these (lower, upper) limits and a home within them."""
+    """Return the arm with these (lower, upper) limits and a home within them."""
     rows = [
         replace(row, joint=replace(row.joint, lower=low, upper=high))
         for row, (low, high) in zip(arm.rows, limits, strict=True)
@@ -577,7 +577,7 @@ def test_rotation_vectors_agree_with_rodrigues():
 
 
 def rotation(axis, angle):
-    """Rodrigues' formula."""
+    """Return a rotation matrix by Rodrigues' formula."""
     x, y, z = axis
     K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K

@@ -15,7 +15,7 @@ TOP = np.array([0.679, 0, 0.825])
 
 
 def halves():
-    """The homework's circle there and back by its first quarter, in steps of two lengths."""
+    """Trace a quarter of the homework's circle, then back in half the steps' length."""
     there = circle(TOP - [0, 0, 0.1], 0.1, "zy", 20.0, 40)
     there = replace(there, times=there.times[:11] + 0.0)
     first = trace(ARM, ARM.home, there, method="exact")

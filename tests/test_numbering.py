@@ -1,4 +1,4 @@
-"""Numbers of figures, formulas and exercises: written in order, mentioned rightly, checked."""
+"""Test the numbers of figures, formulas and exercises, and the references to them."""
 
 import nbformat
 import pytest

@@ -90,7 +90,7 @@ def test_pinocchio_code_gives_pose_jacobians_and_torques(arm):
 
 
 def test_toolbox_code_writes_each_row():
-    """The toolbox adds q to theta of a turning joint and to d of a sliding one, as offset."""
+    """The toolbox adds theta of a revolute joint, or d of a prismatic one, to q as its offset."""
     text = write_code(MIXED, "robotics toolbox")
     assert "RevoluteDH(d=0.2, a=0, alpha=0.3, offset=0),  # row 1 does not move" in text
     assert "PrismaticDH(theta=0.7, a=-0.2, alpha=-pi/2, offset=0.1)," in text

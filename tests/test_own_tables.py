@@ -1,4 +1,4 @@
-"""Tests that `Arm.from_table` says how it read a table, and where a guess may be wrong."""
+"""Test that `Arm.from_table` says how it read a table, and where a guess may be wrong."""
 
 import warnings
 

@@ -1,4 +1,4 @@
-"""Plain Markdown on the built pages: which nodes each plain form becomes."""
+"""Test which nodes each form of plain Markdown becomes on the built pages."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""Tests that poses printed with few decimals become rigid transforms."""
+"""Test that poses printed with few decimals become rigid transforms."""
 
 import re
 from pathlib import Path

@@ -24,7 +24,7 @@ lines = st.lists(
 
 
 def run_lines(lines, *inputs):
-    """Line after line, each from two values so far; every value is a result."""
+    """Run a program line by line and return the value of every line."""
     values = [*inputs, *CONSTANTS]
     for operation, first, second in lines:
         values.append(operation(values[first % len(values)], values[second % len(values)]))

@@ -1,4 +1,4 @@
-"""Formulas, grids and tables as people type and hold them, against what they were made from."""
+"""Test that typed formulas, grids and tables are read as the numbers they were made from."""
 
 import math
 import random
@@ -86,7 +86,7 @@ ORDER = {"columns": "a alpha d theta"}
 
 
 class Frame:
-    """What is asked of a data frame of pandas."""
+    """Imitate the part of a data frame of pandas that the judge reads."""
 
     columns = ("theta", "d (m)", "a (m)", "alpha")
 

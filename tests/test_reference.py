@@ -13,7 +13,7 @@ MODULES = re.findall(r"automodule:: (helpers\.\w+|answers)", API)
 
 
 def names_used():
-    """Each name that a cell takes from a module of the helpers, as `helpers.motion.circle`.
+    """Yield the names that cells use from modules of the helpers, as `helpers.motion.circle`.
 
     The instructors' page is the reference of what it uses: students need no `course`.
     """

@@ -49,7 +49,7 @@ every_arm = pytest.mark.parametrize("sheet", SHEETS.values(), ids=SHEETS)
 
 @cache
 def draw_pose(sheet):
-    """A random pose of an arm, the same for all its answers."""
+    """Return a random pose of an arm, the same for all its answers."""
     return tuple(np.random.default_rng(7).uniform(-3, 3, sheet.arm.dof).tolist())
 
 
@@ -78,7 +78,7 @@ def check_answer(sheet, what, got, q):
 
 
 def set_joints(text, arm, q):
-    """A block with other joint values put in, where it gives them."""
+    """Replace the joint values of a block."""
     for variable, value in zip(arm.variables, q, strict=True):
         text = re.sub(rf"(?m)^{variable} = [^;\n]+", f"{variable} = {value!r}", text)
     return text
@@ -86,13 +86,13 @@ def set_joints(text, arm, q):
 
 @cache
 def page(sheet):
-    """The arm's sheet; it takes longer to make than to read."""
+    """Return the arm's sheet, which is made once."""
     return make_markdown_sheet(sheet.arm, "A sheet", "Of an arm.")
 
 
 @cache
 def read_program(language, sheet, item):
-    """The block that the page has to copy for an answer."""
+    """Return the block that the page copies for an answer."""
     data = re.search(r'\n<script type="application/json">(.+)</script>\n', page(sheet))[1]
     return json.loads(data)[item.name.replace("_", "-").lower()][language]
 
@@ -139,7 +139,7 @@ def test_sympy_blocks_match_numeric_view(sheet):
 
 @every_arm
 def test_matlab_blocks_match_numeric_view(sheet):
-    """MATLAB is rarely at hand, so each block is turned into Python by its few rules."""
+    """Each block is translated into Python, since MATLAB is rarely installed."""
     for item in sheet.answers:
         text = re.sub(r"\s*\.\.\.\n\s*", " ", read_program("MATLAB", sheet, item))
         assert not re.search(r"[^;\[]$", text, re.M)

@@ -60,12 +60,12 @@ def _write_sum(entry, number):
 
 
 def replace_rows(arm, i, *rows):
-    """The arm with these rows from row i on."""
+    """Return the arm with these rows from row i on."""
     return replace(arm, rows=[*arm.rows[:i], *rows, *arm.rows[i + len(rows) :]], bodies=())
 
 
 def reverse_axis(row):
-    """A row whose axis points the other way: its joint counts backwards."""
+    """Reverse the axis of a row, whose joint then counts backwards."""
     return replace(row, alpha=_write_sum(row.alpha, "pi"), d=f"-({row.d})", theta=f"-({row.theta})")
 
 
@@ -95,7 +95,7 @@ def add_to_entry(arm, i, name, by):
 
 
 def slide_normal(arm, i, by):
-    """Axes i + 1 and i + 2 are parallel: their common normal is moved along them."""
+    """Move the common normal of the parallel axes i + 1 and i + 2 along them."""
     assert arm.numeric[i].sin_alpha == 0
     return add_to_entry(add_to_entry(arm, i, "d", by), i + 1, "d", -by * arm.numeric[i].cos_alpha)
 
@@ -519,7 +519,7 @@ WITH_BODIES = tuple(arm for arm in (PANDA, UR10E, UR10E_HOMEWORK, PANDA.lock(3))
 @pytest.mark.parametrize("reference", [*WITH_BODIES, BASED, STANFORD, HEAVY_SCARA, BEYOND], ids=str)
 @pytest.mark.parametrize("seed", range(8))
 def test_arm_in_students_joints_behaves_like_reference(reference, seed):
-    """By what it does: the same places, weights and limits at the joints that the map names."""
+    """Frames, torques and limits agree at the joints that the map gives."""
     rng = np.random.default_rng(seed)
     limited = [
         replace(row, joint=replace(row.joint, lower=-1.0 - k, upper=2.0 + k, speed=k + 1.0))

@@ -123,7 +123,7 @@ TEN = robot(*map(link, "abcdefghij"), *map(joint, "123456789", "abcdefghi", "bcd
 
 
 def make_pair(*how, **more):
-    """A link on a base, by joint m."""
+    """Return a robot description with one link on a base, by joint m."""
     return robot(*LINKS[:2], joint("m", "base", "upper", *how, **more))
 
 

@@ -1,6 +1,6 @@
-"""The 600 works, number by number: what their makers wrote, what the judge reads and says.
+"""Test the judge on 600 works: the numbers it reads, its grade and its causes.
 
-`works/read.jsonl` has a line for each work: the numbers that its maker meant as entries, row by
+`works/read.jsonl` has a line for each work: the numbers that its maker wrote as entries, row by
 row, with the unit beside them, and the grade and causes that the judge gives. Where the judge reads
 other numbers than the maker's, the line says why ("differs").
 """
@@ -28,7 +28,7 @@ EXPECTED = {line["id"]: line for line in lines_of("read")}
 
 
 def judge(work):
-    """The grade, the causes and the numbers read."""
+    """Judge a work; return the grade, the causes and the numbers that the judge read."""
     try:
         report = judge_work(work)
     except ArmError:
