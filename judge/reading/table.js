@@ -7,6 +7,7 @@ import { hasDecimals, simple, symbolsIn } from "./formula.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
+import { refuseChanges } from "./table_changes.js";
 import { joinCellLines } from "./table_cell_lines.js";
 import { dropIndexColumn, EXCHANGED, listOrders, readHeaders } from "./table_columns.js";
 import { convertTable, describeReading } from "./table_conversion.js";
@@ -18,7 +19,7 @@ import {
   listUsedDefinitions,
   refuseTwoLengths,
 } from "./table_definitions.js";
-import { refuseUnclearUnits, refuseUnreadValues } from "./table_symbols.js";
+import { maskSpans, refuseUnclearUnits, refuseUnreadValues } from "./table_symbols.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
@@ -99,7 +100,8 @@ function useDefinitions(table, definitions, undefinedNames, text) {
   refuseTwoLengths(used, tokens, text);
   const symbols = new Set(typedCells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));
   const names = undefinedNames.filter((name) => symbols.has(simple(name)));
-  refuseUnreadValues(names, [...cellSpans, ...definitions], tokens, text);
+  refuseUnreadValues(names, maskSpans(text, [...cellSpans, ...definitions]), tokens, text);
+  refuseChanges(table, maskSpans(text, [...cellSpans, ...used]), text);
   refuseUnclearUnits(used, table, text);
   return {
     ...table,

@@ -22,29 +22,37 @@ const MATRIX_ROW = /^[01]$/; // all numbers of a link matrix's row
 /**
  * Refuse a table if the text may give a value that was not read to a symbol of it.
  * @param {string[]} names of the symbols whose values the text does not define
- * @param {Span[]} spans of the table's cells and of the definitions that were read
+ * @param {string} masked the text with blanks over the table's cells and all definitions
  * @param {Token[]} tokens @param {string} text as it was pasted
  */
-export function refuseUnreadValues(names, spans, tokens, text) {
+export function refuseUnreadValues(names, masked, tokens, text) {
   const searched = new Set(names.map(simple));
-  let from = 0;
-  for (const [k, line] of maskSpans(text, spans).split("\n").entries()) {
-    const to = from + line.length;
+  for (const [k, line] of masked.split("\n").entries()) {
     const name = findValuedSymbol(line, searched);
-    if (name) {
-      const quoted = quoteText(text.slice(from, to));
-      const marked = tokens.map((token) =>
-        token.line === k && token.owner !== "entry" ? { ...token, owner: "unread" } : token,
-      );
-      const message = formatMessage("unread value", { name, line: k + 1, quoted });
-      throw new ArmError(message, [], marked, text);
-    }
-    from = to + 1;
+    if (name) refuseLine("unread value", { name }, k, tokens, text);
   }
 }
 
-// Write blanks over stretches of a text.
-function maskSpans(text, spans) {
+/**
+ * Refuse a table because of a line beside it; the line's numbers become unread.
+ * @param {string} key of the message @param {object} fields
+ * @param {number} line from 0
+ * @param {Token[]} tokens @param {string} text as it was pasted
+ * @returns {never}
+ */
+export function refuseLine(key, fields, line, tokens, text) {
+  const quoted = quoteText(text.split("\n")[line]);
+  const marked = tokens.map((token) =>
+    token.line === line && token.owner !== "entry" ? { ...token, owner: "unread" } : token,
+  );
+  throw new ArmError(formatMessage(key, { ...fields, line: line + 1, quoted }), [], marked, text);
+}
+
+/**
+ * Write blanks over stretches of a text.
+ * @param {string} text @param {Span[]} spans
+ */
+export function maskSpans(text, spans) {
   const characters = text.split("");
   for (const { from, to } of spans)
     for (let at = from; at < to; at++) if (characters[at] !== "\n") characters[at] = " ";
