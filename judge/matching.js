@@ -15,7 +15,7 @@ import { decomposeSingular } from "./geometry/linear.js";
 import { roundHalfToEven } from "./geometry/planar.js";
 import { formatMessage, formatNumber } from "./sentences.js";
 
-/** @typedef {import("./reading/joint_vectors.js").Answer} Answer */
+/** @typedef {import("./reading/joint_vectors.js").JointVector} JointVector */
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
 
 /**
@@ -41,14 +41,14 @@ function compareWithBranch(arm, { values, units }, branch, tolerance) {
 /** Return the index of the first branch that equals an answer to its digits, or -1. */
 export const findBranch = (
   /** @type {Solutions} */ { arm, branches },
-  /** @type {Answer} */ answer,
+  /** @type {JointVector} */ answer,
   tolerance,
 ) => branches.findIndex(({ q }) => isRight(compareWithBranch(arm, answer, q, tolerance)));
 
 /**
  * Return for each branch whether each joint of an answer agrees with it.
  * @param {Solutions} right
- * @param {Answer} answer
+ * @param {JointVector} answer
  * @param {number | null} tolerance used instead of the typed digits (rad or m)
  */
 export function matchJointsByBranch({ arm, branches }, { values, units }, tolerance) {
@@ -65,7 +65,7 @@ export function matchJointsByBranch({ arm, branches }, { values, units }, tolera
 /**
  * Match answers with branches.
  * @param {Solutions} right
- * @param {Answer[]} given
+ * @param {JointVector[]} given
  * @param {number | null} tolerance used instead of the typed digits (rad or m)
  * @returns {{ hits: Map<number, number>, wrongNumbers: number[], isExact: boolean }} `hits` maps a
  *   branch to the first answer, from 1, that equals it; `wrongNumbers` are those of the answers
@@ -86,7 +86,7 @@ export function matchAnswers(right, given, tolerance) {
 
 // List the branches that an answer equals, each with its agreement. If a branch has a free joint,
 // any solution of its family counts.
-/** @param {Solutions} right @param {Answer} answer */
+/** @param {Solutions} right @param {JointVector} answer */
 function listEqualBranches(right, answer, tolerance) {
   const { arm, branches } = right;
   const matches = branches.flatMap(({ q }, branch) => {
@@ -169,7 +169,7 @@ function signedGap(turns, x, y) {
 
 /**
  * Return whether two answers are equal up to the rounding of a target.
- * @param {Arm} arm @param {Answer} first @param {Answer} second
+ * @param {Arm} arm @param {JointVector} first @param {JointVector} second
  */
 export const isSameAnswer = (arm, first, second) =>
   compareWithBranch(arm, { ...first, units: first.units.map(() => 0) }, second.values, null) !== "";

@@ -16,7 +16,7 @@ import { listTableMistakes } from "./chain.js";
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("../matching.js").Solutions} Solutions */
-/** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
+/** @typedef {import("../reading/joint_vectors.js").JointVector} JointVector */
 
 const COARSEST_DIGIT = 0.0175; // rad or m: with coarser digits some mistake would fit any answer
 const QUARTER = Math.PI / 2;
@@ -25,7 +25,7 @@ const NUDGE = 1e-6; // rad or m: a difference for a derivative
 /**
  * Explain joint values that equal no branch.
  * @param {Solutions} right
- * @param {Answer} answer
+ * @param {JointVector} answer
  * @param {number} number of the answer, from 1
  * @param {number | null} tolerance
  * @returns {{ causes: Cause[], finding: Finding }}

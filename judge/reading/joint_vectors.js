@@ -1,4 +1,4 @@
-// Joint vectors as they are typed: one for each row or each column, with the units of their digits.
+// Reads joint vectors, one in each row or each column, with the units of their last digits.
 
 import { transpose } from "../geometry/chains.js";
 import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
@@ -19,39 +19,46 @@ import { LENGTH_UNITS } from "./units.js";
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
 /**
- * A joint vector with the units of its last places.
- * @typedef {{ values: number[], units: number[] }} Answer
+ * A joint vector and the units of the last digits of its values.
+ * @typedef {{ values: number[], units: number[] }} JointVector
  */
 
 /**
- * Joint vectors with their units, however they were held, and how they were read; a square is read
- * by rows unless told. Where each row of a locked arm has a value, those of its locked joints are
- * set aside.
- * @param {any} mine @param {Arm} arm @param {string} angles @param {any} asked
- * @returns {{ answers: Answer[], taken: string[], typed: import("./numbers.js").Typed }}
+ * Read joint vectors. If each row of an arm with locked joints has a value, the values of
+ * the locked joints are left out.
+ * @param {any} mine @param {Arm} arm
+ * @param {string} angles the unit of angles, "deg" or "rad"
+ * @param {any} options `byColumns` reads columns of a square matrix, else its rows; the rest are
+ *   options of `numbers`
+ * @returns {{ answers: JointVector[], taken: string[], typed: import("./numbers.js").Typed }}
+ *   `taken` are messages on how the text was read
  */
-export function answers(mine, arm, angles, { byColumns = false, ...asked } = {}) {
+export function readJointVectors(mine, arm, angles, { byColumns = false, ...options } = {}) {
   const moving = movingRows(arm);
   const dof = moving.length;
   const what = `${arm.name}: your answer`;
-  const wants = { wants: jointShapes(arm), names: JOINT_NAMES, ...asked };
+  const wants = { wants: jointShapes(arm), names: JOINT_NAMES, ...options };
   const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
-  const shape = shapeOf(typed, dof);
+  const shape = findMatrixShape(typed, dof);
   const width = !shape.includes(dof) && shape.includes(arm.rows.length) ? arm.rows.length : dof;
-  const lies = shape[0] === width && (byColumns || shape[1] !== width);
-  if (shape.length !== 2 || shape[lies ? 0 : 1] !== width)
+  const areColumns = shape[0] === width && (byColumns || shape[1] !== width);
+  if (shape.length !== 2 || shape[areColumns ? 0 : 1] !== width)
     throw notPerJoint(what, arm, typed.shape);
-  const upright = (list) => (lies ? transpose(list, shape) : list);
-  const kept = (list) =>
-    upright(list).filter((_, i) => width === dof || moving.includes(i % width));
-  const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
+  const toRows = (list) => (areColumns ? transpose(list, shape) : list);
+  const dropLocked = (list) =>
+    toRows(list).filter((_, i) => width === dof || moving.includes(i % width));
+  const [values, units, entries] = [typed.values, typed.units, typed.entries].map(dropLocked);
   const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
-  const [each, places] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
-  const locked = width > dof ? [noteLockedValues(arm, upright(typed.values))] : [];
-  const notes = [...describeUnits(typed, angles, arm), ...perColumn(lies, each), ...locked];
-  const taken = [...typed.taken, ...notes];
-  return { answers: each.map((one, i) => ({ values: one, units: places[i] })), taken, typed };
+  const [valueRows, unitRows] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
+  const locked = width > dof ? [noteLockedValues(arm, toRows(typed.values))] : [];
+  const notes = [
+    ...describeUnits(typed, angles, arm),
+    ...noteColumns(areColumns, valueRows),
+    ...locked,
+  ];
+  const vectors = valueRows.map((row, i) => ({ values: row, units: unitRows[i] }));
+  return { answers: vectors, taken: [...typed.taken, ...notes], typed };
 }
 
 /**
@@ -67,11 +74,12 @@ export const describeUnits = ({ statedUnits }, angles, arm) => [
     : []),
 ];
 
-const perColumn = (lies, { length }) =>
-  lies && length > 1 ? [formatMessage("taken: answer per column")] : [];
+const noteColumns = (areColumns, { length }) =>
+  areColumns && length > 1 ? [formatMessage("taken: answer per column")] : [];
 
-// Rows and columns: a list is one row, and a single one however deep it lies.
-function shapeOf({ shape, values }, dof) {
+// Return the numbers of rows and columns. A list is one row, also within further lists; a single
+// column with the values of several poses has one row for each pose.
+function findMatrixShape({ shape, values }, dof) {
   if (shape[1] === 1 && shape[0] > dof && shape[0] % dof === 0) return [shape[0] / dof, dof];
   const flat = shape.length > 2 ? shape.filter((n) => n !== 1) : shape;
   return flat.length < 2 ? [1, values.length] : flat;

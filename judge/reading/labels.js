@@ -1,15 +1,15 @@
-// The labels beside numbers: names of joints, of rows, and plain counts, which order an answer.
+// Reads the labels that order an answer: names of joints, names of rows and counts.
 
 import { hasDecimals, plain } from "./formula.js";
 import { readUnits } from "./units.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
-const JOINT =
+const JOINT_STEM =
   /^(?:q|d|th(?:eta)?|tau|τ|[tgjalc]|[\p{L}\d]*joint|link|column|angle|torque|axis|motor)$/u;
 const ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh"];
-// As the driver of a UR10e and its pendant call them.
-const UR = new Map(
+// Names of joints in the driver of a Universal Robot and on its pendant.
+const UR_JOINTS = new Map(
   [
     ["base", "shoulderpan"],
     ["shoulder", "shoulderlift"],
@@ -20,29 +20,32 @@ const UR = new Map(
   ].flatMap((words, k) => words.map((word) => [word, k + 1])),
 );
 
-/** @typedef {{ kind: string, number: number }} Label of a row, a joint, or a plain count */
+/**
+ * A label: its kind "row", "joint" or "count", and its number. Rows count from 0, joints from 1.
+ * @typedef {{ kind: string, number: number }} Label
+ */
 
 /**
- * Read a label: "row" and which of vx ... wz, "joint" and its number, or "count" and how far.
+ * Parse a label; null if a text is none.
  * @param {string} text
  * @returns {Label | null}
  */
-function labelOf(text) {
+function parseLabel(text) {
   if (hasDecimals(text)) return null;
-  const word = simple(text);
+  const word = simplifyLabel(text);
   const row = ROWS.indexOf(word.replace("omega", "w").replace(/^([xyz])dot$/, "v$1"));
   if (row >= 0) return { kind: "row", number: row };
-  const ur = UR.get(word.replace(/joint$/, ""));
-  const ordinal = ORDINALS.findIndex((one) => word.replace(/^the/, "").startsWith(one));
-  if (ur || ordinal >= 0) return { kind: "joint", number: ur ?? ordinal + 1 };
+  const urJoint = UR_JOINTS.get(word.replace(/joint$/, ""));
+  const ordinal = ORDINALS.findIndex((name) => word.replace(/^the/, "").startsWith(name));
+  if (urJoint || ordinal >= 0) return { kind: "joint", number: urJoint ?? ordinal + 1 };
   const [, stem, digits] = /^(\D*|[\p{L}\d]*joint)(\d{1,5})$/u.exec(word) ?? [];
   if (digits === undefined) return null;
-  return { kind: JOINT.test(stem) ? "joint" : "count", number: Number(digits) };
+  return { kind: JOINT_STEM.test(stem) ? "joint" : "count", number: Number(digits) };
 }
 
-// A label without its unit, brackets and signs.
-const simple = (text) =>
-  plain([...text.normalize("NFKC")].map((sign) => DOTTED[sign] ?? sign).join(""))
+// Take units, brackets and punctuation off a label.
+const simplifyLabel = (text) =>
+  plain([...text.normalize("NFKC")].map((character) => DOTTED[character] ?? character).join(""))
     .toLowerCase()
     .replace(/[([](?:deg|rad|nm|m)[^)\]]*[)\]]|(?:\bm{0,2})?\/(?:s|rad)$/g, "")
     .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
@@ -51,18 +54,18 @@ const simple = (text) =>
 const MOST_WORDS = 8; // of a label: "for the first joint"
 
 /**
- * Return the label that words end with, "ωx" of "Émilie: ωx", and "c1", no count, of "Priya: c1";
- * null where none does.
+ * Find the label at the end of words, as "ωx" in "Émilie: ωx"; null if there is none. A name goes
+ * before a count.
  * @param {{ text: string }[]} words
  */
 export function findLabel(words) {
   const texts = words.slice(-MOST_WORDS).map(({ text }) => text);
-  const found = texts.flatMap((_, k) => labelOf(texts.slice(k).join(" ")) ?? []);
-  return found.find(({ kind }) => kind !== "count") ?? found[0] ?? null;
+  const labels = texts.flatMap((_, k) => parseLabel(texts.slice(k).join(" ")) ?? []);
+  return labels.find(({ kind }) => kind !== "count") ?? labels[0] ?? null;
 }
 
 /**
- * Return the label before a value, as in "then q2 = 0.3"; of q1 = atan2(y, x) = 0.3 the first name.
+ * Find the label before a value, as in "then q2 = 0.3". In "q1 = atan2(y, x) = 0.3" it is q1.
  * @param {import("./lines.js").Row} row
  */
 export function findValueLabel({ words, name, isAssigned }) {
@@ -72,8 +75,8 @@ export function findValueLabel({ words, name, isAssigned }) {
 }
 
 /**
- * Return the words before each row and those above the first. "rows: vx vy vz" above three rows
- * names them.
+ * Read the labels before rows and the headers above the first. A line "rows: vx vy vz" above three
+ * rows holds their labels.
  * @param {import("./lines.js").Row[]} rows
  */
 export function readRowLabels(rows) {

@@ -7,7 +7,7 @@ import { isOutsideLimits } from "../geometry/arm.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { solveTarget } from "../geometry/target.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
-import { answers } from "../reading/joint_vectors.js";
+import { readJointVectors } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
 import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
@@ -16,7 +16,7 @@ import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-/** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
+/** @typedef {import("../reading/joint_vectors.js").JointVector} JointVector */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("../matching.js").Solutions} Solutions */
@@ -70,11 +70,11 @@ function judgeAnswers(mine, right, target, options) {
 function readAnswers(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
   const { arm } = right;
   const request = { given: rowsGiven(target), which };
-  const rows = answers(mine, arm, angles, request);
+  const rows = readJointVectors(mine, arm, angles, request);
   const count = rows.answers.length;
   if (count < 2 || count !== movingRows(arm).length) return rows;
   if (matchAnswers(right, rows.answers, tolerance).hits.size) return rows;
-  const columns = answers(mine, arm, angles, { ...request, byColumns: true });
+  const columns = readJointVectors(mine, arm, angles, { ...request, byColumns: true });
   return matchAnswers(right, columns.answers, tolerance).wrongNumbers.length ? rows : columns;
 }
 

@@ -7,7 +7,7 @@ import { jointNames, jointNumbers, movingRows } from "../geometry/kinematics.js"
 import { findBranch } from "../matching.js";
 import { NoFitError } from "../reading/answers.js";
 import { jointShapes } from "../reading/numbers.js";
-import { answers } from "../reading/joint_vectors.js";
+import { readJointVectors } from "../reading/joint_vectors.js";
 import { formatMessage, joinList, tryOrNull } from "../sentences.js";
 import { makeVerdict } from "../verdict.js";
 
@@ -104,7 +104,7 @@ export function judgeFirstAngles(mine, { arm, branches }, question) {
   for (let count = dof - 1; count > 1; count--) {
     const firstLinks = { ...arm, rows: arm.rows.slice(0, movingRows(arm)[count]) };
     const wants = jointShapes(firstLinks, many);
-    const read = tryOrNull(() => answers(mine, firstLinks, angles, { wants, given }));
+    const read = tryOrNull(() => readJointVectors(mine, firstLinks, angles, { wants, given }));
     if (!read?.answers.length || !hasOnlyFirstJoints(read.typed)) continue;
     const firstAngles = branches.map((branch) => ({ ...branch, q: branch.q.slice(0, count) }));
     const solutions = { arm: firstLinks, branches: firstAngles, count: firstAngles.length };

@@ -23,7 +23,7 @@ import {
   rotationBetween,
 } from "../geometry/kinematics.js";
 import { describeMiss } from "../matching.js";
-import { answers } from "../reading/joint_vectors.js";
+import { readJointVectors } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, rowsGiven } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
@@ -46,7 +46,7 @@ const TARGETS = [
 ];
 const MAX_LISTED = 3; // wrong entries of a target; a wrong q changes more of them
 
-/** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
+/** @typedef {import("../reading/joint_vectors.js").JointVector} JointVector */
 /**
  * A target as the rows of a pose, or as a single row for a point. `formulas` is true if an entry
  * was typed as a formula.
@@ -72,7 +72,7 @@ function judgePose(q, arm, T, options = {}) {
 function judgeJoints(q, arm, T, options) {
   const { angles = "rad", tolerance = null, which = null, isGradeOnly } = options;
   const wants = jointShapes(arm, false);
-  const read = answers(q, arm, angles, { wants, given: rowsGiven(T), which });
+  const read = readJointVectors(q, arm, angles, { wants, given: rowsGiven(T), which });
   const [answer, ...more] = read.answers;
   if (!answer || more.length)
     throw new ArmError(formatMessage("one answer", { arm: arm.name, count: read.answers.length }));
