@@ -16,7 +16,7 @@ import { describeRank, describeTable, describeBranches } from "../page/src/state
 
 const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
 
-function numbers(arm, q, wrench) {
+function computeNumbers(arm, q, wrench) {
   const frames = linkFrames(arm, q);
   const columns = jacobianColumns(arm, frames);
   return {
@@ -25,18 +25,18 @@ function numbers(arm, q, wrench) {
   };
 }
 
-function ranks(arm, q) {
+function describeRankAt(arm, q) {
   const { derived } = new Store(makeInitialState({ arm, q }));
   return { rank: derived.rank, said: describeRank(derived) };
 }
 
-function verdicts(arm, q) {
-  const ways = findBranches(arm, q);
-  return { ...ranks(arm, q), ways, counted: describeBranches(arm, ways) };
+function describePose(arm, q) {
+  const branches = findBranches(arm, q);
+  return { ...describeRankAt(arm, q), ways: branches, counted: describeBranches(arm, branches) };
 }
 
 // Return the state that a link opens, the tip's pose, the message about the table, energy and gravity.
-function opened(fragment, arms) {
+function openLink(fragment, arms) {
   const { patch, message } = parseFragment(fragment, arms, VIEWS);
   const { frames, potentialEnergy, gravityTorques } = new Store(makeInitialState(patch)).derived;
   const pose = frameMatrix(frames.at(-1));
@@ -45,13 +45,13 @@ function opened(fragment, arms) {
 }
 
 // Return the message that compares a typed table with its reference.
-function compared(arm, reference) {
+function compareTables(arm, reference) {
   const q = movingRows(arm).map(() => 0);
   return describeTable({ arm, reference, q }, { frames: linkFrames(arm, q) });
 }
 
 // Return the solutions for the poses of joint values: their names, multiplicities and free joints.
-function solutions(arm, qs) {
+function solveForPoses(arm, qs) {
   const form = findClosedForm(arm);
   return qs.map((q) => {
     const tip = linkFrames(arm, q).at(-1);
@@ -60,22 +60,22 @@ function solutions(arm, qs) {
 }
 
 const jobs = {
-  solutions: ({ arm, qs }) => solutions(arm, qs),
-  numbers: ({ arm, qs, wrench }) => qs.map((q) => numbers(arm, q, wrench)),
+  solutions: ({ arm, qs }) => solveForPoses(arm, qs),
+  numbers: ({ arm, qs, wrench }) => qs.map((q) => computeNumbers(arm, q, wrench)),
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
-  ways: ({ arm, q }) => findBranches(arm, q).list.map((way) => way.q),
-  ranks: ({ arm, qs }) => qs.map((q) => ranks(arm, q)),
-  verdicts: ({ arm, qs }) => qs.map((q) => verdicts(arm, q)),
+  ways: ({ arm, q }) => findBranches(arm, q).list.map((branch) => branch.q),
+  ranks: ({ arm, qs }) => qs.map((q) => describeRankAt(arm, q)),
+  verdicts: ({ arm, qs }) => qs.map((q) => describePose(arm, q)),
   runs: ({ arm, start, runs }) => runs.map((run) => simulateCircle(arm, start, run)),
   torques: ({ arm, path, wrench }) => computeTorquesAlong(arm, path, wrench),
   fading: ({ arm, qs, turns }) => qs.map((q) => findFadingDirections(jacobianColumns(arm, linkFrames(arm, q)), turns)),
-  same: ({ pairs }) => pairs.map(([mine, reference]) => isSameMachine(mine.rows, reference.rows)),
-  tables: ({ pairs }) => pairs.map((pair) => compared(...pair)),
-  links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
+  same: ({ pairs }) => pairs.map(([arm, reference]) => isSameMachine(arm.rows, reference.rows)),
+  tables: ({ pairs }) => pairs.map((pair) => compareTables(...pair)),
+  links: ({ arms, fragments }) => fragments.map((fragment) => openLink(fragment, arms)),
   copied: ({ arm }) => formatTable(arm),
 };
 
 for await (const line of createInterface({ input: process.stdin })) {
-  const { job, ...given } = JSON.parse(line);
-  process.stdout.write(`${JSON.stringify(jobs[job](given))}\n`);
+  const { job, ...question } = JSON.parse(line);
+  process.stdout.write(`${JSON.stringify(jobs[job](question))}\n`);
 }

@@ -28,19 +28,19 @@ function spent(reader, text) {
   return user + system;
 }
 
-// Return the times of a short and a long text, of either the least of three. The long one is read
+// Return the times of a short and a long text, the least of three measurements each. The long one is read
 // again only while it takes too many times as long, since other processes may have slowed it down.
-function pace({ as, text, counts, factor }) {
+function measurePace({ as, text, counts, factor }) {
   const [short, long] = counts.map((n) => text.repeat(n / text.length));
-  const read = (one) => spent(READERS[as], one);
-  const few = Math.min(read(short), read(short), read(short));
-  let many = read(long);
-  for (let k = 0; k < 2 && many >= factor * few; k++) many = Math.min(many, read(long));
+  const measure = (repeated) => spent(READERS[as], repeated);
+  const few = Math.min(measure(short), measure(short), measure(short));
+  let many = measure(long);
+  for (let k = 0; k < 2 && many >= factor * few; k++) many = Math.min(many, measure(long));
   return [few, many];
 }
 
 const JOBS = {
-  pace,
+  pace: measurePace,
   number: ({ text }) => number(text),
   formula({ text, what, known }) {
     const tree = parse(text, what);
@@ -54,9 +54,9 @@ const JOBS = {
   },
 };
 
-function answered({ job, ...given }) {
+function answerQuestion({ job, ...question }) {
   try {
-    return { answer: JOBS[job](given) };
+    return { answer: JOBS[job](question) };
   } catch (error) {
     if (error instanceof ArmError) return { refused: error.message };
     throw error;
@@ -64,5 +64,5 @@ function answered({ job, ...given }) {
 }
 
 for await (const line of createInterface({ input: process.stdin })) {
-  process.stdout.write(`${JSON.stringify(answered(JSON.parse(line)))}\n`);
+  process.stdout.write(`${JSON.stringify(answerQuestion(JSON.parse(line)))}\n`);
 }

@@ -23,9 +23,9 @@ for (const [fragment, words] of [
   [`#ask=jacobian&arm=ELBOW&answer=${"1".repeat(13000)}`, /13\d{3} characters; 12000 are the most/],
 ]) {
   test(`a bad question link is refused: ${words}`, () => {
-    const found = parseQuestionLink(fragment, ARMS);
-    assert.equal(found.question, null);
-    assert.match(found.message, words);
+    const link = parseQuestionLink(fragment, ARMS);
+    assert.equal(link.question, null);
+    assert.match(link.message, words);
   });
 }
 

@@ -79,7 +79,7 @@ function damageTable(text, entryLines, pick) {
 
 // Return whether a text is a table of rows and columns; in HTML and LaTeX a word is no cell,
 // and "#" begins a comment.
-const isBlock = (one) => !isNamed(one) && !/<td|\\begin|\r|#/.test(one.text);
+const isBlock = (sample) => !isNamed(sample) && !/<td|\\begin|\r|#/.test(sample.text);
 
 // Return whether the entries of a table have names: Link(...) lines, dictionaries, pairs, lists.
 const isNamed = ({ text }) => readNamedTable(text) !== null;
@@ -105,15 +105,15 @@ function listMisread(condition) {
   const random = makeRandom(SEED);
   const pick = (list) => list[Math.floor(random() * list.length)];
   const readable = cases
-    .filter((one) => listReadings(one).length > 0 && condition(one))
-    .map((one) => ({ ...one, lines: listEntryLines(one), rows: listReadings(one)[0] }));
+    .filter((sample) => listReadings(sample).length > 0 && condition(sample))
+    .map((sample) => ({ ...sample, lines: listEntryLines(sample), rows: listReadings(sample)[0] }));
   const misread = [];
   for (let k = 0; k < COUNT; k++) {
-    const one = pick(readable);
-    const text = damageTable(one.text, one.lines, pick);
-    const readings = listReadings({ ...one, text });
-    if (readings.length && !readings.includes(one.rows))
-      misread.push(`${one.text}\n  became\n${text}`);
+    const sample = pick(readable);
+    const text = damageTable(sample.text, sample.lines, pick);
+    const readings = listReadings({ ...sample, text });
+    if (readings.length && !readings.includes(sample.rows))
+      misread.push(`${sample.text}\n  became\n${text}`);
   }
   return misread;
 }
