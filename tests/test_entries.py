@@ -253,7 +253,7 @@ def test_mixed_branches_and_turned_shoulder_are_named():
     assert "two branches are mixed" in str(mixed)
     turned = of_elbow(first, first + np.array([np.pi, 0, 0]))
     assert turned.causes == ("ik.shoulder",)
-    assert "take θ1 of their side" in str(turned)
+    assert "take all from one side" in str(turned)
 
 
 def test_forgotten_length_is_named_by_all_answers():

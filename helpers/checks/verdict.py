@@ -1,6 +1,7 @@
 """The verdict that every comparison returns, and its findings."""
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -121,7 +122,8 @@ class Verdict:
         headline = f"{_MARKS[self.mark or self.grade]} **{self.headline}**"
         text = "\n".join([headline, "", *(f"- {line}" for line in self.lines)])
         joint_map = [self.joint_map.format_markdown()] if self.joint_map else []
-        return "\n\n".join([text, *joint_map, *self._format_marks()])
+        sentences = map(_typeset_joints, [text, *joint_map])
+        return "\n\n".join([*sentences, *self._format_marks()])
 
     def _format_marks(self) -> list[str]:
         """Return the marked text as HTML if it explains more than the sentences do."""
@@ -167,6 +169,15 @@ def format_advice(advice: Mapping[str, Any]) -> str:
     }
     setting = words.get(field, f"say {field}={json.dumps(value)}")
     return f"If that is what you mean, {setting}"
+
+
+def _typeset_joints(markdown: str) -> str:
+    """Return Markdown with q_1 as a formula, except in code, which quotes the student's text."""
+    parts = re.split(r"(`[^`]*`)", markdown)
+    return "".join(
+        part if part.startswith("`") else re.sub(r"(?<![\w$])(-?q_)(\d+)\b", r"$\1{\2}$", part)
+        for part in parts
+    )
 
 
 def _make_finding(finding: Mapping[str, Any]) -> Finding:

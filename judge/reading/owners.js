@@ -314,7 +314,13 @@ export function refuseUnread(text, tokens, what) {
   const rest = tokens[tokens.indexOf(token) + 1];
   const isHalf = rest?.owner === "unread" && text[token.to] === "," && rest.from === token.to + 1;
   const word = wordAround(text, { from: token.from, to: isHalf ? rest.to : token.to });
-  const fields = { what, word: quoteText(word), line: token.line + 1, where: whereOf(text, token) };
+  const where = whereOf(text, token);
+  const fields = {
+    what: dropArmName(what),
+    word: quoteText(word),
+    line: token.line + 1,
+    where,
+  };
   const key = PLAIN_NUMBER.test(word) ? "unclaimed" : "unread";
   throw new ArmError(formatMessage(key, fields), [], tokens, text);
 }
@@ -327,9 +333,13 @@ export function refuseUnread(text, tokens, what) {
 export function refuseUnreadCell(text, tokens, { from, to }, what) {
   for (const token of tokens) if (token.from >= from && token.to <= to) token.owner = "unread";
   const line = text.slice(0, from).split(LINE_END).length;
-  const fields = { what, word: quoteText(text.slice(from, to).trim()), line, where: "" };
+  const word = quoteText(text.slice(from, to).trim());
+  const fields = { what: dropArmName(what), word, line, where: "" };
   throw new ArmError(formatMessage("unread", fields), [], tokens, text);
 }
+
+// Drop the name of the arm from a phrase such as "UR10e: your torques".
+const dropArmName = (what) => what.slice(what.lastIndexOf(": ") + 1).trim();
 
 const PLAIN_NUMBER = /^[-+−–]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+−–]?\d+)?$/i;
 

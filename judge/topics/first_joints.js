@@ -8,6 +8,7 @@ import { findBranch } from "../matching.js";
 import { NoFitError } from "../reading/answers.js";
 import { jointShapes } from "../reading/numbers.js";
 import { readJointVectors } from "../reading/joint_vectors.js";
+import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { formatMessage, joinList, tryOrNull } from "../sentences.js";
 import { makeVerdict } from "../verdict.js";
 
@@ -48,7 +49,7 @@ export function judgeWholeOrPart(judge, judgePart) {
 export function judgeFirstTorquesInText(read, context) {
   for (const want of listPartialShapes(context.load.c.dof)) {
     const typed = tryOrNull(() => read([want]));
-    if (typed && hasOnlyFirstJoints(typed)) return judgeFirstTorques(typed, context);
+    if (typed && hasOnlyFirstJoints(typed, context.arm)) return judgeFirstTorques(typed, context);
   }
   return null;
 }
@@ -101,11 +102,12 @@ const listPartialShapes = (dof) =>
 export function judgeFirstAngles(mine, { arm, branches }, question) {
   const { topic, angles, tolerance, given, many } = question;
   const dof = movingRows(arm).length;
+  const typedText = dropUnfilledEnd(mine);
   for (let count = dof - 1; count > 1; count--) {
     const firstLinks = { ...arm, rows: arm.rows.slice(0, movingRows(arm)[count]) };
     const wants = jointShapes(firstLinks, many);
-    const read = tryOrNull(() => readJointVectors(mine, firstLinks, angles, { wants, given }));
-    if (!read?.answers.length || !hasOnlyFirstJoints(read.typed)) continue;
+    const read = tryOrNull(() => readJointVectors(typedText, firstLinks, angles, { wants, given }));
+    if (!read?.answers.length || !hasOnlyFirstJoints(read.typed, arm)) continue;
     const firstAngles = branches.map((branch) => ({ ...branch, q: branch.q.slice(0, count) }));
     const solutions = { arm: firstLinks, branches: firstAngles, count: firstAngles.length };
     const isRight = (answer) => findBranch(solutions, answer, tolerance) >= 0;
@@ -123,13 +125,14 @@ export function judgeFirstAngles(mine, { arm, branches }, question) {
   return null;
 }
 
-// Return whether each number of a text is an entry or a label that counts joints or vectors from 1.
-// Any other number may be an entry that could not be read.
-/** @param {Typed} typed */
-function hasOnlyFirstJoints({ tokens = [], values, shape }) {
+// Return whether each number of a text is an entry or a label that counts joints or vectors, these
+// from 1. Any other number may be an entry that could not be read.
+/** @param {Typed} typed @param {Arm} arm */
+function hasOnlyFirstJoints({ tokens = [], values, shape }, arm) {
   const labels = tokens.filter(({ owner }) => owner !== "entry");
-  const isCounted = labels.every(
-    ({ owner, text }, k) => owner === "label" && Number(text) === k + 1,
+  const joints = jointNumbers(arm);
+  const isCounted = [labels.map((_, k) => k + 1), joints].some((numbers) =>
+    labels.every(({ owner, text }, k) => owner === "label" && Number(text) === numbers[k]),
   );
   return isCounted && [0, shape[0], values.length].includes(labels.length);
 }

@@ -17,8 +17,18 @@ import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task
 import { lengthFactor, lookup, numbers, pose } from "../reading/numbers.js";
 import { LENGTH_UNITS } from "../reading/units.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { askAboutDegrees } from "./degrees.js";
-import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
+import { judgeWholeOrPart } from "./first_joints.js";
+import { judgeFirstRows, PARTIAL_COUNTS } from "./jacobian_part.js";
+import {
+  ArmError,
+  describeShape,
+  formatMessage,
+  joinList,
+  tryOrNull,
+  uncapitalize,
+} from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
@@ -39,6 +49,29 @@ export const compareJacobian = completeVerdicts(judgeJacobian);
 
 function judgeJacobian(mine, arm, q, options = {}) {
   const at = pose(q, arm, options.angles);
+  return judgeWholeOrPart(
+    () => judgeWholeJacobian(mine, arm, q, at, options),
+    () => judgeFirstRowsInText(mine, arm, at, options),
+  );
+}
+
+// Judge a text with fewer rows than are asked for. Null if they are not the right first rows.
+function judgeFirstRowsInText(mine, arm, at, options) {
+  const known = lookup(arm, at.values, options.values ?? []);
+  const question = { ...options, arm, at, frame: options.frame ?? 0 };
+  for (const rows of PARTIAL_COUNTS) {
+    const wants = [{ rows, columns: at.values.length, by: "row" }];
+    const typed = tryOrNull(() =>
+      readMatrix(dropUnfilledEnd(mine), known, arm, { ...options, at, wants }),
+    );
+    const verdict =
+      typed && judgeFirstRows(typed, question, [...typed.taken, ...(at.locked ?? [])]);
+    if (verdict) return verdict;
+  }
+  return null;
+}
+
+function judgeWholeJacobian(mine, arm, q, at, options) {
   const known = lookup(arm, at.values, options.values ?? []);
   const typed = readMatrix(mine, known, arm, { ...options, at });
   const question = { ...options, arm, at, frame: options.frame ?? 0 };
@@ -58,7 +91,8 @@ function judgeReadMatrix(typed, question, taken) {
   const { arm, at, angularFirst = false } = question;
   const [rows, width] = typed.shape;
   const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
-  if (width !== at.values.length || !isJudged) return reportWrongShape(typed, question, taken);
+  if (width !== at.values.length || !isJudged)
+    return judgeFirstRows(typed, question, taken) ?? reportWrongShape(typed, question, taken);
   if (!typed.values.some(Boolean)) {
     const headline = formatMessage("J wrong", {
       arm: arm.name,
@@ -94,11 +128,16 @@ const exchangeTypedHalves = (typed) => ({
  * @param {any} known values of symbols
  * @param {Arm} arm
  * @param {any} question `generic` if q is unknown, so that only formulas can be judged; `computed`
- *   if the entries are values of a function, which count as formulas
+ *   if the entries are values of a function, which count as formulas; `wants` has the shapes that
+ *   are read, if they are not the usual ones
  */
-function readMatrix(mine, known, arm, { at, which, generic = false, computed = false }) {
+function readMatrix(mine, known, arm, question) {
+  const { at, which, generic = false, computed = false } = question;
   const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
-  const wants = [...listShapes(dof, arm.rows.length), ...listReducedShapes(arm, dof)];
+  const wants = question.wants ?? [
+    ...listShapes(dof, arm.rows.length),
+    ...listReducedShapes(arm, dof),
+  ];
   const request = { wants, names: NAMES, given: [at.values], which };
   const read = convertToMetres(numbers(mine, what, known, undefined, request), arm);
   const symbolic = read.symbolic || computed;

@@ -18,6 +18,7 @@ import { convertTable } from "../reading/table_conversion.js";
 import { NoLink } from "../reading/table_matrices.js";
 import { dropOtherColumns } from "../reading/table_other_columns.js";
 import { ENTRIES } from "../reading/table_rows.js";
+import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { formatMessage, formatNumber, tryOrNull, uncapitalize } from "../sentences.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { judgeFirstRows } from "./table_part.js";
@@ -140,6 +141,8 @@ function readTextOrNoLink(text, options, known) {
     return readTables(text, options, known);
   } catch (error) {
     if (error instanceof NoLink) return error;
+    const filled = dropUnfilledEnd(text);
+    if (filled !== text) return readTextOrNoLink(filled, options, known);
     const { text: fewerColumns, others } = dropOtherColumns(text);
     if (!others.length) throw error;
     const tables = tryOrNull(() => readTables(fewerColumns, options, known));

@@ -25,6 +25,7 @@ import {
   unnamed,
 } from "../reading/numbers.js";
 import { MOMENT_UNITS } from "../reading/units.js";
+import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import { judgeFirstTorques, judgeFirstTorquesInText, judgeWholeOrPart } from "./first_joints.js";
@@ -59,14 +60,17 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   const request = { names: NAMES, given, which: options.which };
   const taken = [...(at.locked ?? []), ...describeModel(load)];
   const context = { arm, q: at, load, tolerance, isGradeOnly, taken };
-  const read = (wants) => {
+  const read = (wants, text = mine) => {
     const what = `${arm.name}: your torques`;
-    const typed = numbers(unnamed(mine), what, undefined, undefined, { ...request, wants });
+    const typed = numbers(unnamed(text), what, undefined, undefined, { ...request, wants });
     return convertToNewtonMetres(typed);
   };
   const verdict = judgeWholeOrPart(
     () => judgeTorques(read(listShapes(wrenches.length, arm)), context),
-    () => (wrenches.length > 1 ? null : judgeFirstTorquesInText(read, context)),
+    () => {
+      const readFirst = (wants) => read(wants, dropUnfilledEnd(mine));
+      return wrenches.length > 1 ? null : judgeFirstTorquesInText(readFirst, context);
+    },
   );
   return askAboutDegrees(verdict, {
     arm,

@@ -5,19 +5,15 @@ import { askAboutDegrees } from "./degrees.js";
 import {
   cross,
   dot,
-  fixedRows,
   movingRows,
   linkFrames,
   minus,
   norm,
-  revoluteFlags,
   rotationBetween,
 } from "../geometry/kinematics.js";
-import { DEG, RAD } from "../geometry/angles.js";
-import { pick } from "../geometry/task_rows.js";
-import { RIGHT, WRONG } from "../digits.js";
-import { describeUnits } from "../reading/joint_vectors.js";
-import { jointShapes, numbers, rowsOf, noteLockedValues } from "../reading/numbers.js";
+import { DEG } from "../geometry/angles.js";
+import { RIGHT, SO_FAR, WRONG } from "../digits.js";
+import { jointShapes, numbers } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
 import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
 import {
@@ -27,6 +23,7 @@ import {
   measureStep,
   removeWholeTurns,
 } from "./trace_steps.js";
+import { arrangeBySteps, convertToSI } from "./trace_layout.js";
 import { findOnlyWrongRow, makeRowCause } from "./trace_row.js";
 import { boundTipError, isDriftOfEuler, unitsWithoutTrimming } from "./trace_units.js";
 import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
@@ -41,21 +38,12 @@ import {
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
 const INDEPENDENT = ["trace.one more", "trace.jump"]; // mistakes that are named beside any other
+const FEWEST_STEPS = 2; // rows that are judged without the last ones
 const SAME_ERROR = 1e-9; // m: errors that differ by less are equal
 
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {import("../verdict.js").Finding} Finding */
-/**
- * A typed joint trajectory with a row for each step.
- * @typedef {object} Trajectory
- * @property {number[][]} q joint values (rad or m)
- * @property {number[][]} units of the last typed digits
- * @property {string} unit of the typed angles, "rad" or "deg"
- * @property {string[]} taken
- * @property {boolean} extra whether it has one step too many
- * @property {boolean} isPerJoint whether it was typed as a list for each joint
- */
-
+/** @typedef {import("./trace_layout.js").Trajectory} Trajectory */
 /**
  * Judge joint vectors along a path.
  * @param {string | any[]} mine text such as CSV, or nested lists
@@ -89,7 +77,8 @@ export const judgeTrace = completeVerdicts(judgeTypedTrace);
 function judgeTypedTrace(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const read = arrangeBySteps(typed, arm, path.times.length, typed.statedUnits?.angles ?? angles);
-  if (!read) return reportWrongShape(typed, arm, path);
+  if (!read)
+    return judgeFirstSteps(typed, arm, path, options) ?? reportWrongShape(typed, arm, path);
   const trajectory = { ...read, units: unitsWithoutTrimming(read, arm, path) };
   const { q, units, unit, taken } = trajectory;
   const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
@@ -101,6 +90,35 @@ function judgeTypedTrace(typed, arm, path, options = {}) {
     values: q.flat(),
     angles: unit,
     key: "trace.degrees",
+  });
+}
+
+// Judge the first rows of a trajectory whose last rows are missing. Null if they leave the path,
+// turn the tool or jump.
+function judgeFirstSteps(typed, arm, path, { angles = "rad", tolerance = null }) {
+  const count = typed.shape[0];
+  const all = path.times.length;
+  const isPart = count >= FEWEST_STEPS && count < all - 1;
+  const read = isPart
+    ? arrangeBySteps(typed, arm, count, typed.statedUnits?.angles ?? angles)
+    : null;
+  if (!read) return null;
+  const { q, units, taken } = read;
+  const first = { ...path, times: path.times.slice(0, count) };
+  const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
+  const frames = q.map((row) => linkFrames(arm, row).at(-1));
+  const errors = measureDistances(
+    first.times.map(path.position),
+    frames.map(({ o }) => o),
+  );
+  const isTurned = movingRows(arm).length >= 6 && measureToolTurns(frames)[0] > METHOD_TILT;
+  if (isTurned || exceedsAllowed(errors, allowed) || findJumps(q, arm, first).length) return null;
+  const headline = formatMessage("trace so far", { arm: arm.name, count, all });
+  const words = formatMessage("trace rows missing", { from: count, to: all - 1 });
+  return makeVerdict("trace", arm, SO_FAR, headline, {
+    findings: [makeFinding("missing", words, `steps ${count} to ${all - 1}`)],
+    taken,
+    figures: { position_error: Math.max(...errors), q },
   });
 }
 
@@ -126,66 +144,6 @@ const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > al
 
 // Return the distance of each point from the path's point at the same time.
 const measureDistances = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
-
-// Return a row for each step, or null if the shape is wrong. Columns are transposed, a leading
-// column of times or zeros and one extra step are dropped, and the verdict reports each change.
-/** @returns {Trajectory | null} */
-function arrangeBySteps(typed, arm, count, unit) {
-  const dof = movingRows(arm).length;
-  const shape = typed.shape.filter((n) => n !== 1);
-  if (shape.length !== 2) return null;
-  const taken = [...typed.taken];
-  const counts = [count - 1, count, count + 1];
-  let [rows, units] = [typed.values, typed.units].map((list) =>
-    rowsOf(inNamedUnits(list, typed, unit), shape[1]),
-  );
-  const isPerJoint =
-    shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && counts.includes(shape[1]);
-  if (isPerJoint) {
-    [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
-    taken.push(formatMessage("taken: list per joint"));
-  }
-  if (hasLockedColumns(rows, arm)) {
-    taken.push(noteLockedValues(arm, rows.flat()));
-    [rows, units] = [rows, units].map((list) => list.map((row) => pick(row, movingRows(arm))));
-  }
-  const first = rows.map(([x]) => x);
-  const isTime = first.every((x) => !x) || first.slice(1).every((x, k) => x - first[k] > 0);
-  if (rows[0].length === dof + 1 && isTime) {
-    [rows, units] = [rows, units].map((list) => list.map((row) => row.slice(1)));
-    taken.push(formatMessage("taken: times"));
-  }
-  if (rows[0].length !== dof || !counts.includes(rows.length) || rows.length < 2) return null;
-  const typedRows = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
-  taken.push(...describeUnits(typed, unit, arm));
-  const extra = rows.length === count + 1;
-  return { ...convertToSI(typedRows, arm, typed.statedUnits, unit), taken, extra, isPerJoint };
-}
-
-// Return whether rows include constant values of the locked joints.
-function hasLockedColumns(rows, arm) {
-  const locked = fixedRows(arm);
-  const isConstant = (i) => rows.every((row) => row[i] === rows[0][i]);
-  return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
-}
-
-// Write all values in the units that the text names. Those with a unit of their own are in SI.
-function inNamedUnits(list, { entries, statedUnits }, unit) {
-  const named = ({ angle, hasUnit }) => {
-    if (angle) return unit === "deg" ? RAD : 1;
-    return hasUnit ? (statedUnits?.lengths ?? 1) : 1;
-  };
-  return list.map((x, i) => x / named(entries[i]));
-}
-
-// Convert rows of joint values to rad and m.
-function convertToSI(typedRows, arm, statedUnits, unit) {
-  const [angular, linear] = [unit === "deg" ? RAD : 1, statedUnits?.lengths ?? 1];
-  const factors = revoluteFlags(arm).map((turns) => (turns ? angular : linear));
-  const convert = (list) => list.map((x, i) => x * factors[i]);
-  const q = typedRows.map(({ values }) => convert(values));
-  return { q, units: typedRows.map(({ units }) => convert(units)), unit };
-}
 
 /** @returns {import("../verdict.js").Verdict} */
 function makeTraceVerdict(arm, grade, cause, taken, rest = {}) {

@@ -1,0 +1,80 @@
+"""Test that the first part of a right answer is right so far, whatever stands for the rest."""
+
+import numpy as np
+import pytest
+
+from helpers import checks, motion, robots
+from helpers.arm import Arm, ArmError, prismatic
+from tests.corpus.arms import KNOWN
+from tests.corpus.torques import PANDA as LINKS
+from tests.corpus.torques import weight
+
+Q = np.array([0.4, -0.3, 0.5, -0.9, -0.6, 0.8, 0.2])
+MACHINE = KNOWN["PANDA"]
+JACOBIAN = MACHINE.jacobian(Q)
+TORQUES = weight(MACHINE, LINKS, Q)
+REST = ("?", "-", "...", "", None)
+
+
+def write(rows, decimals=4):
+    return [" ".join(f"{x:.{decimals}f}" for x in row) for row in rows]
+
+
+def fill(lines, count, width, rest):
+    """Return the first lines, and `rest` for each number of the other lines, or none of them."""
+    end = [] if rest is None else [" ".join([rest] * width)] * (len(lines) - count)
+    return "\n".join([*lines[:count], *end])
+
+
+def grade_jacobian(text):
+    try:
+        return checks.compare_jacobian(text, robots.PANDA, Q).grade
+    except ArmError:
+        return "refused"
+
+
+@pytest.mark.parametrize("rest", REST)
+@pytest.mark.parametrize("count", [2, 3, 4, 5])
+def test_first_rows_of_jacobian_are_right_so_far(count, rest):
+    assert grade_jacobian(fill(write(JACOBIAN), count, 7, rest)) == "so far"
+    wrong = JACOBIAN.copy()
+    wrong[1, 2] += 0.1
+    assert grade_jacobian(fill(write(wrong), count, 7, rest)) in ("wrong", "refused")
+
+
+@pytest.mark.parametrize("rest", REST)
+def test_first_torques_by_name_are_right_so_far(rest):
+    lines = [f"tau_{k} = {x:.3f}" for k, x in enumerate(TORQUES[:4], 1)]
+    if rest is not None:
+        lines += [f"tau_{k} = {rest}" for k in (5, 6, 7)]
+    verdict = checks.compare_torques("\n".join(lines), robots.PANDA, Q)
+    assert verdict.headline == "The torques of Panda are right so far: 4 of 7 joints."
+
+
+@pytest.mark.parametrize("rest", REST)
+def test_first_angles_by_name_are_right_so_far(rest):
+    q = np.array([0.3, 0.6, -1.1])
+    lines = ["q1 = 0.3000", "q2 = 0.6000", *([] if rest is None else [f"q3 = {rest}"])]
+    target = KNOWN["ELBOW"].tip(q)[:3, 3]
+    verdict = checks.compare_pose("\n".join(lines), robots.ELBOW, target)
+    assert verdict.grade == "so far", str(verdict)
+
+
+@pytest.mark.parametrize("rest", REST)
+def test_first_rows_of_table_are_right_so_far(rest):
+    lines = ["a | alpha | d | theta", "0 | 90 | 0.5 | q1", "0.4 | 0 | 0 | q2"]
+    if rest is not None:
+        lines.append(" | ".join([rest] * 4))
+    verdict = checks.compare_tables("\n".join(lines), robots.ELBOW)
+    assert verdict.grade == "so far", str(verdict)
+
+
+@pytest.mark.parametrize("rest", REST)
+def test_first_rows_of_trace_are_right_so_far(rest):
+    circle = motion.circle((0.3, 0.0, 0.3), 0.1, "xz", 5.0, 12)
+    sledge = Arm("sledge", [prismatic(alpha=np.pi / 2, theta=np.pi / 2), prismatic()])
+    lines = write(circle.positions[:, [2, 0]])
+    verdict = checks.compare_trace(fill(lines, 7, 2, rest), sledge, circle)
+    assert verdict.headline == "sledge draws the path so far: 7 of 13 rows."
+    wrong = fill([*lines[:3], "0.5 0.5", *lines[4:]], 7, 2, rest)
+    assert checks.compare_trace(wrong, sledge, circle).causes == ("trace.shape",)
