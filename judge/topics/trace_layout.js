@@ -69,7 +69,7 @@ function hasLockedColumns(rows, arm) {
 // Write all values in the units that the text names. Those with a unit of their own are in SI.
 /** @param {number[]} list @param {import("../reading/numbers.js").Typed} typed */
 function inNamedUnits(list, { entries, statedUnits }, unit) {
-  const named = ({ angle, hasUnit }) => {
+  const named = (/** @type {any} */ { angle, hasUnit }) => {
     if (angle) return unit === "deg" ? RAD : 1;
     return hasUnit ? (statedUnits?.lengths ?? 1) : 1;
   };
