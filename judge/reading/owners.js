@@ -148,10 +148,10 @@ function findMisplacedCells({ rows, sources }) {
 
 const MOST_LABELLED = 6; // rows of a Jacobian
 
-const FACTOR_BEHIND = /^([ \t]?(?:[*·×][ \t]?)?)(?:π|\\pi|pi\b|[x×][ \t]?10\^)/;
+const FACTOR_BEHIND = /^([ \t]?(?:[*·×][ \t]?)?)(?:π|pi\b)/;
 
-// Return whether a factor stands behind an entry that was read without it, π or a power of ten; a
-// factor may begin the next entry.
+// Return whether a factor π stands behind an entry that was read without it. The factor may begin
+// the next entry.
 function lacksFactor(text, { to }, starts) {
   const match = FACTOR_BEHIND.exec(text.slice(to, to + 12));
   return match !== null && !starts.has(to + match[1].length);
