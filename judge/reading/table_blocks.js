@@ -192,6 +192,7 @@ function joinUnits(cells) {
 // Entries
 
 const FRAMES = /^\d{1,2} ?- ?\d{1,2}$/; // 0-1 names a row after its frames
+const TWO_SIGNS = /^[-+−–]\s*[-+−–]\s*[^-+−–\s]/; // --90, which may be a dash of LaTeX
 const ANGLE_UNIT = /^(?:deg|rad)$/; // without its number
 // Names of rows, which are no symbols of an arm.
 const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
@@ -204,7 +205,7 @@ const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
 export function makeEntryTest(known) {
   const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {
-    if (FRAMES.test(cell) || ANGLE_UNIT.test(cell)) return false;
+    if ([FRAMES, ANGLE_UNIT, TWO_SIGNS].some((pattern) => pattern.test(cell))) return false;
     const text = trimEntry(cell);
     if (isNumber(text) || VARIABLE.test(plain(text)) || WORD.test(text)) return true;
     return symbolsIn(text)?.every(isSymbol) ?? false;

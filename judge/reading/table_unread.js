@@ -24,7 +24,7 @@ const MARK = "·"; // begins a word that the judge wrote, as for column headers
  * @param {TableBlock} table
  * @param {string} text as it was pasted
  * @param {(cell: string) => boolean} isEntry whether a cell may be an entry of a table
- * @returns {{ line: number, cell: Cell | undefined } | null}
+ * @returns {{ line: number, cell: Span | undefined } | null}
  */
 export function findUnreadCell(table, text, isEntry) {
   const { block, plainLines } = table;
@@ -40,6 +40,8 @@ export function findUnreadCell(table, text, isEntry) {
   const widths = listWidths(table);
   const separators = countSeparators(plainLines[sources[0].line]);
   const list = findList(text, sources);
+  const signed = findLostSign(text, sources);
+  if (signed) return signed;
   for (const line of lines) {
     const [rest, plainLine] = [rests.get(line), plainLines[line]];
     const [first] = [...rest.candidates, ...rest.words];
@@ -57,6 +59,23 @@ export function findUnreadCell(table, text, isEntry) {
   }
   return null;
 }
+
+// Find an entry whose sign was typed before it and is no part of its cell, as in !-$\pi/2$. Before
+// the first entry of a row a minus with a blank behind it is a bullet or a dash.
+/** @param {string} text @param {Row[]} sources */
+function findLostSign(text, sources) {
+  for (const { line, cells } of sources)
+    for (const [k, { from, to }] of cells.entries()) {
+      const gap = text.slice(Math.max(cells[k - 1]?.to ?? 0, from - NEAR), from);
+      const sign = (k ? LOST_SIGN : ADJOINING_SIGN).exec(gap);
+      if (sign) return { line, cell: { from: from - sign[0].length, to } };
+    }
+  return null;
+}
+
+const NEAR = 20; // characters before an entry in which its sign may stand
+const LOST_SIGN = /\S*[-−–—][^\p{L}\d\n|&;,\t-]*$/u;
+const ADJOINING_SIGN = /\S*[-−–—][^\p{L}\d\s|&;,-]*$/u;
 
 // Find the first unread cell behind the first entry of a row, or a second part of the row.
 /** @param {Rest} rest @param {number} line @param {number} start of the row's first entry */
