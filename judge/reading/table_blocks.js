@@ -5,10 +5,12 @@ import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { listUnusedLines } from "./answers.js";
 import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
 import { linesOf, ROW_END } from "./characters.js";
+import { flattenFormulas } from "./drawn_formulas.js";
 import { withoutMargins } from "./decorations.js";
 import { SpannedText } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { ENTRIES, trimEntry, VARIABLE } from "./table_rows.js";
+import { formatMessage } from "../sentences.js";
 
 const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
 
@@ -29,13 +31,16 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
  * @returns {TableBlock[]}
  */
 export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
-  const plain = makePlainText(withoutMargins(pasted)).replace(DEFINITIONS, "");
+  const isDrawn = DRAWN_MATRIX.test(text);
+  const flat = isDrawn ? flattenFormulas(pasted, formatMessage("your table")) : pasted;
+  const plain = makePlainText(withoutMargins(flat)).replace(DEFINITIONS, "");
   const marked = markColumnHeaders(dropStars(plain));
   const partings = makeBlockFinders(marked.plain, { isEntry: makeEntryTest(known) });
   const lines = linesOf(marked.plain.text);
   const typedLines = linesOf(text);
-  const headerLines = typedLines
-    .filter((_, k) => lines[k]?.includes(HEADER_MARK))
+  const isEmpty = (line = "") => !/[\p{L}\d]/u.test(line);
+  const usedLines = typedLines // headers, and numerators above the first row
+    .filter((_, k) => lines[k]?.includes(HEADER_MARK) || (isDrawn && isEmpty(lines[k])))
     .map((line) => line.trim());
   const rank = ({ headers, cells }) => (headers.length ? 100 : 0) + cells.length;
   return partings
@@ -48,11 +53,13 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
       ...table,
       context: collectContext(typedLines, table.block),
       unusedLines: listUnusedLines(text, table.block).filter(
-        (line) => !headerLines.includes(line) || hasDecimals(line),
+        (line) => !usedLines.includes(line) || hasDecimals(line),
       ),
       plainLines: lines,
     }));
 }
+
+const DRAWN_MATRIX = /[⎡⎢⎣]|^\[.*\][ \t]*\n\[.*\]/m; // of SymPy, with a bracket on each line
 
 // A line of lengths, "d_1 = 0.5, a_2 = 0.4", which is no row.
 const LENGTH = String.raw`(?!al|th|q)[a-z]\w{0,6}[ \t]*=[ \t]*-?[\d.]{1,12}(?:[ \t]*m{1,2})?`;

@@ -67,13 +67,15 @@ function findLostSign(text, sources) {
   for (const { line, cells } of sources)
     for (const [k, { from, to }] of cells.entries()) {
       const gap = text.slice(Math.max(cells[k - 1]?.to ?? 0, from - NEAR), from);
-      const sign = (k ? LOST_SIGN : ADJOINING_SIGN).exec(gap);
+      const sign = (k ? LOST_SIGN : ADJOINING_SIGN).exec(gap.replace(NO_SIGN, blank));
       if (sign) return { line, cell: { from: from - sign[0].length, to } };
     }
   return null;
 }
 
 const NEAR = 20; // characters before an entry in which its sign may stand
+const NO_SIGN = /\\h?phantom\{[^}]*\}|<?-{1,3}>|<-{1,3}/g; // of LaTeX, and arrows
+const blank = (match) => " ".repeat(match.length);
 const LOST_SIGN = /\S*[-−–—][^\p{L}\d\n|&;,\t-]*$/u;
 const ADJOINING_SIGN = /\S*[-−–—][^\p{L}\d\s|&;,-]*$/u;
 
