@@ -25,7 +25,9 @@ const NUMERAL = String.raw`(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?`;
 const DECIMAL_COMMA = String.raw`\d+,\d+(?![\d.]|,\d)`;
 const SYMBOL = String.raw`\p{L}(?:_?\{?\w{1,4}\}?|[₀-₉]{1,2})?`;
 // A symbol with an index, d1 or d_f, which is no unit.
-const NUMBERED = String.raw`\p{L}{1,3}(?:_?\{?\d{1,2}\}?|[₀-₉]{1,2}|_\{?\w{1,4}\}?)`;
+// An index of digits fits one alternative only, so that the steps do not double with each symbol.
+const WORD_INDEX = String.raw`_\{?(?!\d{1,2}(?!\w))\w{1,4}\}?`;
+const NUMBERED = String.raw`\p{L}{1,3}(?:_?\{?\d{1,2}\}?|[₀-₉]{1,2}|${WORD_INDEX})`;
 const WHOLE_NAME = new RegExp(`^${NUMBERED}$`, "u");
 const ROOT = String.raw`\\?sqrt[ ]?[({]${NUMERAL}[)}]`;
 const TERM = `(?:${ROOT}|${DECIMAL_COMMA}|${NUMERAL}|${NUMBERED})`;
@@ -37,7 +39,7 @@ const STRICT_END = String.raw`(?=[ \t]*(?:[,;)\]}$]|\.?[ \t]*$|\.\s|and\b))`;
 const SIGN = String.raw`["'$]*\s*:?={1,2}\s*`;
 const OTHER_SIGN = String.raw`["'$]*(?:[ ]*(?:->|→|≈|:(?!=))|[ ]+is(?: equal to)?\b)[ ]*`;
 const START = String.raw`(?<![\p{L}\p{N}_.\\])`;
-const VALUE = String.raw`(${FORMULA}(?:\s*=\s*${FORMULA})*)(?:${UNIT})?`;
+const VALUE = String.raw`(${FORMULA}(?:\s*=\s*${FORMULA}){0,4})(?:${UNIT})?`;
 const DEFINITIONS = [
   new RegExp(`${START}(${SYMBOL})(${SIGN})${VALUE}${END}`, "gu"),
   new RegExp(`${START}(${NUMBERED})(${OTHER_SIGN})${VALUE}${STRICT_END}`, "gmu"),
