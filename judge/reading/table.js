@@ -24,6 +24,7 @@ import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
 import { isVariable, readRow, trimEntry } from "./table_rows.js";
+import { maskUnfinishedRows } from "./table_unfinished.js";
 import { findUnreadCell } from "./table_unread.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
@@ -71,13 +72,14 @@ const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 
 /**
  * List the tables that a text may be, the likeliest first. There are more than one only if the
  * order of the columns is a guess.
- * @param {string} typedText
+ * @param {string} pastedText
  * @param {Options} options what the student stated beside the text
  * @param {[string, number][]} values of its symbols
  * @returns {TypedTable[]}
  */
-export function readTables(typedText, options = {}, values = []) {
-  refuseSize(typedText);
+export function readTables(pastedText, options = {}, values = []) {
+  refuseSize(pastedText);
+  const typedText = maskUnfinishedRows(pastedText);
   const known = new Map(values.map(([name, x]) => [simple(name), x]));
   const definitions = listDefinitions(withoutStruckText(new SpannedText(typedText)), known);
   const lengths = listDefinedLengths(definitions, new Set(values.map(([name]) => simple(name))));
@@ -96,6 +98,7 @@ export function readTables(typedText, options = {}, values = []) {
  */
 function useDefinitions(table, definitions, undefinedNames, text) {
   const { unusedLines, tokens, typedCells, cellSpans } = table;
+  refuseTwoTables(table, text);
   const used = listUsedDefinitions(definitions, typedCells, tokens);
   refuseTwoLengths(used, tokens, text);
   const symbols = new Set(typedCells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));
@@ -190,12 +193,32 @@ function requireReadable(table, text, { known }) {
   const unread = findUnreadCell(table, text, makeEntryTest(known));
   if (unread?.cell) refuseUnreadCell(text, tokens, unread.cell, what);
   if (unread) {
-    const line = quoteText(table.plainLines[unread.line].trim());
+    const line = quoteText(table.plainLines[findOddLine(table, unread.line)].trim());
     throw new ArmError(formatMessage("row torn", { line }), [], tokens, text);
   }
   refuseUnread(text, tokens, what);
   if (splitMatrices(table.cells) && FRAMES.test(text)) throw new NoLink("table.frames");
   return tokens;
+}
+
+// Return the line of a row whose length is not that of most rows: the unread line or the block's.
+/** @param {import("./table_blocks.js").TableBlock} table @param {number} unreadLine from 0 */
+function findOddLine({ block: { lines, from, rows } }, unreadLine) {
+  const length = lines.all.find(({ line }) => line === unreadLine)?.cells.length ?? 0;
+  const alike = lines.all.filter(({ cells }) => cells.length === length);
+  return length >= FEWEST_CELLS && alike.length > rows.length ? from : unreadLine;
+}
+
+const FEWEST_CELLS = 4;
+
+// Refuse a text of two tables: its second half names the joints of the first half once more.
+/** @param {TypedTable} table @param {string} text as it was pasted */
+function refuseTwoTables({ rows, tokens }, text) {
+  const half = rows.length / 2;
+  const numbers = rows.map(({ joint }) => joint?.number);
+  const isAgain = (number, k) => number !== undefined && number === numbers[half + k];
+  if (half > 1 && Number.isInteger(half) && numbers.slice(0, half).every(isAgain))
+    throw new ArmError(formatMessage("two tables"), [], tokens, text);
 }
 
 /**
@@ -230,7 +253,8 @@ function readCells(block, { options, known }) {
 /** @param {{ context: string, convention?: string }} block */
 function findConvention({ convention, context }) {
   const isCraig =
-    /\bcraig\b|\bmodified\b/i.test(context) && !/\bstandard\b|\bspong\b/i.test(context);
+    /\b(?:craig|modified|m-?dh|khalil)\b|\bmod\./i.test(context) &&
+    !/\bstandard\b|\bspong\b/i.test(context);
   return isCraig ? "craig" : convention;
 }
 

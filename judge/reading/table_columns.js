@@ -73,6 +73,7 @@ export function dropIndexColumn({ cells, headers }) {
   const counted = isCounted(cells.map((row) => plain(row[0])));
   const short = cells.every((row) => row.length === headers.length - 1);
   if (short && !counted && !ENTRIES.includes(words[0])) return { cells, headers: headers.slice(1) };
+  if (short && counted && headers.length === 5) refuseShortRows(headers, words);
   const at = words.indexOf("i");
   const cut = (row) => row.filter((_, k) => k !== at);
   if (at >= 0) return { cells: cells.map(cut), headers: cut(headers) };
@@ -81,6 +82,12 @@ export function dropIndexColumn({ cells, headers }) {
     cells: cells.map((row) => row.slice(1)),
     headers: headers.length > 4 ? headers.slice(1) : headers,
   };
+}
+
+// Refuse rows that number the joints and lack an entry, though a header names it.
+function refuseShortRows({ length }, words) {
+  if (!ENTRIES.every((name) => words.includes(name))) return;
+  throw new ArmError(formatMessage("short rows", { headers: length, count: length - 1 }));
 }
 
 // Return whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
@@ -126,7 +133,7 @@ function orderByHeaders(cells, headers) {
 // whose header is known keeps it.
 function orderByContent(cells, headers) {
   requireFourColumns(cells);
-  const names = headers.length === 4 ? headers.map(findEntry) : [];
+  const names = headers.length === 4 ? nameColumns(headers) : [];
   const agrees = (order) => names.every((name, k) => !ENTRIES.includes(name) || order[k] === name);
   const looks = cells.map((row) => row.map(describeCell));
   const all = new Map([...KNOWN_ORDERS, ...permutations(ENTRIES)].map((one) => [one.join(), one]));

@@ -17,7 +17,7 @@ export const toMetres = (length, unit) => length / Math.round(1 / unit);
 const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 
 // A cell for a joint's variable without its name: q, theta, ?, *.
-export const VARIABLE = /^(?:var(?:iable)?|[-*?qd]|th(?:eta)?)\*?$/i;
+export const VARIABLE = /^(?:var(?:iab(?:le|el|ile))?|переменная|[-*?qd]|th(?:eta)?)\*?$/i;
 
 const LOCKED = /\s*\((?:locked|fixed)[^()]*\)\s*$/i;
 
