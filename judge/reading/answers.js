@@ -93,7 +93,8 @@ function findIn(pasted, text, question) {
   refuseUnread(text, tokens, what);
   const computation = findComputation(text, block.sources);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
-  if (block.sources.every(isCalledOld)) throw makeOldAnswerError(text, block, question);
+  if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
+  if (isOtherQuantity(block)) throw makeQuotingError("other quantity", text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block, names) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);
   const unusedLines = listUnusedLines(
@@ -145,9 +146,9 @@ function isOtherQuantity({ sources }) {
 }
 
 // Make an error that quotes the only readable list, which the words before it call old.
-function makeOldAnswerError(text, { from }, { what }) {
+function makeQuotingError(key, text, { from }, { what }) {
   const line = quoteText(linesOf(text)[from] ?? "");
-  return new ArmError(formatMessage("old answer", { what, line }));
+  return new ArmError(formatMessage(key, { what, line }));
 }
 
 // List the blocks that fit, if possible only those with the answer's name. If any shape is wanted,

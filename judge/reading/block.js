@@ -24,18 +24,11 @@ import { readRowLabels } from "./labels.js";
  */
 
 /**
- * Write the factor of a row behind its entries, or take the unit of a list off its last entry.
+ * Write the factor of a row behind its entries.
  * @param {Row} row @returns {Cell[]}
  */
-export function applyUnits({ cells, scale, hasAnd }) {
-  if (scale) return cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` }));
-  const firstInDegrees = cells.findIndex(({ text }) => DEGREES_BEHIND.test(text));
-  if (!hasAnd || firstInDegrees < 1 || firstInDegrees < cells.length - 1) return cells;
-  // In "10, 20 and 30 deg" the unit belongs to the whole list. The unit of the text stands for it.
-  return cells.map((cell) => ({ ...cell, text: cell.text.replace(DEGREES_BEHIND, "") }));
-}
-
-const DEGREES_BEHIND = / deg$/;
+export const applyFactor = ({ cells, scale }) =>
+  scale ? cells.map((cell) => ({ ...cell, text: `${cell.text}${scale}` })) : cells;
 
 /**
  * Make a block of rows.
@@ -43,7 +36,7 @@ const DEGREES_BEHIND = / deg$/;
  */
 export function makeBlock(rows) {
   return {
-    rows: rows.map(applyUnits),
+    rows: rows.map(applyFactor),
     ...readRowLabels(rows),
     name: rows[0].name || rows[0].words.at(-1)?.text || "",
     from: rows[0].line,

@@ -49,7 +49,7 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiv
 
 const DECIMAL_COMMA = /\d,\d|[:=] ?[-+]?,\d/;
 // (1) numbers a row; 0.066 -24.842 are two numbers; 0365 are the decimals of 1,0365.
-const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d|^[-+]?0\d/;
+const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d|^[-+]?0\d+$/;
 
 // Return a function that computes its result at the first call only.
 function callOnce(compute) {

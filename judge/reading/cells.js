@@ -48,6 +48,7 @@ export const isTimeStamp = (text) => TIME_STAMPS.some((pattern) => pattern.test(
 const UNITS = new Map(
   Object.entries({
     ...{ m: "", N: "", Nm: "", rad: "", radians: "", deg: " deg", degrees: " deg", "°": " deg" },
+    Grad: " deg",
     ...{ Newtonmeters: "", Newtonmetres: "", mm: "*1e-3", cm: "*1e-2", kN: "*1e3" },
     ...{ Nmm: "*1e-3", mNm: "*1e-3", Ncm: "*1e-2", kNm: "*1e3" },
   }),

@@ -18,12 +18,11 @@ import {
  * Entries beside each other without a word between. `words` stand before them, `above` on the line
  * above; `name` is what they are assigned to; `line` and `last` are their first and last line;
  * `scale` is the factor of MATLAB's "1.0e+03 *"; `part` counts MATLAB's "Columns 1 through 4";
- * `depth` is the number of open lists; `tail` counts the words behind the entries. `hasAnd` is true
- * if "and" stands between two entries, `isColumn` if semicolons do, `isAssigned` if "=" or ":"
- * stands before the first.
+ * `depth` is the number of open lists; `tail` counts the words behind the entries. `isColumn` is
+ * true if semicolons stand between the entries, `isAssigned` if "=" or ":" stands before the first.
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
  *   scale: string, part: number, above: Cell[], depth: number, tail: number,
- *   hasAnd: boolean, isColumn?: boolean, isAssigned: boolean }} Row
+ *   isColumn?: boolean, isAssigned: boolean }} Row
  */
 const SEPARATORS = `,;&|\t\n${ROW_END}`;
 const WORD_BEFORE = /([A-Za-z]\w*)$/;
@@ -228,10 +227,7 @@ function keepName(mark, state) {
 
 function addCell(cell, line, state) {
   const { text } = cell;
-  if (text === "and" && state.row) {
-    state.row.hasAnd = true;
-    return;
-  }
+  if (text === "and" && state.row) return;
   if (isMark(text)) {
     keepName(text, state);
     return;
@@ -244,8 +240,7 @@ function addCell(cell, line, state) {
     const { words, name, scale, part, above, depth, wordsAtMark } = state;
     const isAssigned = words.length === wordsAtMark;
     const position = { line, last: line, part, depth };
-    const marks = { isAssigned, hasAnd: false, tail: 0 };
-    state.row = { cells: [], words, name, scale, above, ...position, ...marks };
+    state.row = { cells: [], words, name, scale, above, ...position, isAssigned, tail: 0 };
     state.rows.push(state.row);
     state.words = [];
     state.name = "";

@@ -1,6 +1,6 @@
 // Blocks of single values, each with a name, with two indices, or on a line of its own.
 
-import { applyUnits } from "./block.js";
+import { applyFactor } from "./block.js";
 import { findValueLabel } from "./labels.js";
 import { namesOtherQuantity } from "./row_names.js";
 
@@ -32,7 +32,7 @@ export function joinNamedValues(rows) {
   const [first, last] = [values[0].row, values.at(-1).row];
   return [
     {
-      rows: sets.map((set) => set.flatMap(({ row }) => applyUnits(row))),
+      rows: sets.map((set) => set.flatMap(({ row }) => applyFactor(row))),
       labels: sets.map(() => []),
       headers,
       name: first.name,
@@ -95,7 +95,7 @@ function findFirstHeader(lines, end) {
 // List the lines with a single cell, an entry or a word, in order.
 function listSingleCells(rows, words) {
   const entries = rows.flatMap((row) =>
-    applyUnits(row).map((cell) => ({ line: row.line, cell, row })),
+    applyFactor(row).map((cell) => ({ line: row.line, cell, row })),
   );
   const all = [...entries, ...words.map((cell) => ({ line: cell.line, cell, row: null }))];
   const counts = new Map();

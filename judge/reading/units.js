@@ -3,12 +3,23 @@
 export const LENGTH_UNITS = { 0.001: "mm", 0.01: "cm" }; // by their factors to m
 export const MOMENT_UNITS = { 0.001: "N mm", 0.01: "N cm", 1000: "kN m" }; // by factors to N m
 
-const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
+// Degrees in English, German, French, Italian, Spanish, Portuguese and Russian, Chinese.
+const DEGREE =
+  String.raw`deg(?:rees?)?(?!\p{L})|degr[ée]s?(?!\p{L})|grad[io]s?(?!\p{L})|` +
+  String.raw`graus|градус|度|°`;
+const DEGREES = new RegExp(String.raw`(?<!\d\s?|\p{L})(?:${DEGREE})|_deg(?!\p{L})`, "iu");
+const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
 const IN_DEGREES = // np.radians([...]), [...]*pi/180
   /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
 const RADIANS = /\brad(?:ians?)?\b/i;
-// 10, 20 and 30 deg
-const LIST_IN_DEGREES = /,\s*[-\u2212]?[\d.,]+,?\sand\s[-\u2212]?[\d.,]+\s?(?:deg|°)/i;
+// "10, 20 and 30 deg": the unit at the end of a line belongs to the whole list.
+const LIST_IN_DEGREES = new RegExp(
+  String.raw`\d(?:\s*[,;]\s*(?:and\s)?|\s+(?:and\s+)?)` +
+    String.raw`[-+\u2212]?\d[\d.,]{0,20}\s?(?:${DEGREE}|Grad)[\s)\].;}]*$`,
+  "imu",
+);
+const ANY_DEGREES = [DEGREES, GERMAN_DEGREES, LIST_IN_DEGREES];
+
 /**
  * Units of lengths and moments as words of their own, and their factors to m and N m.
  * @type {Record<string, [RegExp, number][]>}
@@ -35,7 +46,7 @@ const findFactor = (text, kind) => FACTORS[kind].find(([unit]) => unit.test(text
 export function readUnits(text) {
   const [degrees, radians] = IN_DEGREES.test(text)
     ? [true, false]
-    : [DEGREES.test(text) || LIST_IN_DEGREES.test(text), RADIANS.test(text)];
+    : [ANY_DEGREES.some((pattern) => pattern.test(text)), RADIANS.test(text)];
   return {
     angles: degrees === radians ? null : degrees ? "deg" : "rad",
     lengths: findFactor(text, "lengths"),
@@ -43,21 +54,26 @@ export function readUnits(text) {
   };
 }
 
-// Units that are not converted: minutes of arc, milliradians, turns, gon, and the word that is a
-// degree in German and a gon in English.
+// Units that are not converted: minutes of arc, milliradians, turns and gon, which English also
+// calls grad, as German calls a degree; a power of ten above the numbers.
+const POWER_OF_TEN = String.raw`10(?:\^\s*[({]?[-\u2212+]?\d+[)}]?|[⁻⁺⁰¹²³⁴-⁹]+)`;
 const OTHER_UNIT = new RegExp(
   [
     String.raw`(?<=\d ?°\s?\d{1,2} ?)['′’]`,
-    String.raw`(?<!\p{L})(?:mrad|milliradians?|gon|grads?|gradians?|arcmin)(?!\p{L})`,
-    String.raw`(?<=\d[.,]\d+\s?)(?:turns?|revs?|revolutions?)(?!\p{L})`,
+    String.raw`(?<!\p{L})(?:mrad|milliradians?|gon|grads|gradians?|arcmin)(?!\p{L})`,
+    String.raw`(?<=\d[.,]\d{1,20}\s?)(?:turns?|revs?|revolutions?)(?!\p{L})`,
     String.raw`(?<=[[(]\s?|\bin )(?:turns?|revs?|revolutions?)(?=\s?[\]):])`,
     String.raw`(?<!\p{L})(?:lbf?[ ·*-]?(?:ft|in)|(?:ft|in)[ ·*-]?lbf?|kgf?[·*]?cm|kgf ?m)(?!\p{L})`,
+    String.raw`[([]\s*(?:[×x]\s*${POWER_OF_TEN}|${POWER_OF_TEN}\s*\p{L})[^()\n]{0,9}[)\]]`,
+    String.raw`^\s*[×x]\s*${POWER_OF_TEN}`,
   ].join("|"),
-  "iu",
+  "imu",
 );
+
+const GON = /(?<!\p{L})grad(?!\p{L})/u;
 
 /**
  * Find a unit that is not converted, so that no number is taken for another unit's.
  * @param {string} text @returns {string | null} the unit as it is typed
  */
-export const findOtherUnit = (text) => OTHER_UNIT.exec(text)?.[0] ?? null;
+export const findOtherUnit = (text) => (OTHER_UNIT.exec(text) ?? GON.exec(text))?.[0] ?? null;
