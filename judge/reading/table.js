@@ -236,7 +236,12 @@ function readCells(block, { options, known }) {
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
-  const units = chooseUnits(options, readHeaders(headers), findConvention(block));
+  // The values of symbols are in m, whatever unit the text states.
+  const isKnown = (name) => known.has(simple(name));
+  const hasSymbols = typedCells.some((cell) => symbolsIn(cell)?.some(isKnown));
+  const textUnits = hasSymbols ? {} : readUnits(block.context);
+  const stated = { ...textUnits, ...dropMissing(readHeaders(headers)) };
+  const units = chooseUnits(options, stated, findConvention(block));
   const usedCells = orders.rows.flat().join(" & ");
   const unused = typedCells.filter((cell) => hasDecimals(cell) && !usedCells.includes(cell));
   return readOrders(orders, known).map((table) => ({
@@ -257,6 +262,25 @@ function findConvention({ convention, context }) {
     !/\bstandard\b|\bspong\b/i.test(context);
   return isCraig ? "craig" : convention;
 }
+
+// Lengths in cm, or (cm, deg), beside a table; a unit behind a number belongs to that number.
+const LENGTHS_IN = new RegExp(
+  String.raw`\b(?:lengths?|distances?|dimensions)(?: (?:are|all|given|measured))*` +
+    String.raw`(?: in|:| \() ?(mm|cm|m|milli|centi|met)(?:met)?(?:ers?|res?)?\b`,
+  "i",
+);
+const UNITS_ALONE = /(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(mm|cm|m), ?(?:deg|rad|°)/im;
+const UNIT_NAMES = { milli: "mm", centi: "cm", met: "m" };
+
+// Read the unit of lengths that a text beside a table states.
+function readUnits(context) {
+  const [, unit] = LENGTHS_IN.exec(context) ?? UNITS_ALONE.exec(context) ?? [];
+  const name = unit?.toLowerCase();
+  return name ? { lengths: UNIT_NAMES[name] ?? name } : {};
+}
+
+const dropMissing = (fields) =>
+  Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
 
 // Choose the units and the convention: those of the student's settings, else those of the headers.
 function chooseUnits(options, headers = {}, convention = undefined) {

@@ -51,6 +51,9 @@ export function nameColumns(headers) {
 
 export function readHeaders(headers) {
   const text = replaceSubscripts(headers.join(" "));
+  const units = new Set([...text.matchAll(/[[(/_]\s?(mm|cm|m)(?!\w)/g)].map(([, unit]) => unit));
+  if (units.size > 1)
+    throw new ArmError(formatMessage("header units", { units: [...units].join(", ") }));
   const [, lengths = null] = /[[(/_ ]\s?(mm|cm|m)(?!\w)/.exec(text) ?? [];
   const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
   return { lengths, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };

@@ -44,8 +44,8 @@ const DEFINITIONS = [
   new RegExp(`${START}(${SYMBOL})(${SIGN})${VALUE}${END}`, "gu"),
   new RegExp(`${START}(${NUMBERED})(${OTHER_SIGN})${VALUE}${STRICT_END}`, "gmu"),
 ];
-const NAMES = String.raw`\(?${NUMBERED}(?:[ ]?,[ ]?${NUMBERED})+\)?`; // (a2, a3) = (0.4, 0.3)
-const NUMERALS = String.raw`[[(]?-?${NUMERAL}(?:[ ]?,[ ]?-?${NUMERAL})+[\])]?`;
+const NAMES = String.raw`\(?${NUMBERED}(?:[ ]?,[ ]?${NUMBERED}){1,9}\)?`; // (a2, a3) = (0.4, 0.3)
+const NUMERALS = String.raw`[[(]?-?${NUMERAL}(?:[ ]?,[ ]?-?${NUMERAL}){1,9}[\])]?`;
 const SEVERAL = new RegExp(`(?<![=+*/-][ ]?)${START}(${NAMES})(${SIGN})(${NUMERALS})${END}`, "gu");
 // A name before the last of several names, which the last value alone does not define.
 const NAME_BEFORE = new RegExp(

@@ -23,6 +23,7 @@ const DRAWN = /^[\s|:+=_-]*$/;
  * @param {string} text
  */
 export function maskUnfinishedRows(text) {
+  if (!text.includes("\n")) return text;
   const lines = text.split("\n");
   const last = lines.findLastIndex(
     (line) => /\d/.test(line) && !UNFINISHED.test(line) && !BLANK.test(line),
