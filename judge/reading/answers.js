@@ -3,7 +3,8 @@
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
-import { isJointCount, isSeries, dropCountCells, dropCountHeader, dropLabels } from "./counts.js";
+import { bareName, chooseColumn, chooseJointColumns } from "./columns.js";
+import { isJointCount, dropCountCells, dropCountHeader, dropLabels } from "./counts.js";
 import {
   labelNumberedLines,
   withoutComments,
@@ -14,14 +15,7 @@ import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
 import { findLabel } from "./labels.js";
-import {
-  isTransposed,
-  orderByLabels,
-  orderByListedNames,
-  readHeaderLabels,
-  readLabels,
-  transpose,
-} from "./ordering.js";
+import { isTransposed, orderByLabels, orderByListedNames, transpose } from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { SpannedText } from "./spans.js";
@@ -163,7 +157,6 @@ function listFits(blocks, want, { wants, names = NONE }) {
 
 const count = ({ rows }) => rows.flat().length;
 const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slice(0, 1);
-const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, ""); // T of T_(Nm)
 const textsOf = (cells) => cells.map(({ text }) => text);
 
 // Return the last of equal blocks. If blocks differ, the student chooses by `which`.
@@ -220,14 +213,16 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
 function fitBlock(block, want, wants, names) {
   const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
-  const candidates = [
-    ...dropCountHeader(block),
-    block,
-    ...dropCountCells(block),
-    ...columnOf(block, names),
-    ...jointColumns(block, want),
-    ...(isWholeRow ? [] : dropLabels(block)),
+  // Of columns chosen by their headers several may fit.
+  const alternatives = [
+    ...dropCountHeader(block).map((each) => [each]),
+    [block],
+    ...dropCountCells(block).map((each) => [each]),
+    chooseColumn(block, names),
+    chooseJointColumns(block, want, names),
+    ...(isWholeRow ? [] : dropLabels(block)).map((each) => [each]),
   ];
+  const candidates = alternatives.flat();
   const transposedBlocks = want.by
     ? candidates.filter((candidate) => isTransposed(candidate, want)).map(transpose)
     : [];
@@ -235,10 +230,14 @@ function fitBlock(block, want, wants, names) {
     (want.rows === null || rows.length === want.rows) &&
     (want.columns === null || rows[0].length === want.columns) &&
     (want.by !== "joint" || namesColumns(headers, rows[0].length));
-  const fit = transposedBlocks.find(fits) ?? candidates.find(fits);
-  if (!fit) return [];
-  const ordered = orderByLabels(fit, want);
-  return [want.turned ? { ...ordered, rows: [ordered.rows.flat()] } : ordered];
+  const transposedFit = transposedBlocks.find(fits);
+  const blocks = transposedFit
+    ? [transposedFit]
+    : (alternatives.map((each) => each.filter(fits)).find(({ length }) => length > 0) ?? []);
+  return blocks.map((each) => {
+    const ordered = orderByLabels(each, want);
+    return want.turned ? { ...ordered, rows: [ordered.rows.flat()] } : ordered;
+  });
 }
 
 // Make a block of each row, for questions about one row.
@@ -254,40 +253,6 @@ function listRowsAlone(block) {
   return [block, ...block.rows.map(alone)];
 }
 
-// Return the column below the answer's name. Words behind the rows have headers, too.
-function columnOf(block, names) {
-  const { headers, rows, sources } = block;
-  const tail = sources.length === rows.length ? Math.min(...sources.map((row) => row.tail)) : 0;
-  const extra = headers.length - rows[0].length - tail;
-  const isAnswer = ({ text }) => names.test(bareName(text));
-  const at = extra < 0 || rows[0].length < 2 ? -1 : headers.findLastIndex(isAnswer);
-  const name = at < 0 ? "" : bareName(headers[at].text);
-  // Neither q [rad] nor q [deg] is taken: the student says which.
-  if (headers.filter(({ text }) => bareName(text) === name).length > 1) return [];
-  if (at < Math.max(extra, 0) || at - extra >= rows[0].length || readHeaderLabels(block)) return [];
-  const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, at - extra)]);
-  return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, headers: [] }];
-}
-
-// Return the columns whose headers name joints. A first column that counts rows may have no header.
-function jointColumns(block, { by, columns }) {
-  const { headers, rows } = block;
-  const before = headers.findIndex((header) => isJointHeader(header));
-  const jointHeaders = headers.slice(before, before + (columns ?? 0));
-  const extra = rows[0].length - jointHeaders.length;
-  if (by !== "joint" || before < 0 || extra < 1 || jointHeaders.length !== columns) return [];
-  if (!jointHeaders.every(isJointHeader)) return [];
-  const behind = headers.length - before - columns;
-  const first = textsOf(rows.map(([cell]) => cell));
-  const most = Math.min(extra, before + (isSeries(first) ? 1 : 0));
-  const least = Math.max(0, extra - behind);
-  if (least > most) return [];
-  const from = isSeries(first) ? Math.max(least, 1) : least;
-  const labels = rows.map((row, i) => [...block.labels[i], ...row.slice(0, from)]);
-  const select = (list) => list.slice(from, from + columns);
-  return [{ ...block, rows: rows.map(select), labels, headers: jointHeaders }];
-}
-
 // Return whether as many headers name joints as there are columns, or fewer than two.
 function namesColumns(headers, width) {
   if (width < 2) return true;
@@ -298,8 +263,6 @@ function namesColumns(headers, width) {
   );
   return joints.size < 2 || joints.size === width || 2 * joints.size < words.length;
 }
-
-const isJointHeader = (header) => readLabels([[header]])?.kind === "joint";
 
 /**
  * List the lines that say something besides the block; on its own lines, comments and numbers that

@@ -1,0 +1,131 @@
+// Chooses columns of a table by their headers: those with the answer's own name. If several sets of
+// columns remain, all are returned, and the student is asked which she means.
+
+import { isSeries } from "./counts.js";
+import { RAD } from "../geometry/angles.js";
+import { readHeaderLabels, readLabels } from "./ordering.js";
+
+/** @typedef {import("./block.js").Block} Block */
+/** @typedef {import("./lines.js").Cell} Cell */
+
+/**
+ * Return a name without marks before it and its unit behind it: T of T_(Nm).
+ * @param {string} name
+ */
+export const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, "");
+
+const EXACT_NAME = /^(?:q|th|theta|θ|tau|τ|torques?|(?:joint )?angles?)(?:_?\{?i\}?)?$/i;
+const UNIT_ALONE = /^\(?(?:deg(?:rees?)?|°|rad(?:ians?)?)\)?$/i;
+
+/**
+ * Return the blocks of one column below the answer's name: that of q, not of q0 or qd.
+ * @param {Block} block @param {RegExp} names of the answer @returns {Block[]}
+ */
+export function chooseColumn(block, names) {
+  const offset = offsetOfHeaders(block);
+  const { headers, rows } = block;
+  if (offset === null || rows[0].length < 2 || headers.length === 0) return [];
+  if (readHeaderLabels(block)) return [];
+  const columns = headers
+    .map((header, k) => ({ header, column: k - offset }))
+    .filter(({ column }) => column >= 0 && column < rows[0].length);
+  const named = columns.filter(({ header }) => names.test(bareName(header.text)));
+  const exact = named.filter(({ header }) => EXACT_NAME.test(bareName(header.text)));
+  const units = names.test("q") ? columns.filter(({ header }) => UNIT_ALONE.test(header.text)) : [];
+  const sets = [exact, named, units].find(({ length }) => length > 0) ?? [];
+  return selectSets(
+    block,
+    sets.map((each) => [each]),
+  ).map((each) => ({ ...each, headers: [] }));
+}
+
+/**
+ * Return the blocks of the columns whose headers name joints, if possible by the answer's name.
+ * @param {Block} block @param {{ by?: string, columns: number | null }} want
+ * @param {RegExp} names of the answer @returns {Block[]}
+ */
+export function chooseJointColumns(block, { by, columns }, names) {
+  const offset = offsetOfHeaders(block);
+  const width = block.rows[0].length;
+  if (by !== "joint" || columns === null || width <= columns || offset === null) return [];
+  const joints = block.headers.flatMap((header, k) => {
+    const column = k - offset;
+    if (column < 0 || column >= width || !isJointHeader(header)) return [];
+    return [{ header, column, number: readLabels([[header]]).numbers[0] }];
+  });
+  const named = joints.filter(({ header }) => names.test(bareName(header.text)));
+  const isSet = (set) => set.length === columns;
+  const setsByName = splitAtRepeatedNumbers(named).filter(isSet);
+  const sets = setsByName.length ? setsByName : splitAtRepeatedNumbers(joints).filter(isSet);
+  return selectSets(block, sets);
+}
+
+// Return how many headers stand before that of the first column; -1 if a column that counts rows
+// has none, and null if headers and columns do not correspond. Words behind the rows have headers.
+function offsetOfHeaders({ headers, rows, sources }) {
+  const more = headers.length - rows[0].length;
+  const isCounted = isSeries(rows.map(([cell]) => cell.text));
+  if (more < 0) return more === -1 && isCounted ? -1 : null;
+  const tails = sources.length === rows.length ? sources.map(({ tail }) => tail) : [0];
+  const offset = more - Math.min(more, ...tails);
+  // The column that counts rows is not that of a joint, if there may be a header for words behind.
+  const mayHaveTail = offset > 0 || Math.max(...tails) > 0;
+  return mayHaveTail && isCounted && isJointHeader(headers[offset]) ? offset - 1 : offset;
+}
+
+const isJointHeader = (header) => readLabels([[header]])?.kind === "joint";
+
+// Split headers in sets in which no joint's number stands twice.
+function splitAtRepeatedNumbers(joints) {
+  const sets = [];
+  for (const joint of joints) {
+    const isRepeated = sets.at(-1)?.some(({ number }) => number === joint.number);
+    if (!sets.length || isRepeated) sets.push([]);
+    sets.at(-1).push(joint);
+  }
+  return sets;
+}
+
+const IN_DEGREES = /deg|°/i;
+const IN_RADIANS = /rad/i;
+const areIn = (set, unit) => set.every(({ header }) => unit.test(header.text));
+
+// Make a block of each set of columns. Those in radians that repeat others in degrees
+// are left out.
+function selectSets(block, sets) {
+  const degrees = sets.filter((set) => areIn(set, IN_DEGREES));
+  const radians = sets.filter((set) => areIn(set, IN_RADIANS));
+  const isPair = degrees.length === 1 && radians.length === 1;
+  const repeats = isPair && repeatsInDegrees(block, radians[0], degrees[0]);
+  return sets
+    .filter((set) => !repeats || set !== radians[0])
+    .map((set) => selectColumns(block, set, isPair && set === degrees[0]));
+}
+
+function selectColumns(block, set, inDegrees) {
+  const unit = inDegrees ? " deg" : "";
+  const columns = set.map(({ column }) => column);
+  const select = (row) => columns.map((k) => ({ ...row[k], text: `${row[k].text}${unit}` }));
+  const labelColumns = Math.min(...columns);
+  return {
+    ...block,
+    rows: block.rows.map(select),
+    labels: block.labels.map((words, i) => [...words, ...block.rows[i].slice(0, labelColumns)]),
+    headers: set.map(({ header }) => header),
+  };
+}
+
+const repeatsInDegrees = ({ rows }, radians, degrees) =>
+  rows.every((row) =>
+    radians.every(({ column }, k) => agree(row[column].text, row[degrees[k].column].text)),
+  );
+
+/**
+ * Return whether a number in radians and one in degrees are equal to their typed digits.
+ * @param {string} radians @param {string} degrees
+ */
+export function agree(radians, degrees) {
+  const [x, y] = [radians, degrees].map((text) => Number(text.replace(",", ".")));
+  const unit = (text) => 10 ** -(/[.,](\d*)/.exec(text)?.[1].length ?? 0);
+  return Math.abs(x - y * RAD) <= 0.51 * (unit(radians) + unit(degrees) * RAD);
+}
