@@ -112,12 +112,16 @@ function matchDefinitions(pasted) {
 }
 
 // Give the unit in brackets at a line's end to the bare values before it.
-const spreadUnits = (definitions) =>
-  definitions.map(({ isBracketed: _, lineStart, ...definition }) => {
-    const isAtEnd = (other) =>
-      other.isBracketed && other.lineStart === lineStart && other.from > definition.from;
-    return { ...definition, unit: definition.unit ?? definitions.find(isAtEnd)?.unit };
+function spreadUnits(definitions) {
+  const bracketed = new Map();
+  for (const one of definitions.filter(({ isBracketed }) => isBracketed))
+    bracketed.set(one.lineStart, [...(bracketed.get(one.lineStart) ?? []), one]);
+  return definitions.map(({ isBracketed: _, lineStart, ...definition }) => {
+    const isBehind = ({ from }) => from > definition.from;
+    const unit = definition.unit ?? bracketed.get(lineStart)?.find(isBehind)?.unit;
+    return { ...definition, unit };
   });
+}
 
 const DEEPEST = 5; // definitions that refer to another one
 
