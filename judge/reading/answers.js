@@ -326,8 +326,15 @@ function makeRefusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings)
   refuseUnread(text, tokensOf(text, sorted[0]), what); // may have broken the block
   const found = describeSize(sorted[0].rows.length, sorted[0].rows[0].length);
   const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
-  return new NoFitError(formatMessage("no fit", { what, found, line, wanted }));
+  const message = formatMessage("no fit", { what, found, line, wanted });
+  return isFarTooLong(sorted[0], wants) ? new ArmError(message) : new NoFitError(message);
 }
+
+// Return whether a block is so long that it holds no part of the answer.
+const isFarTooLong = (block, wants) =>
+  wants.every(
+    ({ rows, columns }) => rows !== null && columns !== null && count(block) > 10 * rows * columns,
+  );
 
 const sizeOf = ({ rows, columns }) => (columns === null ? "numbers" : describeSize(rows, columns));
 

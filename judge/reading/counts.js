@@ -72,15 +72,14 @@ function dropLabelColumn(block) {
 function dropLabelRow(block) {
   const { rows, labels } = block;
   const [first, ...rest] = rows;
-  const isHeader =
-    first.length > 1 && (isCount(textsOf(first)) || isJointCount(first) || areNames(first));
-  if (!rest.length || !isHeader) return [];
+  if (!rest.length || first.length < 2) return [];
+  if (!isCount(textsOf(first)) && !isJointCount(first) && !areNames(first)) return [];
   return [{ ...block, rows: rest, labels: labels.slice(1), headers: first }];
 }
 
 const areNames = (cells) =>
-  readLabels(cells.map((cell) => [cell])) !== null &&
-  cells.every(({ text }) => number(text) === null);
+  cells.every(({ text }) => number(text) === null) &&
+  readLabels(cells.map((cell) => [cell])) !== null;
 
 // Return whether cells count from 0 or from 1.
 const isCount = (texts) =>

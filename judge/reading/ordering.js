@@ -16,9 +16,11 @@ import { formatMessage } from "../sentences.js";
  * @returns {Labels | null}
  */
 export function readLabels(words) {
-  const labels = words.map((cells) => cells[0]?.label ?? findLabel(cells));
-  const kind = labels[0]?.kind;
-  if (!kind || labels.some((label) => label?.kind !== kind)) return null;
+  const readOne = (cells) => cells[0]?.label ?? findLabel(cells);
+  const kind = words.length ? readOne(words[0])?.kind : undefined;
+  if (!kind) return null;
+  const labels = words.map(readOne);
+  if (labels.some((label) => label?.kind !== kind)) return null;
   const numbers = labels.map((label) => label.number);
   return new Set(numbers).size === numbers.length ? { kind, numbers } : null;
 }
