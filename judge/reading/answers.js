@@ -256,8 +256,13 @@ function listRowsAlone(block) {
 // Return whether as many headers name joints as there are columns, or fewer than two.
 function namesColumns(headers, width) {
   if (width < 2) return true;
-  const words = headers.flatMap(({ text }) => text.split(" ")).map((text) => ({ text }));
-  const labels = words.map((_, k) => findLabel(words.slice(Math.max(0, k - 1), k + 1)));
+  // A header with a label is one: the elbow of "elbow up: θ1" is no joint.
+  const words = headers.flatMap(({ text, label }) =>
+    label ? [{ text, label }] : text.split(" ").map((word) => ({ text: word, label: null })),
+  );
+  const labels = words.map(
+    ({ label }, k) => label ?? findLabel(words.slice(Math.max(0, k - 1), k + 1)),
+  );
   const joints = new Set(
     labels.flatMap((label) => (label?.kind === "joint" ? [label.number] : [])),
   );

@@ -2,8 +2,8 @@
 // columns remain, all are returned, and the student is asked which she means.
 
 import { isSeries } from "./counts.js";
-import { RAD } from "../geometry/angles.js";
 import { readHeaderLabels, readLabels } from "./ordering.js";
+import { agree } from "./repetitions.js";
 
 /** @typedef {import("./block.js").Block} Block */
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -119,13 +119,3 @@ const repeatsInDegrees = ({ rows }, radians, degrees) =>
   rows.every((row) =>
     radians.every(({ column }, k) => agree(row[column].text, row[degrees[k].column].text)),
   );
-
-/**
- * Return whether a number in radians and one in degrees are equal to their typed digits.
- * @param {string} radians @param {string} degrees
- */
-export function agree(radians, degrees) {
-  const [x, y] = [radians, degrees].map((text) => Number(text.replace(",", ".")));
-  const unit = (text) => 10 ** -(/[.,](\d*)/.exec(text)?.[1].length ?? 0);
-  return Math.abs(x - y * RAD) <= 0.51 * (unit(radians) + unit(degrees) * RAD);
-}

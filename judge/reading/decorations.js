@@ -2,6 +2,7 @@
 // of a footnote, a comment. They are taken off; the number keeps its position in the pasted text.
 
 import { foldCharacters } from "./characters.js";
+import { withoutRepeatedUnits } from "./repetitions.js";
 
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const UNIT =
@@ -16,14 +17,15 @@ const SMALL = 0.001; // rad or N m: no two solutions lie as near
 
 // Leave out u of x ± u if u is small or a few of the last decimal places of x. Another ± stands for
 // two numbers: 0.3 ± 0.1 may be 0.4 and 0.2.
-function withoutUncertainty(all, decimals = "", unit = "", uncertainty) {
+function withoutUncertainty(all, decimals = "", unit = "", bare, bracketed) {
   const most = Math.max(SMALL, decimals.length > 1 ? 20 * 10 ** -decimals.length : 0);
-  return Number(uncertainty.replace(",", ".")) <= most ? unit : all;
+  return Number((bare ?? bracketed).replace(",", ".")) <= most ? unit : all;
 }
 
 const UNCERTAINTY =
   String.raw`(?<=[.,](\d{1,20})|\d)((?: ?π)?(?: ?(?:${UNIT}))?)` +
-  String.raw`\s*(?:±|\+\/-)\s*(\d*[.,]\d+)`;
+  String.raw`\s*(?:(?:±|\+\/-)\s*(\d*[.,]\d+)(?:\2)?` +
+  String.raw`|\(\s*(?:±|\+\/?-)\s*(\d*[.,]\d+)\s*\))`;
 
 // LaTeX commands that set their argument, and the argument, which may hold braces.
 const FACES = "math(?:bf|it|rm)|boldsymbol|text(?:bf|it)?|boxed|underline|num";
@@ -105,7 +107,8 @@ export function withoutDecorations(text) {
       (rest, [pattern, replacement]) => rest.replace(pattern, replacement),
       decorated,
     );
-  return once(once(withoutTildes(text))); // twice: a decoration may stand within another
+  const bare = once(withoutRepeatedUnits(withoutTildes(text)));
+  return withoutRepeatedUnits(once(bare)); // twice: a decoration may stand within another
 }
 
 const NEGATIVE = /(?:^|[\s|&,;:=[({~])-\s?[\d.]/m;

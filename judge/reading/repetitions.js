@@ -1,0 +1,52 @@
+// Values that a text repeats in radians and in degrees, as "0.500 rad (28.65°)" does. One value
+// stands for both if they are equal to their typed digits. Otherwise the judge asks.
+
+import { RAD } from "../geometry/angles.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+const NUMBER = String.raw`[-+]?\d+(?:[.,]\d+)?`;
+const BLANK = String.raw`(?:[ \t]|\\[,;: ])*`;
+const DEGREES = String.raw`${BLANK}(?:\^?°|\^\{°\}|deg(?:rees?)?\b)`;
+const RADIANS = String.raw`${BLANK}rad(?:ians?)?\b`;
+const EQUALS = String.raw`${BLANK}[=≈/]${BLANK}`;
+const OPEN = String.raw`${BLANK}[[(]${BLANK}[=≈]?${BLANK}`;
+const CLOSE = String.raw`${BLANK}[\])]`;
+const START = String.raw`(?<![\p{L}\d_.,*/^])`;
+
+// Patterns of a pair, and whether the degrees stand first. Before degrees in brackets radians need
+// no unit.
+/** @type {[RegExp, boolean][]} */
+const PAIRS = [
+  [`(${NUMBER})(?:${RADIANS})?${OPEN}(${NUMBER}${DEGREES})${CLOSE}`, false],
+  [`(${NUMBER})${RADIANS}${EQUALS}(${NUMBER}${DEGREES})`, false],
+  [`(${NUMBER}${DEGREES})${OPEN}(${NUMBER})${RADIANS}${CLOSE}`, true],
+  [`(${NUMBER}${DEGREES})${EQUALS}(${NUMBER})${RADIANS}`, true],
+].map(([pattern, hasDegreesFirst]) => [
+  new RegExp(START + pattern, "gu"),
+  Boolean(hasDegreesFirst),
+]);
+
+/**
+ * Leave one value, that with its mark of degrees, where a text repeats it in radians.
+ * @param {import("./spans.js").SpannedText} text
+ */
+export const withoutRepeatedUnits = (text) =>
+  PAIRS.reduce(
+    (rest, [pattern, hasDegreesFirst]) =>
+      rest.replace(pattern, (pair, first, second) => {
+        const [degrees, radians] = hasDegreesFirst ? [first, second] : [second, first];
+        if (agree(radians, degrees)) return degrees;
+        throw new ArmError(formatMessage("two units", { text: quoteText(pair) }));
+      }),
+    text,
+  );
+
+/**
+ * Return whether a number in radians and one in degrees are equal to their typed digits.
+ * @param {string} radians @param {string} degrees
+ */
+export function agree(radians, degrees) {
+  const [x, y] = [radians, degrees].map((text) => parseFloat(text.replace(",", ".")));
+  const unit = (text) => 10 ** -(/[.,](\d*)/.exec(text)?.[1].length ?? 0);
+  return Math.abs(x - y * RAD) <= 0.51 * (unit(radians) + unit(degrees) * RAD);
+}
