@@ -23,7 +23,8 @@ const OFFSET_IN_ROW = /\b(?:offset|plus|minus)\b[^,;|&]*?[1-9]/i;
 const FIELD = /\.(?:a|d|alpha|theta|offset|tool|base) ?=(?!=)/;
 const LIST_ENTRY = /(?<![\w.])(?:a|r|d|alpha|theta|offset) ?[[(]\d{1,2}[\])] ?=(?!=)/;
 const TOOL = /(?<![\p{L}\p{N}])(?:tool|base)['"]?[ \t]*[:=│|,](.*)/iu;
-const TRANSFORM = /\d*\.\d*[1-9]|[1-9]\d* ?mm\b|(?:transl|SE3)\(.*[1-9]|(?:-?\d+[ ,]+){2}-?\d/;
+const TRANSFORM =
+  /\d*\.\d*[1-9]|[1-9]\d* ?mm\b|(?:transl|SE3)\(.*[1-9]|(?=[^.]*[1-9])(?:-?\d+[ ,]+){2}-?\d/;
 const FLIP = /\bflip ?= ?(?:True|true|1)\b/;
 const CORRECTION = /^\W*(?:correction|corrected|erratum)\b.*[=:].*\d/i;
 const COMMENT = /^\s*(?:%|#(?!\d)|\/\/)/;
