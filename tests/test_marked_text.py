@@ -168,3 +168,39 @@ def test_torques_in_order_of_listed_names_mark_their_joints():
     marked_text = compare_torques(text, PANDA, Q).marked_text
     (piece,) = [piece for piece in marked_text.pieces if piece.kind == "wrong"]
     assert (piece.text, piece.description[:16]) == (values[5], "entry of joint 2")
+
+
+def list_marks(verdict):
+    pieces = verdict.marked_text.pieces
+    return [(piece.text, piece.kind, piece.description) for piece in pieces if piece.kind]
+
+
+@pytest.mark.parametrize(
+    "centres", ["", "\tCentre of mass"], ids=["numbers alone", "vectors in brackets"]
+)
+def test_other_columns_of_table_are_marked_as_set_aside(centres):
+    vector = "\t[0, 0.1, 0.2]" if centres else ""
+    text = (
+        f"a\talpha\td\ttheta\tMass [kg]{centres}\n0\t90\t0.5\tq1\t3{vector}\n"
+        f"0.4\t0\t0\tq2\t2.2{vector}\n0.35\t0\t0\tq3\t1.1{vector}"
+    )
+    verdict = compare_tables(text, ELBOW)
+    marks = list_marks(verdict)
+    assert "".join(piece.text for piece in verdict.marked_text.pieces) == text
+    assert list_pieces(verdict.marked_text, "wrong") == ["0.35"]
+    masses = [mark for mark in marks if mark[2] == "set aside: column Mass [kg]"]
+    assert masses == [(mass, "context", masses[0][2]) for mass in ("3", "2.2", "1.1")]
+    assert sum(mark[2] == "set aside: column Centre of mass" for mark in marks) == (
+        9 if centres else 0
+    )
+    assert "Mass [kg]" in str(verdict)
+
+
+def test_column_of_offsets_is_marked_as_entries_of_theta():
+    text = (
+        "i|theta|d|a|alpha|offset|home\n1|q1|0.5|0|90|0|10\n2|q2|0|0.4|0|30|20\n3|q3|0|0.3|0|0|30"
+    )
+    marks = list_marks(compare_tables(text, ELBOW))
+    (description,) = [mark[2] for mark in marks if mark[0] == "30" and mark[1] == "entry"]
+    assert description.startswith("entry of row 2, θ, read as q_2 + 30°")
+    assert ("10", "context", "set aside: column home") in marks

@@ -243,7 +243,8 @@ function readCells(block, { options, known }) {
   const stated = { ...textUnits, ...dropMissing(readHeaders(headers)) };
   const units = chooseUnits(options, stated, findConvention(block));
   const usedCells = orders.rows.flat().join(" & ");
-  const unused = typedCells.filter((cell) => hasDecimals(cell) && !usedCells.includes(cell));
+  const isUnused = (cell) => hasDecimals(cell) && !usedCells.includes(cell);
+  const unused = orders.others ?? typedCells.filter(isUnused);
   return readOrders(orders, known).map((table) => ({
     ...units,
     ...table,

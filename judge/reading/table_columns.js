@@ -1,7 +1,7 @@
 // Finds the entry that each column of a table holds: by the headers above the columns, else by
 // what stands in them.
 
-import { number, plain } from "./formula.js";
+import { isNumber, number, plain } from "./formula.js";
 import { findLabel } from "./labels.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -112,24 +112,39 @@ function orderByOption(cells, columns) {
   return { orders: [order], isStated: true, rows: cells };
 }
 
-// Order by headers that name all four entries; a column of joint offsets is added to the joints.
-function orderByHeaders(cells, headers) {
+// Name the column that each header stands for if all four entries are named: the first of several
+// that name one entry, "i" for the rows' numbers, "offset" for a column of joint offsets; undefined
+// for others.
+export function nameTableColumns(headers) {
   const isOffset = (head) => head.toLowerCase().includes("offset");
   const all = headers.map(findEntry);
   const twice = all.filter((word) => word === "d").length > 1;
   const words = all.map((word, i) => (twice && isOffset(headers[i]) ? "" : word));
   const keep = ENTRIES.map((entry) => words.indexOf(entry));
-  const fits = cells.every((row) => row.length === headers.length);
-  if (keep.includes(-1) || !fits) return null;
+  if (keep.includes(-1)) return null;
   const added = headers.findIndex((head, i) => isOffset(head) && !keep.includes(i));
+  return headers.map((_, i) => {
+    if (i === added) return "offset";
+    return keep.includes(i) || words[i] === "i" ? words[i] : undefined;
+  });
+}
+
+// Order by headers that name all four entries; a column of joint offsets is added to the joints.
+function orderByHeaders(cells, headers) {
+  const names = nameTableColumns(headers);
+  if (!names || cells.some((row) => row.length !== headers.length)) return null;
+  const keep = ENTRIES.map((entry) => names.indexOf(entry));
+  const added = names.indexOf("offset");
   const rows = cells.map((row, k) => {
     const kept = keep.map((i) => row[i] ?? "0");
     const still = row[added] ?? "0";
     const none = ["", "-"].includes(still.trim()) || number(still) === 0;
     return none ? kept : addOffset(k + 1, kept, still);
   });
-  const typedOrder = [...ENTRIES].sort((p, q) => words.indexOf(p) - words.indexOf(q));
-  return { orders: [ENTRIES], isStated: true, rows, typedOrder };
+  const isOther = (name, i) => name === undefined && cells.some((row) => isNumber(row[i]));
+  const others = headers.filter((_, i) => isOther(names[i], i));
+  const typedOrder = names.filter((name) => ENTRIES.includes(name));
+  return { orders: [ENTRIES], isStated: true, rows, typedOrder, others };
 }
 
 // List every order in which each cell may be an entry of its column, the likeliest first. A column

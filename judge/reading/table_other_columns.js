@@ -1,8 +1,17 @@
 // Columns of a pasted table that are no part of it, as a maker's masses beside the four entries.
 
 import { isNumber } from "./formula.js";
+import { Tokens } from "./owners.js";
+import { listLines, SpannedText } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
+
+/** @typedef {import("./owners.js").Token} Token */
+/** @typedef {import("./spans.js").Span} Span */
+/**
+ * A column that is no part of the table, with its header's cell first.
+ * @typedef {{ header: string, cells: Span[] }} OtherColumn
+ */
 
 const SEPARATORS = ["\t", "|", "&", ";"];
 const KEPT = /offset|type|kind|variable/i; // headers of columns that belong to a table
@@ -11,29 +20,68 @@ const VECTOR = /^[([{]\s*[-+−.\d]/; // a centre of mass
 /**
  * Cut other columns out of a table whose headers name all four entries.
  * @param {string} text
- * @returns {{ text: string, others: string[] }} the headers of the columns with numbers that were
- *   cut out
+ * @returns {{ rest: SpannedText, others: OtherColumn[] }} the text without the columns, and the
+ *   columns with numbers that were cut out
  */
 export function dropOtherColumns(text) {
-  const lines = text.split("\n");
+  const lines = listLines(text);
   for (const separator of SEPARATORS)
     for (const [k, line] of lines.entries()) {
-      const headers = line.split(separator).map((cell) => cell.trim());
+      const headers = line.text.split(separator).map((cell) => cell.trim());
       const words = headers.map(findEntry);
       if (!ENTRIES.every((entry) => words.includes(entry))) continue;
       const isKept = (i) => words[i] !== undefined || !headers[i] || KEPT.test(headers[i]);
-      const cells = lines.map((one) => one.split(separator));
-      const isRow = (i) => i >= k && cells[i].length === headers.length;
-      const holdsNumbers = (i) =>
-        cells.some((row, j) => j > k && isRow(j) && isNumberOrVector(row[i].trim()));
-      if (headers.every((_, i) => isKept(i))) return { text, others: [] };
-      const kept = cells.map((row, j) =>
-        isRow(j) ? row.filter((_, i) => isKept(i)).join(separator) : lines[j],
-      );
-      const others = headers.filter((_, i) => !isKept(i) && holdsNumbers(i));
-      return { text: kept.join("\n"), others };
+      if (headers.every((_, i) => isKept(i))) return { rest: new SpannedText(text), others: [] };
+      const cells = lines.map((each) => splitLine(each, separator));
+      const isRow = (j) => j >= k && cells[j].length === headers.length;
+      const parts = lines.flatMap((each, j) => [
+        ...(isRow(j)
+          ? joinSpans(
+              cells[j].filter((_, i) => isKept(i)),
+              separator,
+            )
+          : [each]),
+        ...(j < lines.length - 1 ? ["\n"] : []),
+      ]);
+      const others = headers.flatMap((header, i) => {
+        const column = cells.flatMap((row, j) => (isRow(j) && !isKept(i) ? [row[i]] : []));
+        const hasNumbers = column.slice(1).some((cell) => isNumberOrVector(cell.text.trim()));
+        return hasNumbers ? [{ header, cells: column }] : [];
+      });
+      return { rest: new SpannedText(text).assemble(parts), others };
     }
-  return { text, others: [] };
+  return { rest: new SpannedText(text), others: [] };
+}
+
+// Split a line into its cells with their positions in the text.
+function splitLine({ from, text }, separator) {
+  let start = from;
+  return text.split(separator).map((cell) => {
+    const span = { from: start, to: start + cell.length, text: cell };
+    start = span.to + separator.length;
+    return span;
+  });
+}
+
+const joinSpans = (spans, separator) =>
+  spans.flatMap((span, i) => (i ? [separator, span] : [span]));
+
+/**
+ * List the numbers of a text with their owners, once its other columns were cut out.
+ * @param {Token[]} tokens of the text without the columns
+ * @param {{ rest: SpannedText, others: OtherColumn[] }} dropped
+ * @param {string} text as it was pasted
+ * @returns {Token[]}
+ */
+export function addOtherNumbers(tokens, { rest, others }, text) {
+  const kept = tokens.map((token) => ({ ...token, ...rest.span(token.from, token.to) }));
+  const all = new Tokens(text);
+  for (const { header, cells } of others)
+    for (const cell of cells) all.claim(cell, "context", { reason: `column ${header}` });
+  const owned = new Set(kept.map(({ from }) => from));
+  const added = all.list.filter(({ from }) => !owned.has(from));
+  for (const token of added) token.owner ||= "context";
+  return [...kept, ...added].sort((p, q) => p.from - q.from);
 }
 
 const isNumberOrVector = (cell) => isNumber(cell) || VECTOR.test(cell);

@@ -2,7 +2,7 @@
 // same data as the reading of that entry.
 
 import { Tokens } from "./owners.js";
-import { EXCHANGED, nameColumns } from "./table_columns.js";
+import { EXCHANGED, nameTableColumns } from "./table_columns.js";
 import { findReadEntry } from "./table_matrices.js";
 import { ENTRIES } from "./table_rows.js";
 
@@ -25,7 +25,8 @@ function makeLabel({ text, from, to, line }, reason) {
 }
 
 /**
- * Place the numbers of a block whose columns are known: a number of another column is a label.
+ * Place the numbers of a block whose columns are known. A number that numbers a row is a label; a
+ * number of another column is set aside.
  * @param {Token[]} tokens with their row and column in the block
  * @param {import("./table_blocks.js").TableBlock} block
  * @param {import("./table.js").TypedTable} table that was read from it
@@ -33,15 +34,36 @@ function makeLabel({ text, from, to, line }, reason) {
  * @returns {Token[]}
  */
 export function placeBlockNumbers(tokens, { cells, headers, isTurned = false }, table, text) {
-  const columns = headers.length ? nameColumns(headers) : table.order;
+  const columns = listColumns(headers, table.order);
   const names = table.isExchanged ? columns.map((name) => EXCHANGED[name] ?? name) : columns;
   return tokens.map((token) => {
     if (token.owner !== "entry") return token;
     const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];
-    const column = ENTRIES.indexOf(names[at - (cells[row].length - names.length)]);
-    return column < 0 ? makeLabel(token) : labelName({ ...token, row, column }, text);
+    const k = at - (cells[row].length - names.length);
+    const column = ENTRIES.indexOf(names[k] === "offset" ? getJointEntry(table, row) : names[k]);
+    if (column >= 0) return labelName({ ...token, row, column }, text);
+    const isOther = k in headers && names[k] === undefined;
+    return isOther ? setAside(token, `column ${headers[k].trim()}`) : makeLabel(token);
   });
 }
+
+// List the names of all columns if the headers give the order that was read, else that order.
+function listColumns(headers, order) {
+  const names = nameTableColumns(headers);
+  const entries = names?.filter((name) => ENTRIES.includes(name));
+  return entries?.join() === order.join() ? names : order;
+}
+
+const getJointEntry = ({ rows }, row) => (rows[row].kind === "prismatic" ? "d" : "theta");
+
+const setAside = ({ text, from, to, line }, reason) => ({
+  text,
+  from,
+  to,
+  line,
+  owner: "context",
+  reason,
+});
 
 /**
  * Place the numbers of link matrices A_1 ... A_n, which stand one below the other. `matrix` says

@@ -24,13 +24,14 @@ const JOINT_NAME = /[qθϑ]|th/i; // shows which column holds the joints
  */
 export function readArmTable(text, options) {
   const whole = dropOtherColumns(text);
-  const typed = readTables(whole.text, options, options.values)[0];
+  const typed = readTables(whole.rest.text, options, options.values)[0];
   const converted = convertTable(typed, []);
   const table = makeTable(typed, converted);
   const rows = snapTypedAngles(table);
   const renumbered = noteRenumberedJoints(typed, table, rows);
-  const others = whole.others.length
-    ? [formatMessage("left out: columns", { columns: joinList(whole.others) })]
+  const headers = whole.others.map(({ header }) => header);
+  const others = headers.length
+    ? [formatMessage("left out: columns", { columns: joinList(headers) })]
     : [];
   const parts = [
     describeReading(typed, converted),

@@ -16,7 +16,7 @@ import {
 import { readTables } from "../reading/table.js";
 import { convertTable } from "../reading/table_conversion.js";
 import { NoLink } from "../reading/table_matrices.js";
-import { dropOtherColumns } from "../reading/table_other_columns.js";
+import { addOtherNumbers, dropOtherColumns } from "../reading/table_other_columns.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { formatMessage, formatNumber, tryOrNull, uncapitalize } from "../sentences.js";
@@ -143,15 +143,14 @@ function readTextOrNoLink(text, options, known) {
     if (error instanceof NoLink) return error;
     const filled = dropUnfilledEnd(text);
     if (filled !== text) return readTextOrNoLink(filled, options, known);
-    const { text: fewerColumns, others } = dropOtherColumns(text);
-    if (!others.length) throw error;
-    const tables = tryOrNull(() => readTables(fewerColumns, options, known));
+    const dropped = dropOtherColumns(text);
+    if (!dropped.others.length) throw error;
+    const tables = tryOrNull(() => readTables(dropped.rest.text, options, known));
     if (!tables) throw error;
-    // The tokens have positions in the shorter text, so none of them can be marked.
     return tables.map((table) => ({
       ...table,
-      unusedLines: [...table.unusedLines, ...others],
-      tokens: undefined,
+      unusedLines: [...table.unusedLines, ...dropped.others.map(({ header }) => header)],
+      tokens: addOtherNumbers(table.tokens, dropped, text),
     }));
   }
 }
