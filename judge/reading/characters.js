@@ -27,10 +27,14 @@ const PLAIN_CHARACTERS = new Map([
     "；": ";",
     "：": ":",
     "＝": "=",
+    "．": ".",
+    "。": ".",
+    "٫": ".",
     "（": "(",
     "）": ")",
   }),
   ...[..."０１２３４５６７８９"].flatMap((digit, i) => mapEach(digit, `${i}`)), // in Chinese text
+  ...[..."٠١٢٣٤٥٦٧٨٩"].flatMap((digit, i) => mapEach(digit, `${i}`)), // in Arabic text
 ]);
 const FOLDED = new RegExp(`[${[...PLAIN_CHARACTERS.keys()].join("")}]`, "g");
 
@@ -61,6 +65,7 @@ export const foldCharacters = (text) =>
  */
 export const foldNames = (text) =>
   /** @type {any} */ (text)
+    .replace(/&#8722;|(?<![\p{L}\d)] ?)minus +(?=[.\d])/gu, "-")
     .replace(NAMED, (name) => NAMED_CHARACTERS[name] ?? name)
     .replace(RAISED, lowered);
 
@@ -98,11 +103,15 @@ const MATRIX_CHARACTERS = [
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
   [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
   [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
-  [/(?<!\^)\{([,*])\}/g, "$1"], // 0{,}5 and N{\cdot}m
+  [/(?<!\^)\{([-,*])\}/g, "$1"], // 0{,}5, {-}0.5 and N{\cdot}m
+  [/(?<![\d.·])0·(?=\d{2,}(?![\d^·]))/g, "0."], // a British decimal point
+  [/\b(?:Fraction|Rational)\(\s*(-?\d+)\s*,\s*(\d+)\s*\)/g, "$1/$2"],
+  [/(?<=\d\.\d{0,20})[dD](?=[-+]?\d{1,3}(?![\d.]))/g, "e"], // Fortran's exponents
+  [/(?<=\d\.\d{1,20})f(?:0|32|64)?(?!\w)/g, ""], // types of C, Julia and Rust
 ];
 const WORD_MATRIX = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
 // Else a dash may be a minus. A name above a list and a dash before each of its numbers is YAML.
-const DASHES_ARE_BULLETS = /^[ \t]*- +(?=[-[{])|^[A-Za-z]\w*:[ \t]*(?:\n- \d[\d.]*[ \t]*){3}/m;
+const DASHES_ARE_BULLETS = /^[ \t]*- +(?=[-[{])|^[A-Za-z]\w*:[ \t]*(?:\n- \d[\d.]*[ \t]*){2}/m;
 const BULLET = /^[ \t]*- +/gm;
 
 /**

@@ -20,7 +20,7 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {import("./lines.js").Row} Row */
 
-const DIGITS = /[0-9０-９]+(?:\.[0-9０-９]*)?(?:[eE][-+−]?\d+)?|\.\d+(?:[eE][-+−]?\d+)?/g;
+const DIGITS = /[0-9０-９٠-٩]+(?:[.．٫][0-9０-９٠-٩]*)?(?:[eE][-+−]?\d+)?|\.\d+(?:[eE][-+−]?\d+)?/g;
 const LINE_END = /\r\n?|[\n\v\f]/g;
 
 /** The numbers of a text, to be claimed once each. */

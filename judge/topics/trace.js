@@ -62,7 +62,7 @@ export function readTrace(mine, arm, which = null) {
     wants: jointShapes(arm)
       .filter(({ rows, columns }) => rows === null || columns === null)
       .map((want) => ({ ...want, largest: true })),
-    names: /^(?:q|th|θ|ans$)/i,
+    names: /^(?:q|th|θ|position|ans$)/i,
     which,
   });
 }
