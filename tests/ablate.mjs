@@ -123,12 +123,12 @@ async function loadTexts(questions, path, copy) {
   const edit = (file, change) => writeFileSync(copy + file, change(readFileSync(copy + file, "utf8")));
   const modules = readdirSync(`${copy}judge`, { recursive: true }).map((name) => `judge/${name}`);
   for (const file of modules.filter((file) => file.startsWith(path) && file.endsWith(".js"))) edit(file, (code) => instrument(file, code));
-  edit("tests/judge_reading.mjs", (code) => `${code.split("for await")[0]}export { answered };`);
+  edit("tests/judge_reading.mjs", (code) => `${code.split("for await")[0]}export { answerQuestion };`);
   for (const name of EXPLORER)
     edit(`tests/explorer/${name}.test.mjs`, (code) => code.replace(/import.*"node:test";/, "const test = (_, run) => globalThis.runs.push(run);"));
   const { ask } = await import(`${copy}judge/index.js`);
-  const { answered } = await import(`${copy}tests/judge_reading.mjs`);
-  const read = (question) => JSON.stringify(answered(JSON.parse(question)));
+  const { answerQuestion } = await import(`${copy}tests/judge_reading.mjs`);
+  const read = (question) => JSON.stringify(answerQuestion(JSON.parse(question)));
   const lines = readFileSync(questions, "utf8").split("\n").map((line) => JSON.parse(line));
   globalThis.runs = lines.map(({ script, question }) => () => (script === "judge_bundle.mjs" ? ask : read)(question));
   for (const name of EXPLORER) await import(`${copy}tests/explorer/${name}.test.mjs`);
