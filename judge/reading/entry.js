@@ -63,7 +63,7 @@ function parseEntry(typed) {
   }
 }
 
-const isUnit = ([kind, name]) => kind === "name" && UNITS.has(name);
+const isUnit = ([, name]) => UNITS.has(name);
 const operandsOf = ([, ...operands]) => operands.filter(Array.isArray);
 
 // List the units of a tree, each behind a factor, and its other names, but not those in a function
@@ -88,12 +88,11 @@ function namesIn(tree) {
  */
 function evaluateWith(tree, sizes, turn) {
   const [kind, first, second] = tree;
-  const evaluate = (part) => (isUnit(part) ? sizes[part[1]] : evaluateWith(part, sizes, turn));
   if (kind === "name") return sizes[first];
   if (kind === "num" || kind === "^") return value(tree, () => refuse());
   if (kind === "call") return value(tree, () => refuse()) * (ANGLES.includes(first) ? turn : 1);
   const operands = kind === "neg" ? [first] : [first, second];
-  const numbers = operands.map((part) => ["num", evaluate(part)]);
+  const numbers = operands.map((part) => ["num", evaluateWith(part, sizes, turn)]);
   return value([kind, ...numbers], () => refuse());
 }
 
@@ -117,7 +116,7 @@ function inSI(tree, units, bare) {
   if (!isZero(thrice - 2 * twice + once)) refuse("has two units");
   const [measured, rest] = [twice - once, 2 * once - twice];
   if (isZero(rest)) return once;
-  if (isZero(measured)) return once * (bare ? units[bare] : 1);
+  if (isZero(measured)) return once * units[bare];
   if (hasTurns || typed.units.some((unit) => unit !== bare))
     refuse("mixes numbers with and without a unit; say the unit of each");
   return rest * units[bare] + measured;
