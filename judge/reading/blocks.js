@@ -37,8 +37,10 @@ export const makePlainText = (pasted) =>
 export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiven = false) {
   const text = markHeadings(plain);
   const isEntryByCell = new Map();
+  const hasPadding = COMMA_BEFORE_ZERO.test(text.text);
+  const isNoEntry = (cell) => NO_ENTRY.test(cell) || (hasPadding && PADDED.test(cell));
   const isKnownEntry = (cell) => {
-    if (!isEntryByCell.has(cell)) isEntryByCell.set(cell, !NO_ENTRY.test(cell) && isEntry(cell));
+    if (!isEntryByCell.has(cell)) isEntryByCell.set(cell, !isNoEntry(cell) && isEntry(cell));
     return isEntryByCell.get(cell);
   };
   const splittings = SPLITTINGS.filter(({ decimal }) => !decimal || DECIMAL_COMMA.test(text.text));
@@ -48,8 +50,10 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiv
 }
 
 const DECIMAL_COMMA = /\d,\d|[:=] ?[-+]?,\d/;
-// (1) numbers a row; 0.066 -24.842 are two numbers; 0365 are the decimals of 1,0365.
-const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d|^[-+]?0\d+$/;
+const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d/; // a row's number, two numbers
+// 0365 are the decimals of 1,0365, where a comma separates cells.
+const COMMA_BEFORE_ZERO = /(?:^|[\d\s|&;-]),0\d/;
+const PADDED = /^[-+]?0\d+$/;
 
 // Return a function that computes its result at the first call only.
 function callOnce(compute) {

@@ -66,6 +66,7 @@ export function findUnreadCell(table, text, isEntry) {
 function findLostSign(text, sources) {
   for (const { line, cells } of sources)
     for (const [k, { from, to }] of cells.entries()) {
+      if (from === to) continue; // an empty cell, whose dash was taken off
       const gap = text.slice(Math.max(cells[k - 1]?.to ?? 0, from - NEAR), from);
       const sign = (k ? LOST_SIGN : ADJOINING_SIGN).exec(gap.replace(NO_SIGN, blank));
       if (sign) return { line, cell: { from: from - sign[0].length, to } };
