@@ -81,7 +81,7 @@ const DECORATIONS = [
   ],
   [/(?<=[\d)][ \t]+)-(?=[ \t]*$)/gm, ""], // an empty cell at a row's end
   [new RegExp(`${BEFORE}(${EMPHASIS}) ?(${QUANTITY}) ?\\1${AFTER}`, "g"), "$2"],
-  [/(?<=[|&][ \t]*)(\*{1,3}|_)([^*|&\n]{1,40})\1(?=[ \t]*[|&])/g, "$2"], // an emphasised cell
+  [/(?<=[|&][ \t]*)(\*{1,3}|_)([^*|&\n]{1,40}\*?)\1(?=[ \t]*[|&])/g, "$2"], // an emphasised cell
   [new RegExp(MARK_BEHIND, "gm"), ""],
   [
     new RegExp(String.raw`(?<=\d(?:[ ]?[*·]?[ ]?(?:${UNIT}|π|pi))?)(?<!${NAME}) *${REMARK}`, "g"),

@@ -34,7 +34,7 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
   const isDrawn = DRAWN_MATRIX.test(text);
   const flat = isDrawn ? flattenFormulas(pasted, formatMessage("your table")) : pasted;
   const plain = makePlainText(withoutMargins(flat)).replace(DEFINITIONS, "");
-  const marked = markColumnHeaders(dropStars(plain));
+  const marked = markColumnHeaders(nameToolRow(dropStars(plain)));
   const partings = makeBlockFinders(marked.plain, { isEntry: makeEntryTest(known) });
   const lines = linesOf(marked.plain.text);
   const typedLines = linesOf(text);
@@ -73,9 +73,18 @@ const collectContext = (lines, { from, to, labels, headers }) =>
   ].join("\n");
 
 // Stars that mark a joint's variable, or stand for it, mean no product.
-const STARRED = /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?\d*\}?)\^?\{?\*\}?(?=\s)/g;
+const STARRED =
+  /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?[\d₀-₉]*\}?)\^?\{?(?:[*∗⋆]|\\(?:ast|star))\}?(?=\s|$)/g;
 const ALONE = /(?<=\s)\*(?=[ \t]*$)/gm;
 const dropStars = (plain) => plain.replace(STARRED, "$1").replace(ALONE, "?");
+
+// Other names of the row of the tool, which is the last row of a table and has four numbers.
+const TOOL_ROW = new RegExp(
+  String.raw`^([ \t|]*)(?:T|EE|TCP|flange)(?=(?:[ \t|&;,]+[-+−]?[\d.][^\s|&;,]*){4}[ \t|&;,\\]*` +
+    String.raw`(?:\n[ \t]*)?(?:\n|$(?![\s\S])))`,
+  "gm",
+);
+const nameToolRow = (plain) => plain.replace(TOOL_ROW, "$1tool");
 
 // Drop rows that draw a line, | - | - |.
 function dropDrawnRows(block) {
@@ -172,8 +181,9 @@ const SEPARATORS = [/\| {2}\||[|&\t;]/, /\s{2,}/, /,/, /\s+/];
 
 // List the headers of a line that names three of the four columns or more; null for other lines.
 function listHeaders(typed) {
-  const line = trimOpening(typed).replace(/^(?:#|%|\/\/)+\s*(?![|&\t;,])|[|\s\])}]+$/g, (sign) =>
-    sign.replace(/[|\s#%/]/g, ""),
+  const line = trimOpening(typed).replace(
+    /^(?:#|%|\/\/)+(?![ \t]*[|&\t;,])\s*|[|\s\])}]+$/g,
+    (sign) => sign.replace(/[|\s#%/]/g, ""),
   );
   for (const sign of SEPARATORS) {
     const cells = line.split(sign);

@@ -26,12 +26,17 @@ export function findEntry(cell) {
     .replaceAll("*", "")
     .toLowerCase();
   const withoutUnit = words.replace(/\([^)]*\)?|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:mm|deg)$/g, "");
-  const word = withoutUnit.replace(/[\s_{}$\\^'"().]/g, "");
   const last = withoutUnit
     .replace(/[\s_]+$/, "")
     .split(/\s+/)
-    .at(-1); // "Link length a [mm]"
-  return HEADERS.get(word) ?? HEADERS.get(word.replace(/[ijkn]$/, "")) ?? HEADERS.get(last);
+    .at(-1); // "Link length a_i [mm]"
+  return findSpelling(withoutUnit) ?? findSpelling(last);
+}
+
+// Find a spelling of a header, with or without the index of its row.
+function findSpelling(text) {
+  const word = text.replace(/[\s_{}$\\^'"().]/g, "");
+  return HEADERS.get(word) ?? HEADERS.get(word.replace(/[ijkn]$/, ""));
 }
 
 // Write aᵢ₋₁ as ai-1, and the α of APL, which the Robotics Toolbox prints, as the Greek one.
