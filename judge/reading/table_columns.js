@@ -76,7 +76,16 @@ const KNOWN_ORDERS = [
 
 // Drop the column that numbers the rows. If no column does and the rows are one cell short, only
 // the first header is dropped: nobody typed its column, or it is half of "Joint type".
-export function dropIndexColumn({ cells, headers }) {
+export function dropIndexColumn(block) {
+  const rest = cutIndexColumn(block);
+  const widths = new Set(rest.cells.map((row) => row.length));
+  const fits = [4, rest.headers.length].some((width) => widths.has(width));
+  if (widths.size === 1 && !fits && nameTableColumns(rest.headers))
+    refuseHeaders(block.headers.length, block.cells[0].length);
+  return rest;
+}
+
+function cutIndexColumn({ cells, headers }) {
   const words = headers.map(findEntry);
   const counted = isCounted(cells.map((row) => plain(row[0])));
   const short = cells.every((row) => row.length === headers.length - 1);
@@ -94,8 +103,11 @@ export function dropIndexColumn({ cells, headers }) {
 
 // Refuse rows that number the joints and lack an entry, though a header names it.
 function refuseShortRows({ length }, words) {
-  if (!ENTRIES.every((name) => words.includes(name))) return;
-  throw new ArmError(formatMessage("short rows", { headers: length, count: length - 1 }));
+  if (ENTRIES.every((name) => words.includes(name))) refuseHeaders(length, length - 1);
+}
+
+function refuseHeaders(headers, count) {
+  throw new ArmError(formatMessage("short rows", { headers, count }));
 }
 
 // Return whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
