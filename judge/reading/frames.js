@@ -40,8 +40,8 @@ function findFrame(lines, start) {
   const width = others.length && haveSameRows ? findIndexWidth(parts) : null;
   if (width === null) return null;
   const rows = first.map((line, row) => [
-    cutBackslash(line),
-    ...others.map((part) => cutIndex(cutBackslash(part[row]), width)),
+    line,
+    ...others.map((part) => cutIndex(part[row], width)),
   ]);
   // Other text may follow the last part without a blank line between them.
   return { rows, next: end - (others.at(-1).length - first.length) };
@@ -58,7 +58,7 @@ function listParts(lines, start) {
     end = next;
     while (end < lines.length && !isBlank(end)) end++;
     parts.push(lines.slice(next, end));
-  } while (end < lines.length && WRAPPED.test(parts.at(-1)[0]?.text ?? ""));
+  } while (WRAPPED.test(parts.at(-1)[0]?.text ?? ""));
   return { parts: parts.filter(({ length }) => length), end };
 }
 
@@ -76,11 +76,6 @@ function findIndexWidth(parts) {
     return others.every(repeatsIndex) ? width : null;
   }
   return null;
-}
-
-/** @param {Line} line @returns {Span} */
-function cutBackslash({ from, text }) {
-  return { from, to: from + text.replace(/[ \t]*\\[ \t]*$/, "").length };
 }
 
 /** @param {Span} line @param {number} width @returns {Span} */

@@ -17,7 +17,7 @@ import { formatMessage } from "../sentences.js";
  */
 export function readLabels(words) {
   const readOne = (cells) => cells[0]?.label ?? findLabel(cells);
-  const kind = words.length ? readOne(words[0])?.kind : undefined;
+  const kind = readOne(words[0])?.kind;
   if (!kind) return null;
   const labels = words.map(readOne);
   if (labels.some((label) => label?.kind !== kind)) return null;
