@@ -47,7 +47,8 @@ function parseLabel(text) {
 const simplifyLabel = (text) =>
   plain([...text.normalize("NFKC")].map((character) => DOTTED[character] ?? character).join(""))
     .toLowerCase()
-    .replace(/\((?:locked|fixed)\)$|(?<=[\d}])\^?\{?\(\d\)\}?$/, "") // q1^(2) of branch 2
+    .replace(/\((?:locked|fixed)\)$/, "")
+    .replace(/(?<=\p{L}[_{]*\d[\d}]*)\^?\{?\(\d\)\}?$/u, "") // q1^(2) of branch 2
     .replace(/[([](?:deg|rad|nm|m)[^)\]]*[)\]]|(?:\bm{0,2})?\/(?:s|rad)$/g, "")
     .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
     .replace(/deg$/, "");
