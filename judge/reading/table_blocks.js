@@ -210,6 +210,7 @@ function joinUnits(cells) {
 
 const FRAMES = /^\d{1,2} ?- ?\d{1,2}$/; // 0-1 names a row after its frames
 const TWO_SIGNS = /^[-+−–]\s*[-+−–]\s*[^-+−–\s]/; // --90, which may be a dash of LaTeX
+const FOOTNOTE = /^[-+−–]?\s*\d+\(\d\)$/; // 400(2), which may be a product
 const ANGLE_UNIT = /^(?:deg|rad)$/; // without its number
 // Names of rows, which are no symbols of an arm.
 const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
@@ -222,7 +223,8 @@ const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
 export function makeEntryTest(known) {
   const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {
-    if ([FRAMES, ANGLE_UNIT, TWO_SIGNS].some((pattern) => pattern.test(cell))) return false;
+    if ([FRAMES, FOOTNOTE, ANGLE_UNIT, TWO_SIGNS].some((pattern) => pattern.test(cell)))
+      return false;
     const text = trimEntry(cell);
     if (isNumber(text) || VARIABLE.test(plain(text)) || WORD.test(text)) return true;
     return symbolsIn(text)?.every(isSymbol) ?? false;
