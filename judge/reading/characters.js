@@ -44,6 +44,7 @@ const NAMED_CHARACTERS = {
   ...{ "&minus;": "-", "&nbsp;": " ", "&times;": "*", "\\times": "*", "\\cdot": "*" },
   ...{ "\\pm": "±", "\\approx": "≈", "\\checkmark": "✓", "\\degree": "°", "\\circ": "°" },
   ...{ "\\radian": "rad", "\\newton": "N", "\\metre": "m", "\\meter": "m" },
+  ...{ "\\milli": "m", "\\centi": "c", "\\kilo": "k" },
 };
 const NAMED = /&[a-z]+;|\\[a-z]+/gi;
 

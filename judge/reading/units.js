@@ -12,10 +12,11 @@ const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
 const IN_DEGREES = // np.radians([...]), [...]*pi/180
   /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
 const RADIANS = /\brad(?:ians?)?\b/i;
-// "10, 20 and 30 deg": the unit at the end of a line belongs to the whole list.
+// "10, 20 and 30 deg", "q1 = 10 q2 = 20 deg": the unit at a line's end belongs to the whole list.
 const LIST_IN_DEGREES = new RegExp(
   String.raw`\d(?:\s*[,;]\s*(?:and\s)?|\s+(?:and\s+)?)` +
-    String.raw`[-+\u2212]?\d[\d.,]{0,20}\s?(?:${DEGREE}|Grad)[\s)\].;}]*$`,
+    String.raw`(?:[\p{L}_{}\d]{1,9}\s?[=:]\s?)?[-+\u2212]?\d[\d.,]{0,20}` +
+    String.raw`\s?(?:${DEGREE}|Grad)[\s)\].;}]*$`,
   "imu",
 );
 const ANY_DEGREES = [DEGREES, GERMAN_DEGREES, LIST_IN_DEGREES];
