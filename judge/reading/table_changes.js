@@ -23,8 +23,10 @@ const OFFSET_IN_ROW = /\b(?:offset|plus|minus)\b[^,;|&]*?[1-9]/i;
 const FIELD = /\.(?:a|d|alpha|theta|offset|tool|base) ?=(?!=)/;
 const LIST_ENTRY = /(?<![\w.])(?:a|r|d|alpha|theta|offset) ?[[(]\d{1,2}[\])] ?=(?!=)/;
 const TOOL = /(?<![\p{L}\p{N}])(?:tool|base)['"]?[ \t]*[:=│|,](.*)/iu;
-const TRANSFORM =
-  /\d*\.\d*[1-9]|[1-9]\d* ?mm\b|(?:transl|SE3)\(.*[1-9]|(?=[^.]*[1-9])(?:-?\d+[ ,]+){2}-?\d/;
+const TRANSFORM = new RegExp(
+  String.raw`\.\d{0,20}[1-9]|[1-9]\d{0,9} ?mm\b|(?:transl|SE3)\(.*[1-9]|` +
+    String.raw`(?=[^.]{0,80}[1-9])(?:-?\d{1,20}[ ,]{1,9}){2}-?\d`,
+);
 const FLIP = /\bflip ?= ?(?:True|true|1)\b/;
 const CORRECTION = /^\W*(?:correction|corrected|erratum)\b.*[=:].*\d/i;
 const COMMENT = /^\s*(?:%|#(?!\d)|\/\/)/;
