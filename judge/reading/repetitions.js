@@ -11,13 +11,14 @@ const RADIANS = String.raw`${BLANK}rad(?:ians?)?\b`;
 const EQUALS = String.raw`${BLANK}[=≈/]${BLANK}`;
 const OPEN = String.raw`${BLANK}[[(]${BLANK}[=≈]?${BLANK}`;
 const CLOSE = String.raw`${BLANK}[\])]`;
+const DECIMALS_BEFORE = String.raw`(?<=[.,]\d{1,20})`;
 const START = String.raw`(?<![\p{L}\d_.,*/^])`;
 
 // Patterns of a pair, and whether the degrees stand first. Before degrees in brackets radians need
-// no unit.
+// no unit if they have decimals: 2(45°) is a product.
 /** @type {[RegExp, boolean][]} */
 const PAIRS = [
-  [`(${NUMBER})(?:${RADIANS})?${OPEN}(${NUMBER}${DEGREES})${CLOSE}`, false],
+  [`(${NUMBER})(?:${RADIANS}|${DECIMALS_BEFORE})${OPEN}(${NUMBER}${DEGREES})${CLOSE}`, false],
   [`(${NUMBER})${RADIANS}${EQUALS}(${NUMBER}${DEGREES})`, false],
   [`(${NUMBER}${DEGREES})${OPEN}(${NUMBER})${RADIANS}${CLOSE}`, true],
   [`(${NUMBER}${DEGREES})${EQUALS}(${NUMBER})${RADIANS}`, true],
