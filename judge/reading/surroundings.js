@@ -53,6 +53,8 @@ const COMPUTED_NAME = new RegExp(
   "u",
 );
 
+const NEAR = 80; // characters beside a row: brackets, what touches them and a name
+
 /**
  * Find what touches the numbers of an answer and would change them, or a name that they do not fit.
  * @param {string} text as it was pasted @param {Row[]} rows the rows of the answer
@@ -62,12 +64,12 @@ export function findComputation(text, rows) {
   const isList = rows.length === 1 || rows.every(({ cells }) => cells.length === 1);
   for (const { cells } of rows) {
     const [first, last] = [cells[0], cells.at(-1)];
-    const before = text.slice(Math.max(0, first.from - 200), first.from);
+    const before = text.slice(Math.max(0, first.from - NEAR), first.from);
     const outside = before.replace(OPENING, "");
     const opened = countBrackets(before.slice(outside.length));
     const name = nameBefore(outside);
     if (COMPUTED_NAME.test(name)) return name;
-    const behind = text.slice(last.to, last.to + 200);
+    const behind = text.slice(last.to, last.to + NEAR);
     const rest = behind.replace(CLOSING, "");
     const closed = countBrackets(behind.slice(0, behind.length - rest.length));
     // Of a matrix in rows each row may be written as a transposed column.
