@@ -224,10 +224,12 @@ export const jointShapes = (arm, many = true) =>
     ...(many ? [{ rows: columns, columns: null }] : []),
   ]);
 
-// List the rows of numbers of a target; none if it is a text.
+// List the rows of numbers of a target, and a pose's point; none if it is a text.
 export function rowsGiven(target) {
   const rows = Array.isArray(target?.[0]) ? target : [target];
-  return rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
+  const listed = rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
+  const isPose = listed.length > 2 && listed.every(({ length }) => length === 4);
+  return isPose ? [...listed, listed.slice(0, 3).map((row) => row[3])] : listed;
 }
 
 /** The names of joint values that a text holds. */
