@@ -85,3 +85,31 @@ def test_one_wrong_number_of_pose_is_located(name):
         report = checks.compare_pose(typed, arm, T if arm.dof >= 6 else T[:3, 3])
         number = [k for k, row in enumerate(arm.rows, 1) if row.joint.kind != "fixed"][joint]
         assert report.causes == (f"ik.number:q_{number}",), str(report)
+
+
+@pytest.mark.parametrize("name", CIRCLES)
+def test_two_exchanged_joints_of_a_step_are_named(name):
+    arm, path, q = trace_circle(name, 8)
+    q[3, [0, 1]] = q[3, [1, 0]]
+    report = checks.compare_trace(write_rows(q, 4), arm, path)
+    assert report.causes == ("trace.row exchanged:3:1:2",), str(report)
+
+
+#: A reader's own solution of the circle around (0.4, 0, 0.6), with the sign of q_3 at step 2 lost.
+ELBOW_ROWS = """0.000000,1.179288,-1.780667
+0.174969,1.121558,-1.805692
+0.244979,0.980753,1.866765
+0.174969,0.833305,-1.929000
+0.000000,0.768794,-1.955193
+-0.174969,0.833305,-1.929000
+-0.244979,0.980753,-1.866765
+-0.174969,1.121558,-1.805692
+0.000000,1.179288,-1.780667"""
+
+
+def test_step_that_either_of_two_joints_mends_names_both():
+    """With the elbow bent the other way, another shoulder would reach the circle as well."""
+    path = motion.circle((0.4, 0, 0.6), 0.1, "zy", 5.0, 8)
+    report = checks.compare_trace(ELBOW_ROWS, robots.ELBOW, path)
+    assert report.causes[0].startswith("trace.row joints:"), str(report)
+    assert "only step 2 is wrong: joint 2 or 3 is off there" in report.headline
