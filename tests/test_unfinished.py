@@ -78,3 +78,10 @@ def test_first_rows_of_trace_are_right_so_far(rest):
     assert verdict.headline == "sledge draws the path so far: 7 of 13 rows."
     wrong = fill([*lines[:3], "0.5 0.5", *lines[4:]], 7, 2, rest)
     assert checks.compare_trace(wrong, sledge, circle).causes == ("trace.shape",)
+
+
+def test_line_of_dashes_before_a_word_takes_no_time():
+    """A pattern with a repetition of repetitions would need 2**60 steps."""
+    text = "0.0 -97.5297 -54.7816\n" + 60 * "-" + " end"
+    with pytest.raises(ArmError):
+        checks.compare_torques(text, robots.UR10E, [0.3, -1.1, 1.4, -0.8, 0.9, 0.2])

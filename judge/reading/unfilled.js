@@ -1,8 +1,7 @@
 // Cuts off the end of an answer that was not filled in yet.
 
-const PLACEHOLDER = String.raw`(?:\?+|[-–—_]+|…|\.{2,}|tbd|todo)`;
-const LABEL = String.raw`[\p{L}\p{M}_^{}\\$()\s]*\d*[})$\s]*[=:]`;
-const UNFILLED_LINE = new RegExp(`^(?:${LABEL})?[\\s,;|&$]*(?:${PLACEHOLDER}[\\s,;|&$]*)*$`, "iu");
+const PLACEHOLDER = /^(?:\?+|[-–—_]+|…|\.{2,}|tbd|todo)$/i;
+const LABEL = /^[\p{L}\p{M}_^{}\\$()\s]{0,40}\d{0,3}[})$\s]{0,9}[=:]/u;
 
 /**
  * Cut off the last lines of a text if they have a "?", a dash or nothing in place of their numbers,
@@ -12,6 +11,13 @@ const UNFILLED_LINE = new RegExp(`^(?:${LABEL})?[\\s,;|&$]*(?:${PLACEHOLDER}[\\s
 export function dropUnfilledEnd(answer) {
   if (typeof answer !== "string") return answer;
   const lines = answer.split("\n");
-  while (lines.length > 1 && UNFILLED_LINE.test(lines.at(-1))) lines.pop();
+  while (lines.length > 1 && isUnfilled(lines.at(-1))) lines.pop();
   return lines.join("\n");
 }
+
+// Return whether a line holds a label and placeholders only.
+const isUnfilled = (line) =>
+  line
+    .replace(LABEL, "")
+    .split(/[\s,;|&$]+/)
+    .every((word) => !word || PLACEHOLDER.test(word));
