@@ -41,7 +41,14 @@ const FOLDED = new RegExp(`[${[...PLAIN_CHARACTERS.keys()].join("")}]`, "g");
 // Characters by their names in HTML and in LaTeX.
 const NAMED_CHARACTERS = {
   ...{ "&pi;": "π", "&theta;": "θ", "&alpha;": "α", "&tau;": "τ", "&omega;": "ω", "&deg;": "°" },
-  ...{ "&minus;": "-", "&nbsp;": " ", "&times;": "*", "\\times": "*", "\\cdot": "*" },
+  ...{
+    "&minus;": "-",
+    "&nbsp;": " ",
+    "&times;": "*",
+    "&middot;": "·",
+    "\\times": "*",
+    "\\cdot": "*",
+  },
   ...{ "\\pm": "±", "\\approx": "≈", "\\checkmark": "✓", "\\degree": "°", "\\circ": "°" },
   ...{ "\\radian": "rad", "\\newton": "N", "\\metre": "m", "\\meter": "m" },
   ...{ "\\milli": "m", "\\centi": "c", "\\kilo": "k" },

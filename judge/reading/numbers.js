@@ -10,6 +10,7 @@ import {
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { findAnswer, NoFitError } from "./answers.js";
+import { OTHER_LIST } from "./owners.js";
 import { findOtherUnit, readUnits } from "./units.js";
 import {
   formulaSlack,
@@ -371,4 +372,14 @@ function evaluateJoints(symbol, q) {
     0,
   );
   return kind === "c" ? Math.cos(sum) : Math.sin(sum);
+}
+
+/**
+ * Refuse numbers of a wrong shape if another list stands in the text: it may hold the answer.
+ * @param {Typed} typed @param {string} what the answer @param {string} wanted its shape
+ * @throws {ArmError}
+ */
+export function refuseOtherLists({ tokens = [], shape }, what, wanted) {
+  if (!tokens.some(({ reason }) => reason === OTHER_LIST)) return;
+  throw new ArmError(formatMessage("shape beside", { what, shape: shape.join("x"), wanted }));
 }

@@ -18,6 +18,9 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
  *   column?: number, index?: number, matrix?: number[], reason?: string }} Token
  */
 /** @typedef {import("./blocks.js").Block} Block */
+/** The reason of a number that stands in another list. */
+export const OTHER_LIST = "another list";
+
 /** @typedef {import("./lines.js").Row} Row */
 
 const DIGITS = /[0-9０-９٠-٩]+(?:[.．٫][0-9０-９٠-٩]*)?(?:[eE][-+−]?\d+)?|\.\d+(?:[eE][-+−]?\d+)?/g;
@@ -223,7 +226,7 @@ function claimRest(tokens, block, beside) {
           alone: !starts.has(row.line),
         })
       : ownerOutside(row, block, beside);
-    for (const cell of row.cells) tokens.claim(cell, owner, { reason: "another list" });
+    for (const cell of row.cells) tokens.claim(cell, owner, { reason: OTHER_LIST });
   }
 }
 

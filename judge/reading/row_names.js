@@ -5,12 +5,10 @@ import { findLabel } from "./labels.js";
 /** @typedef {import("./lines.js").Row} Row */
 
 // Masses, forces, points and lengths: m, F_ext, d_1, l_pen.
-const OTHER_NAMES = /^(?:[fFgmpw]|FK|fk|tip|F_?ext|[adhlLmr](?:_?\{?\d\}?|_\w+))$/;
-const OTHER_WORDS = new RegExp(
-  String.raw`\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F|norm|elapsed time|` +
-    String.raw`errors?|residual|limits?)\b`,
-  "i",
-);
+const OTHER_NAMES =
+  /^(?:[fFgmpw]|FK|fk|tip|errors?|residual|limits?|F_?ext|[adhlLmr](?:_?\{?\d\}?|_\w+))$/;
+const OTHER_WORDS =
+  /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F|norm|elapsed time)\b/i;
 
 /**
  * Return whether the words before a row name a quantity that is no answer: masses, lengths, a

@@ -268,16 +268,17 @@ function findConvention({ convention, context }) {
 const LENGTHS_IN = new RegExp(
   String.raw`\b(?:lengths?|distances?|dimensions)(?: (?:are|all|given|measured))*` +
     String.raw`(?: in|:| \() ?(mm|cm|m|milli|centi|met)(?:met)?(?:ers?|res?)?\b`,
-  "i",
+  "gi",
 );
-const UNITS_ALONE = /(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(mm|cm|m), ?(?:deg|rad|°)/im;
+const UNITS_ALONE = /(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(mm|cm|m), ?(?:deg|rad|°)/gim;
 const UNIT_NAMES = { milli: "mm", centi: "cm", met: "m" };
 
-// Read the unit of lengths that a text beside a table states.
+// Read the unit of lengths that a text beside a table states; none if it states two.
 function readUnits(context) {
-  const [, unit] = LENGTHS_IN.exec(context) ?? UNITS_ALONE.exec(context) ?? [];
-  const name = unit?.toLowerCase();
-  return name ? { lengths: UNIT_NAMES[name] ?? name } : {};
+  const matches = [LENGTHS_IN, UNITS_ALONE].flatMap((pattern) => [...context.matchAll(pattern)]);
+  const names = matches.map(([, unit]) => unit.toLowerCase());
+  const [lengths, ...others] = new Set(names.map((name) => UNIT_NAMES[name] ?? name));
+  return lengths && !others.length ? { lengths } : {};
 }
 
 const dropMissing = (fields) =>

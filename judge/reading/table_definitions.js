@@ -39,7 +39,7 @@ const END =
 // Behind a colon, an arrow or a word nothing but the value may stand.
 const STRICT_END = String.raw`(?=[ \t]*(?:[,;)\]}$]|\.?[ \t]*$|\.\s|and\b))`;
 const SIGN = String.raw`["'$]*\s*:?={1,2}\s*`;
-const OTHER_SIGN = String.raw`["'$]*(?:[ ]*(?:->|→|≈|:(?!=))|[ ]+is(?: equal to)?\b)[ ]*`;
+const OTHER_SIGN = String.raw`["'$]*(?:[ ]*(?:->|→|:(?!=))|[ ]+is(?: equal to)?\b)[ ]*`;
 const START = String.raw`(?<![\p{L}\p{N}_.\\])`;
 const VALUE = String.raw`(${FORMULA}(?:\s*=\s*${FORMULA}){0,4})(?:${UNIT})?`;
 const DEFINITIONS = [

@@ -14,7 +14,7 @@ import * as chains from "../geometry/chains.js";
 import { fixedRows, norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
 import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task_rows.js";
-import { lengthFactor, lookup, numbers, pose } from "../reading/numbers.js";
+import { lengthFactor, lookup, numbers, pose, refuseOtherLists } from "../reading/numbers.js";
 import { LENGTH_UNITS } from "../reading/units.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { dropUnfilledEnd } from "../reading/unfilled.js";
@@ -185,7 +185,9 @@ const countLinearRows = (rows, arm) =>
   ({ 6: 3, 3: isPlanar(arm) ? 2 : 3, 2: isPlanar(arm) ? 2 : 0 })[rows] ?? 0;
 
 // Report a wrong shape, with its cause if all entries are right.
-function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, frame }, taken) {
+function reportWrongShape(typed, { arm, at, frame }, taken) {
+  const { values, units, shape } = typed;
+  const [rows, width] = shape;
   const columns = computeAllColumns(arm, at.values, frame).sort(([i], [j]) => i - j);
   const dof = at.values.length;
   const hasRows = (indices) => {
@@ -198,6 +200,7 @@ function reportWrongShape({ values, units, shape: [rows, width] }, { arm, at, fr
   else if (hasLocked && hasRows(ALL_ROWS)) key = "J.locked column kept";
   else if (hasLocked && rows === 5 && ALL_ROWS.some((row) => hasRows(listRowsWithout(row))))
     key = "J.row for column"; // slip 3 of the book
+  if (key === "J.shape") refuseOtherLists(typed, `${arm.name}: your Jacobian`, `6x${dof}`);
   const words = formatMessage(key, { shape: `${rows}x${width}`, dof });
   const findings = [
     { what: "shape", where: "", mine: [rows, width], expected: [6, dof], words: `${words}.` },

@@ -20,6 +20,7 @@ import {
   numbers,
   notPerJoint,
   ofMoving,
+  refuseOtherLists,
   rowsOf,
   noteLockedValues,
   unnamed,
@@ -181,10 +182,12 @@ function arrangeByPose({ values, units, shape }, count, arm) {
 const makeTorquesVerdict = (arm, grade, headline, fields) =>
   makeVerdict("torques", arm, grade, headline, fields);
 
-function reportWrongShape({ shape, values }, count, arm) {
+function reportWrongShape(typed, count, arm) {
+  const { shape, values } = typed;
   const dof = movingRows(arm).length;
   const key = values.length === count && values.length !== count * dof ? "tau.energy" : "tau.shape";
   const wanted = count > 1 ? `${count}x${dof}` : String(dof);
+  refuseOtherLists(typed, `${arm.name}: your torques`, wanted);
   const sizes = count > 1 ? shape : shape.filter((n) => n !== 1);
   const words = formatMessage(key, { shape: sizes.join("x") || "1", wanted, dof });
   const findings = [{ what: "shape", where: "", mine: shape, expected: [count, dof], words }];
