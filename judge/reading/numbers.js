@@ -325,13 +325,6 @@ export function inRadians(typed, arm, angles) {
   };
 }
 
-// Convert joint vectors that were taken as radians as if they were degrees.
-export function asDegrees(rows, arm) {
-  const factors = revoluteFlags(arm).map((turns) => (turns ? RAD : 1));
-  const scaled = (list) => list.map((x, k) => x * factors[k]);
-  return rows.map((row) => ({ ...row, values: scaled(row.values), units: scaled(row.units) }));
-}
-
 /**
  * Look up names: of joint values, of lengths, and of cosines and sines of a sum of joints.
  * @returns {Map<string, number>}
