@@ -213,7 +213,7 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
 function fitBlock(block, want, wants, names) {
   const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
-  // Of columns chosen by their headers several may fit.
+  // Each group holds the blocks that one change makes. Headers may name several sets of columns.
   const alternatives = [
     ...dropCountHeader(block).map((each) => [each]),
     [block],
@@ -335,10 +335,13 @@ function makeRefusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings)
   return isFarTooLong(sorted[0], wants) ? new ArmError(message) : new NoFitError(message);
 }
 
+const LONGEST_PART = 10; // times the wanted length: a longer list is no half-done answer
+
 // Return whether a block is so long that it holds no part of the answer.
 const isFarTooLong = (block, wants) =>
   wants.every(
-    ({ rows, columns }) => rows !== null && columns !== null && count(block) > 10 * rows * columns,
+    ({ rows, columns }) =>
+      rows !== null && columns !== null && count(block) > LONGEST_PART * rows * columns,
   );
 
 const sizeOf = ({ rows, columns }) => (columns === null ? "numbers" : describeSize(rows, columns));

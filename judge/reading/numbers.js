@@ -226,7 +226,7 @@ export const jointShapes = (arm, many = true) =>
   ]);
 
 // List the rows of numbers of a target, and a pose's point; none if it is a text.
-export function rowsGiven(target) {
+export function listGivenRows(target) {
   const rows = Array.isArray(target?.[0]) ? target : [target];
   const listed = rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
   const isPose = listed.length > 2 && listed.every(({ length }) => length === 4);

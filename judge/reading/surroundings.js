@@ -1,6 +1,6 @@
-// What touches a list of numbers from outside: a sign, a factor, a transpose, or a name that is a
-// computation, as "-[1, 2]", "[1, 2]*pi" and "cos q1 =" have. The numbers are then not the answer
-// itself. The judge computes none of them: it asks for the numbers.
+// Finds a computation around the numbers of an answer: a sign, a factor or a transpose outside
+// their brackets, as in "-[1, 2]" and "[1, 2]*pi", or a name such as "cos q1". The numbers are then
+// not the answer itself. The judge does not compute it, but asks for the final numbers.
 
 /** @typedef {import("./lines.js").Row} Row */
 
@@ -72,7 +72,7 @@ export function findComputation(text, rows) {
     const behind = text.slice(last.to, last.to + NEAR);
     const rest = behind.replace(CLOSING, "");
     const closed = countBrackets(behind.slice(0, behind.length - rest.length));
-    // Of a matrix in rows each row may be written as a transposed column.
+    // A row in brackets of its own may be transposed: it is a column of the matrix.
     const isMatrix = !isList && closed > opened;
     const change =
       (opened && findBefore(before, outside)) || (closed && findBehind(rest, isMatrix));

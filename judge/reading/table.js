@@ -239,7 +239,7 @@ function readCells(block, { options, known }) {
   // The values of symbols are in m, whatever unit the text states.
   const isKnown = (name) => known.has(simple(name));
   const hasSymbols = typedCells.some((cell) => symbolsIn(cell)?.some(isKnown));
-  const textUnits = hasSymbols ? {} : readUnits(block.context);
+  const textUnits = hasSymbols ? {} : readStatedLengths(block.context);
   const stated = { ...textUnits, ...dropMissing(readHeaders(headers)) };
   const units = chooseUnits(options, stated, findConvention(block));
   const usedCells = orders.rows.flat().join(" & ");
@@ -274,7 +274,7 @@ const UNITS_ALONE = /(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(mm|cm|m), ?(?:deg|
 const UNIT_NAMES = { milli: "mm", centi: "cm", met: "m" };
 
 // Read the unit of lengths that a text beside a table states; none if it states two.
-function readUnits(context) {
+function readStatedLengths(context) {
   const matches = [LENGTHS_IN, UNITS_ALONE].flatMap((pattern) => [...context.matchAll(pattern)]);
   const names = matches.map(([, unit]) => unit.toLowerCase());
   const [lengths, ...others] = new Set(names.map((name) => UNIT_NAMES[name] ?? name));

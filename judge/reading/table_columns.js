@@ -49,9 +49,9 @@ export const EXCHANGED = { alpha: "theta", theta: "alpha" };
 // Name the entry that each column header stands for; an offset beside d is one of theta.
 export function nameColumns(headers) {
   const names = headers.map(findEntry);
-  const isTwice = names.filter((name) => name === "d").length > 1;
+  const namesTwoD = names.filter((name) => name === "d").length > 1;
   const isOffset = (head) => head.toLowerCase().includes("offset");
-  return names.map((name, k) => (isTwice && isOffset(headers[k]) ? "theta" : name));
+  return names.map((name, k) => (namesTwoD && isOffset(headers[k]) ? "theta" : name));
 }
 
 export function readHeaders(headers) {

@@ -118,11 +118,11 @@ function makeLineRow(row) {
 // belongs to the joint's variable.
 /** @param {Pair[]} pairs @param {number} row */
 function mapColumns(pairs, row) {
-  const isTwice = pairs.some(({ name }) => name === "d");
+  const namesD = pairs.some(({ name }) => name === "d");
   /** @type {Map<string, Pair>} */
   const columns = new Map();
   for (const pair of pairs) {
-    const column = isTwice && pair.name === OFFSET ? OFFSET : pair.column;
+    const column = namesD && pair.name === OFFSET ? OFFSET : pair.column;
     const before = columns.get(column)?.entry.text;
     if (before !== undefined && !isSameValue(before, pair.entry.text)) {
       const values = [before, pair.entry.text].map(quoteText);

@@ -8,7 +8,7 @@ import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js
 import { solveTarget } from "../geometry/target.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { readJointVectors } from "../reading/joint_vectors.js";
-import { rowsGiven } from "../reading/numbers.js";
+import { listGivenRows } from "../reading/numbers.js";
 import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
@@ -35,7 +35,7 @@ function judgeBranches(mine, arm, typedTarget, options = {}) {
   const isSolved = solved && solved.arm === arm.name;
   const target = solved?.target ?? typedTarget;
   const right = makeSolutions(arm, isSolved ? solved.branches : solveTarget(arm, target));
-  const given = rowsGiven(target);
+  const given = listGivenRows(target);
   const part = { topic: "branches", angles, tolerance, given, many: true };
   return judgeWholeOrPart(
     () => judgeAnswers(mine, right, target, options),
@@ -69,7 +69,7 @@ function judgeAnswers(mine, right, target, options) {
 // Read answers as rows, or as columns if the list is square and only its columns are branches.
 function readAnswers(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
   const { arm } = right;
-  const request = { given: rowsGiven(target), which };
+  const request = { given: listGivenRows(target), which };
   const rows = readJointVectors(mine, arm, angles, request);
   const count = rows.answers.length;
   if (count < 2 || count !== movingRows(arm).length) return rows;

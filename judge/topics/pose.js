@@ -24,7 +24,7 @@ import {
 } from "../geometry/kinematics.js";
 import { describeMiss } from "../matching.js";
 import { readJointVectors } from "../reading/joint_vectors.js";
-import { jointShapes, lookup, numbers, rowsGiven } from "../reading/numbers.js";
+import { jointShapes, lookup, numbers, listGivenRows } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import {
@@ -72,7 +72,7 @@ function judgePose(q, arm, T, options = {}) {
 function judgeJoints(q, arm, T, options) {
   const { angles = "rad", tolerance = null, which = null, isGradeOnly } = options;
   const wants = jointShapes(arm, false);
-  const read = readJointVectors(q, arm, angles, { wants, given: rowsGiven(T), which });
+  const read = readJointVectors(q, arm, angles, { wants, given: listGivenRows(T), which });
   const [answer, ...more] = read.answers;
   if (!answer || more.length)
     throw new ArmError(formatMessage("one answer", { arm: arm.name, count: read.answers.length }));
@@ -102,7 +102,7 @@ function judgeFirstJoints(q, arm, T, { angles = "rad", tolerance = null }) {
   const values = target.pose ? orthonormalize(target.values) : target.values[0];
   const branches = tryOrNull(() => solveTarget(arm, values)) ?? [];
   const right = { arm, branches, count: branches.length };
-  const question = { topic: "pose", angles, tolerance, given: rowsGiven(T), many: false };
+  const question = { topic: "pose", angles, tolerance, given: listGivenRows(T), many: false };
   return judgeFirstAngles(q, right, question);
 }
 
