@@ -42,7 +42,7 @@ const NAME = String.raw`\\?(?:q|θ|theta|tau|τ|J)`;
 const COMPUTED_NAME = new RegExp(
   [
     String.raw`^-(?=${NAME})`,
-    String.raw`^\d+[*·]?(?=${NAME}(?!\p{L}))`,
+    String.raw`^\d+(?=${NAME}(?!\p{L}))`,
     String.raw`(?<!\p{L})(?:p?inv|sin|cos|tan)(?!\p{L})`,
     String.raw`\^\s*[({]?\s*-\s*1`,
     String.raw`${NAME}_?\{?\d*\}?\s*[*/]\s*\d`,

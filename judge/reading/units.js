@@ -7,7 +7,7 @@ export const MOMENT_UNITS = { 0.001: "N mm", 0.01: "N cm", 1000: "kN m" }; // by
 const DEGREE =
   String.raw`deg(?:rees?)?(?!\p{L})|degr[ée]s?(?!\p{L})|grad[io]s?(?!\p{L})|` +
   String.raw`graus|градус|度|°`;
-const DEGREES = new RegExp(String.raw`(?<!\d\s?|\p{L})(?:${DEGREE})|_deg(?!\p{L})`, "iu");
+const DEGREES = new RegExp(String.raw`(?<!\d\s?|\p{L})(?:${DEGREE})`, "iu");
 const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
 const IN_DEGREES = // np.radians([...]), [...]*pi/180
   /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
