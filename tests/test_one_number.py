@@ -72,6 +72,15 @@ def test_one_wrong_number_of_trace_is_located(name):
         assert [piece.text for piece in pieces] == [f"{wrong[row, joint]:.{decimals}f}"]
 
 
+def test_wrong_step_of_three_is_not_called_the_only_one():
+    """Two other steps could lie on the path by chance."""
+    arm, path, q = trace_circle("ELBOW", 2)
+    q[1, 1] += 0.4
+    report = checks.compare_trace(write_rows(q, 4), arm, path)
+    assert not report.agrees
+    assert "only step" not in report.headline.lower(), str(report)
+
+
 @pytest.mark.parametrize("name", CIRCLES)
 def test_one_wrong_number_of_pose_is_located(name):
     arm, key, start, _ = CIRCLES[name]
