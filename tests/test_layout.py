@@ -184,6 +184,12 @@ def test_paths_in_the_introduction_of_a_folder_exist(introduction):
         assert missing == []
 
 
+def test_readme_of_reading_names_each_module():
+    text = (ROOT / "judge/reading/README.md").read_text("utf-8")
+    modules = sorted(path.name for path in (ROOT / "judge/reading").glob("*.js"))
+    assert [name for name in modules if f"`{name}`" not in text] == []
+
+
 def test_text_of_each_planted_fault_occurs_once():
     """A fault of `python -m tests.faults` whose text has gone would plant nothing."""
     faults = json.loads((ROOT / "tests/faults.json").read_text("utf-8"))["faults"]
