@@ -9,20 +9,20 @@ const HALF = 0.5;
 const ONE_OFF = 1.5;
 // If the last typed place exceeds this share of the largest entry (as in 1e9), being off by one
 // there is an error, not rounding.
-const COARSE = 0.1;
+const LARGEST_SHARE = 0.1;
 // An answer with this number of significant digits was copied from a program without rounding.
-const FULL = 13;
+const UNROUNDED_DIGITS = 13;
 // Round-off of a program: smaller numbers are its zeros, as 6.1e-17 for cos 90°.
 const NOISE = 1e-12;
 // A smaller difference (m, rad or N m) is round-off whatever the size of the entries.
 const LEAST_DIFFERENCE = 1e-10;
 // Error of pi with seven digits or of a long sum, as a share of the largest entry.
 const SUM_ROUND_OFF = 1e-6;
-// Joint values whose last place exceeds this (rad or m) are exact: q = 0.3 does not stand for 0.26.
-export const FINE = 2e-3;
-const NUDGE = 1e-6; // step of the difference quotient, rad or m
+// Joint values with a coarser last place (rad or m) count as exact: 0.3 is not 0.26 rounded.
+export const FINE_UNIT = 2e-3;
+const STEP = 1e-6; // rad or m: step of the difference quotient
 const NUMBER = /^[+-]?\s*(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/;
-const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exact 0 or 1
+const BARE_DIGIT = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exact 0 or 1
 
 /**
  * Numbers with the unit of the last typed place of each, 0.001 for 1.234.
@@ -38,19 +38,19 @@ const BARE = /^[+-]?\s*[01]\.?0?$/; // the forms in which programs print an exac
  */
 export function units(texts, slacks = []) {
   const numbers = withoutPadding(texts.map(readLiteral));
-  if (numbers.some((number) => number?.digits >= FULL)) return texts.map(() => 0);
+  if (numbers.some((number) => number?.digits >= UNROUNDED_DIGITS)) return texts.map(() => 0);
   const typedUnits = numbers.flatMap((number, i) => {
     if (!number) return slacks[i] ? [2 * slacks[i]] : [];
-    return !number.bare && number.size > NOISE ? [number.unit] : [];
+    return !number.isBare && number.size > NOISE ? [number.unit] : [];
   });
-  const areBare = numbers.every((number) => number?.bare) && numbers.some(({ size }) => size);
+  const areBare = numbers.every((number) => number?.isBare) && numbers.some(({ size }) => size);
   const finest = typedUnits.length || areBare ? Math.min(1, ...typedUnits) : 0;
-  const longer = numbers.filter((number) => number && !number.bare);
+  const longer = numbers.filter((number) => number && !number.isBare);
   const unitOfOne = Math.max(finest, findUnitOfOne(longer));
   const bareUnit = ({ size }) => (size && typedUnits.length ? unitOfOne : finest);
   return numbers.map((number, i) => {
     if (!number) return 2 * (slacks[i] ?? 0);
-    return number.bare ? bareUnit(number) : number.unit;
+    return number.isBare ? bareUnit(number) : number.unit;
   });
 }
 
@@ -67,8 +67,8 @@ function findUnitOfOne(numbers) {
 // Give numbers that a program padded with zeros, as 6.964900e-01 beside 3.883316e+01, the unit of
 // the finest digit that is no zero.
 function withoutPadding(numbers) {
-  const padded = numbers.filter((number) => number && !number.bare && number.size > NOISE);
-  const significant = padded.map(({ unit, zeros }) => unit * 10 ** zeros);
+  const padded = numbers.filter((number) => number && !number.isBare && number.size > NOISE);
+  const significant = padded.map(({ unit, endZeros }) => unit * 10 ** endZeros);
   const unit = Math.min(COARSEST_UNIT, ...significant);
   const zeros = padded.map((number) => Math.max(0, Math.round(Math.log10(unit / number.unit))));
   const count = zeros.reduce((sum, more) => sum + more, 0);
@@ -85,7 +85,7 @@ const FEWEST_ZEROS = 3; // in all: one answer in a thousand ends so by chance
  * number, or of as many significant digits as the column's longest.
  * @param {number[][]} rows @param {number[][]} typedUnits
  */
-export function columnUnits(rows, typedUnits) {
+export function findColumnUnits(rows, typedUnits) {
   const columns = rows[0].map((_, k) => {
     const pairs = rows
       .map((row, i) => [Math.abs(row[k]), typedUnits[i][k]])
@@ -113,13 +113,13 @@ function readLiteral(text) {
     digits: (match[1] + match[2]).replace(/^0+/, "").length,
     unit: Number(`1e${Number(match[3] ?? 0) - match[2].length}`),
     size: Math.abs(Number(trimmed.replace(/\s/g, ""))),
-    bare: BARE.test(trimmed),
-    zeros: /0*$/.exec(match[2])[0].length,
+    isBare: BARE_DIGIT.test(trimmed),
+    endZeros: /0*$/.exec(match[2])[0].length,
   };
 }
 
 export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
-const allowSumRoundOff = (truth) => SUM_ROUND_OFF * largest(truth);
+const allowSumRoundOff = (expected) => SUM_ROUND_OFF * largest(expected);
 // Return the allowed round-off: little for a typed number, whose last place is allowed for anyway.
 const allowRoundOff = (unit, top) =>
   Math.max((unit ? NOISE : SUM_ROUND_OFF) * top, LEAST_DIFFERENCE);
@@ -127,78 +127,86 @@ const allowRoundOff = (unit, top) =>
 const isShort = (x, expected) => Math.abs(x) <= Math.abs(expected) && x * expected >= 0;
 
 /**
- * Return how entries agree with the right ones: all "rounded" to their last places, all "cut"
- * there, some "one off" in the last place, or "" if they differ.
- * @param {Entries} mine the typed entries
- * @param {number[]} truth the right entries
- * @param {number[]} slack difference allowed in each entry besides
+ * Compare entries with the expected entries, to their last typed places.
+ * @param {Entries} actual the typed entries
+ * @param {number[]} expected
+ * @param {number[]} slack further difference allowed in each entry
+ * @returns {"rounded" | "cut" | "one off" | ""} "cut" if all last places are cut off, "one off" if
+ *   some is off by one, "" if the entries differ
  */
-export function agreement({ values, units: lastPlaces }, truth, slack) {
-  const top = largest(truth);
+export function compareDigits({ values, units: lastPlaces }, expected, slack) {
+  const top = largest(expected);
   let [rounded, cut, oneOff] = [true, true, true];
   for (let i = 0; i < values.length; i++) {
-    const [x, expected, unit] = [values[i], truth[i], lastPlaces[i]];
-    const off = Math.abs(x - expected) - allowRoundOff(unit, top) - slack[i];
-    if (off <= 0) continue;
-    rounded &&= off <= HALF * unit;
-    cut &&= off < unit && isShort(x, expected);
-    oneOff &&= off <= ONE_OFF * Math.min(unit, COARSE * top);
+    const [x, unit] = [values[i], lastPlaces[i]];
+    const error = Math.abs(x - expected[i]) - allowRoundOff(unit, top) - slack[i];
+    if (error <= 0) continue;
+    rounded &&= error <= HALF * unit;
+    cut &&= error < unit && isShort(x, expected[i]);
+    oneOff &&= error <= ONE_OFF * Math.min(unit, LARGEST_SHARE * top);
     if (!rounded && !cut && !oneOff) return ""; // long before the end of a wrong trajectory
   }
   return rounded ? "rounded" : cut ? "cut" : "one off";
 }
 
-export const isRight = (how) => how === "rounded" || how === "cut";
-export const agrees = (mine, truth, slack = truth.map(() => 0)) =>
-  isRight(agreement(mine, truth, slack));
+/** Return whether a result of compareDigits means that all entries are right. */
+export const isRight = (agreement) => agreement === "rounded" || agreement === "cut";
 
-// Flag the entries that are wrong by more than one in the last place; if none is, all that differ.
-export function beyond({ values, units: lastPlaces }, truth, slack) {
-  const top = largest(truth);
-  const exceed = (units) =>
+/** Return whether entries are the expected ones to their digits. @param {Entries} actual */
+export const agrees = (actual, expected, slack = expected.map(() => 0)) =>
+  isRight(compareDigits(actual, expected, slack));
+
+// Flag the entries that are off by more than one in the last place. If there are none, flag all
+// entries that differ.
+export function flagWrongEntries({ values, units: lastPlaces }, expected, slack) {
+  const top = largest(expected);
+  const flagBeyond = (places) =>
     values.map((x, i) => {
-      const allowed = allowRoundOff(lastPlaces[i], top) + slack[i] + units * lastPlaces[i];
-      return Math.abs(x - truth[i]) > allowed;
+      const allowed = allowRoundOff(lastPlaces[i], top) + slack[i] + places * lastPlaces[i];
+      return Math.abs(x - expected[i]) > allowed;
     });
-  const wrong = exceed(ONE_OFF);
-  return wrong.includes(true) ? wrong : exceed(HALF);
+  const wrong = flagBeyond(ONE_OFF);
+  return wrong.includes(true) ? wrong : flagBeyond(HALF);
 }
 
 /**
- * Return whether two more typed digits would distinguish `truth` from `other`.
- * @param {{ units: number[] }} mine @param {number[]} truth @param {number[]} other
+ * Return whether two more typed digits would distinguish two lists of entries.
+ * @param {{ units: number[] }} typed @param {number[]} expected @param {number[]} other
  */
-export function tellable({ units: lastPlaces }, truth, other) {
-  const least = 2 * allowSumRoundOff(truth);
-  return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(lastPlaces[i] / 100, least));
+export function canBeDistinguished({ units: lastPlaces }, expected, other) {
+  const least = 2 * allowSumRoundOff(expected);
+  return expected.some((x, i) => Math.abs(other[i] - x) > Math.max(lastPlaces[i] / 100, least));
 }
 
 // Return the logarithm (base 10) of the number of values that the chosen entries could take.
-export function room({ values: mine, units: lastPlaces }, truth, slack, chosen) {
-  const size = Math.max(largest(truth), largest(mine));
-  const values = (i) => size / (lastPlaces[i] + 2 * slack[i] + allowSumRoundOff(truth));
-  const logarithms = chosen.map((isChosen, i) => (isChosen ? Math.log10(values(i)) : 0));
-  return logarithms.reduce((sum, logarithm) => sum + Math.max(0, logarithm), 0);
+export function logCountPossibleValues({ values, units: lastPlaces }, expected, slack, chosen) {
+  const size = Math.max(largest(expected), largest(values));
+  const roundOff = allowSumRoundOff(expected);
+  const logCounts = values.map((_, i) =>
+    chosen[i] ? Math.max(0, Math.log10(size / (lastPlaces[i] + 2 * slack[i] + roundOff))) : 0,
+  );
+  return logCounts.reduce((sum, logCount) => sum + logCount, 0);
 }
 
 /**
  * Return how far each computed number may move because q was typed with few digits.
  * @param {Entries} q joint values, `dof` for each pose
  * @param {number} dof
- * @param {(q: number[]) => number[]} make computes the numbers from q
+ * @param {(q: number[]) => number[]} compute computes the numbers from q
+ * @param {number} [coarsest] units from this one on count as exact (rad or m)
  */
-export function slackOf(q, dof, make, coarsest = FINE) {
-  const fine = q.units.map((u) => (u < coarsest ? u : 0));
-  const here = make(q.values);
-  const total = here.map(() => 0);
-  const perPose = (here.length * dof) / q.values.length;
+export function computeSlack(q, dof, compute, coarsest = FINE_UNIT) {
+  const fineUnits = q.units.map((unit) => (unit < coarsest ? unit : 0));
+  const numbers = compute(q.values);
+  const slack = numbers.map(() => 0);
+  const countPerPose = (numbers.length * dof) / q.values.length;
   for (let k = 0; k < dof; k++) {
-    if (!fine.some((u, i) => u && i % dof === k)) continue;
-    const there = make(q.values.map((x, i) => (i % dof === k ? x + NUDGE : x)));
-    there.forEach((x, i) => {
-      const u = fine[Math.floor(i / perPose) * dof + k];
-      total[i] += (HALF * u * Math.abs(x - here[i])) / NUDGE;
+    if (!fineUnits.some((unit, i) => unit && i % dof === k)) continue;
+    const shifted = compute(q.values.map((x, i) => (i % dof === k ? x + STEP : x)));
+    shifted.forEach((x, i) => {
+      const unit = fineUnits[Math.floor(i / countPerPose) * dof + k];
+      slack[i] += (HALF * unit * Math.abs(x - numbers[i])) / STEP;
     });
   }
-  return total;
+  return slack;
 }

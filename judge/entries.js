@@ -3,15 +3,15 @@
 
 import { findExplanations } from "./causes/ranking.js";
 import {
-  agreement,
+  compareDigits,
   agrees,
-  beyond,
+  flagWrongEntries,
   isRight,
   RIGHT,
   ROUNDED,
-  slackOf,
+  computeSlack,
   SO_FAR,
-  tellable,
+  canBeDistinguished,
   WRONG,
 } from "./digits.js";
 
@@ -20,13 +20,13 @@ import {
 /**
  * Entries to be judged.
  * @typedef {object} EntriesQuestion
- * @property {Entries} mine the typed entries
+ * @property {Entries} typed
  * @property {Entries} q joint values, `dof` for each pose
  * @property {number} dof
- * @property {(q: number[]) => number[]} right returns the right entries
+ * @property {(q: number[]) => number[]} makeExpected computes the right entries from q
  * @property {Mistake[]} mistakes usual mistakes
- * @property {(() => Iterable<Mistake>)[]} [further] lists of mistakes that are tried only if the
- *   earlier lists explain nothing
+ * @property {(() => Iterable<Mistake>)[]} [furtherLists] lists of mistakes that are tried only if
+ *   the earlier lists explain nothing
  * @property {number | null} [tolerance] used instead of the typed digits
  * @property {boolean} [isGradeOnly] whether the mistakes in a wrong answer are not asked for
  */
@@ -34,30 +34,30 @@ import {
  * The result of judging entries.
  * @typedef {object} EntriesVerdict
  * @property {string} grade
- * @property {string} how the last digits agree: "rounded", "cut", "one off" or ""
+ * @property {string} agreement of the last digits: "rounded", "cut", "one off" or ""
  * @property {Mistake[]} mistakes mistakes that explain the answer, or would look the same
  * @property {boolean[]} wrong whether each entry is wrong
  */
 
 /** Judge entries. @param {EntriesQuestion} question @returns {EntriesVerdict} */
 export function judgeEntries(question) {
-  const { mine, q, dof, right, mistakes, further = [], tolerance = null } = question;
-  const expected = right(q.values);
+  const { typed, q, dof, makeExpected, mistakes, furtherLists = [], tolerance = null } = question;
+  const expected = makeExpected(q.values);
   const zeros = expected.map(() => 0);
-  const alike = tolerance === null ? mistakes.filter(looksLike(mine, q, expected)) : [];
+  const lookalikes = tolerance === null ? mistakes.filter(looksLike(typed, q, expected)) : [];
   const [grade, slack] =
     tolerance === null
-      ? gradeByDigits(mine, expected, slackOf(q, dof, right), alike.length > 0)
-      : gradeWithin(tolerance, mine, expected);
-  const how = agreement(mine, expected, slack);
+      ? gradeByDigits(typed, expected, computeSlack(q, dof, makeExpected), lookalikes.length > 0)
+      : gradeWithin(tolerance, typed, expected);
+  const agreement = compareDigits(typed, expected, slack);
   if (grade === RIGHT || grade === SO_FAR)
-    return { grade, how, mistakes: alike, wrong: zeros.map(() => false) };
-  const actual = tolerance === null ? mine : { values: mine.values, units: zeros };
-  const wrong = beyond(actual, expected, slack);
-  if (grade === ROUNDED || question.isGradeOnly) return { grade, how, mistakes: [], wrong };
-  const answer = { mine, q, dof, expected, slack: tolerance === null ? slack : zeros, wrong };
-  const explanations = explainByFirstList(answer, [() => mistakes, ...further]);
-  return { grade, how, mistakes: explanations, wrong };
+    return { grade, agreement, mistakes: lookalikes, wrong: zeros.map(() => false) };
+  const actual = tolerance === null ? typed : { values: typed.values, units: zeros };
+  const wrong = flagWrongEntries(actual, expected, slack);
+  if (grade === ROUNDED || question.isGradeOnly) return { grade, agreement, mistakes: [], wrong };
+  const answer = { typed, q, dof, expected, slack: tolerance === null ? slack : zeros, wrong };
+  const explanations = explainByFirstList(answer, [() => mistakes, ...furtherLists]);
+  return { grade, agreement, mistakes: explanations, wrong };
 }
 
 // Return the mistakes of the first list in which some explain an answer.
@@ -69,12 +69,13 @@ function explainByFirstList(answer, lists) {
   return [];
 }
 
-// Return whether an answer also fits a mistake that only more digits could exclude.
+// Return a function that tests whether an answer also fits a mistake that only more digits could
+// exclude.
 const looksLike =
-  (mine, q, expected) =>
+  (typed, q, expected) =>
   ({ make }) => {
     const values = make(q.values);
-    return tellable(mine, expected, values) && agrees(mine, values);
+    return canBeDistinguished(typed, expected, values) && agrees(typed, values);
   };
 
 /** @returns {[string, number[]]} the grade, and the slack of each entry */
@@ -86,12 +87,12 @@ function gradeWithin(tolerance, { values }, expected) {
 
 // Grade an answer, with slack from the digits of q only if nothing fits without it.
 /** @returns {[string, number[]]} the grade, and the slack of each entry */
-function gradeByDigits(mine, expected, slack, isAlike) {
+function gradeByDigits(typed, expected, slack, hasLookalikes) {
   const zeros = slack.map(() => 0);
-  const strictly = agreement(mine, expected, zeros);
-  if (isAlike) return [strictly ? SO_FAR : WRONG, zeros];
-  if (isRight(strictly)) return [RIGHT, zeros];
-  const widely = agreement(mine, expected, slack);
-  if (!widely) return [WRONG, slack];
-  return [isRight(widely) ? RIGHT : ROUNDED, slack];
+  const exactAgreement = compareDigits(typed, expected, zeros);
+  if (hasLookalikes) return [exactAgreement ? SO_FAR : WRONG, zeros];
+  if (isRight(exactAgreement)) return [RIGHT, zeros];
+  const agreement = compareDigits(typed, expected, slack);
+  if (!agreement) return [WRONG, slack];
+  return [isRight(agreement) ? RIGHT : ROUNDED, slack];
 }

@@ -1,6 +1,6 @@
 // Compares joint vectors with the solution branches of a target, to their typed digits.
 
-import { agreement, isRight } from "./digits.js";
+import { compareDigits, isRight } from "./digits.js";
 import { DEG } from "./geometry/angles.js";
 import { makeChain, chainFrames } from "./geometry/chains.js";
 import {
@@ -26,16 +26,16 @@ import { formatMessage, formatNumber } from "./sentences.js";
 
 const TARGET_ROUNDING = 1e-4; // rad or m: effect on the joints of a target typed with four decimals
 const REACHED = 1e-6; // m and rad: a pose this close reaches the target whatever the digits of q
-export const NEARLY_ZERO = 1e-3; // a singular value or a sine below it counts as 0
+export const NEARLY_ZERO = 1e-3; // singular values and sines below this count as 0
 const LARGEST_ANGLE = 1e6; // rad: the round-off of larger angles hides fractions of a turn
 
-// Return how joint values agree with a branch, ignoring whole turns.
+// Compare joint values with a branch, ignoring whole turns.
 function compareWithBranch(arm, { values, units }, branch, tolerance) {
-  const turns = revoluteFlags(arm);
-  const expected = branch.map((x, k) => values[k] + signedGap(turns[k], x, values[k]));
+  const isRevolute = revoluteFlags(arm);
+  const expected = branch.map((x, k) => values[k] + signedGap(isRevolute[k], x, values[k]));
   const slack = branch.map(() => tolerance ?? TARGET_ROUNDING);
   const typedUnits = tolerance === null ? units : units.map(() => 0);
-  return agreement({ values, units: typedUnits }, expected, slack);
+  return compareDigits({ values, units: typedUnits }, expected, slack);
 }
 
 /** Return the index of the first branch that equals an answer to its digits, or -1. */
@@ -47,61 +47,63 @@ export const findBranch = (
 
 /**
  * Return for each branch whether each joint of an answer agrees with it.
- * @param {Solutions} right
+ * @param {Solutions} solutions
  * @param {JointVector} answer
  * @param {number | null} tolerance used instead of the typed digits (rad or m)
  */
 export function matchJointsByBranch({ arm, branches }, { values, units }, tolerance) {
-  const turns = revoluteFlags(arm);
+  const isRevolute = revoluteFlags(arm);
   return branches.map(({ q }) =>
     values.map((x, k) => {
-      const expected = x + signedGap(turns[k], q[k], x);
+      const expected = x + signedGap(isRevolute[k], q[k], x);
       const slack = [tolerance ?? TARGET_ROUNDING];
-      return isRight(agreement({ values: [x], units: [units[k]] }, [expected], slack));
+      return isRight(compareDigits({ values: [x], units: [units[k]] }, [expected], slack));
     }),
   );
 }
 
 /**
  * Match answers with branches.
- * @param {Solutions} right
- * @param {JointVector[]} given
+ * @param {Solutions} solutions
+ * @param {JointVector[]} answers
  * @param {number | null} tolerance used instead of the typed digits (rad or m)
- * @returns {{ hits: Map<number, number>, wrongNumbers: number[], isExact: boolean }} `hits` maps a
- *   branch to the first answer, from 1, that equals it; `wrongNumbers` are those of the answers
- *   that equal no branch; `isExact` is true if the other answers are right to their digits
+ * @returns {{ answerByBranch: Map<number, number>, wrongNumbers: number[], isExact: boolean }}
+ *   `answerByBranch` maps a branch's index to the number (from 1) of the first answer that equals
+ *   it; `wrongNumbers` are the numbers of the answers that equal no branch; `isExact` is true if
+ *   all other answers are right to their digits
  */
-export function matchAnswers(right, given, tolerance) {
-  const hits = new Map();
+export function matchAnswers(solutions, answers, tolerance) {
+  const answerByBranch = new Map();
   const wrongNumbers = [];
   let isExact = true;
-  given.forEach((answer, index) => {
-    const matches = listEqualBranches(right, answer, tolerance);
-    for (const { branch } of matches) if (!hits.has(branch)) hits.set(branch, index + 1);
+  answers.forEach((answer, index) => {
+    const matches = listEqualBranches(solutions, answer, tolerance);
+    for (const { branch } of matches)
+      if (!answerByBranch.has(branch)) answerByBranch.set(branch, index + 1);
     if (!matches.length) wrongNumbers.push(index + 1);
-    else if (!matches.some(({ how }) => isRight(how))) isExact = false;
+    else if (!matches.some(({ agreement }) => isRight(agreement))) isExact = false;
   });
-  return { hits, wrongNumbers, isExact };
+  return { answerByBranch, wrongNumbers, isExact };
 }
 
 // List the branches that an answer equals, each with its agreement. If a branch has a free joint,
 // any solution of its family counts.
-/** @param {Solutions} right @param {JointVector} answer */
-function listEqualBranches(right, answer, tolerance) {
-  const { arm, branches } = right;
+/** @param {Solutions} solutions @param {JointVector} answer */
+function listEqualBranches(solutions, answer, tolerance) {
+  const { arm, branches } = solutions;
   const matches = branches.flatMap(({ q }, branch) => {
-    const how = compareWithBranch(arm, answer, q, tolerance);
-    return how ? [{ branch, how }] : [];
+    const agreement = compareWithBranch(arm, answer, q, tolerance);
+    return agreement ? [{ branch, agreement }] : [];
   });
   const hasFamily = branches.some(({ free }) => free.includes(true));
-  if (matches.length || !hasFamily || !reachesTarget(right, answer.values, answer.units))
+  if (matches.length || !hasFamily || !reachesTarget(solutions, answer.values, answer.units))
     return matches;
-  const matchesByBranch = matchJointsByBranch(right, answer, tolerance);
+  const matchesByBranch = matchJointsByBranch(solutions, answer, tolerance);
   return branches.flatMap(({ q, free }, branch) => {
     if (!free.includes(true)) return [];
     const freeJoints = flagFreeJoints(arm, q);
-    const isInFamily = matchesByBranch[branch].every((agrees, k) => agrees || freeJoints[k]);
-    return isInFamily ? [{ branch, how: "rounded" }] : [];
+    const isInFamily = matchesByBranch[branch].every((isEqual, k) => isEqual || freeJoints[k]);
+    return isInFamily ? [{ branch, agreement: "rounded" }] : [];
   });
 }
 
@@ -120,7 +122,8 @@ function flagFreeJoints(arm, q) {
 
 // Return the distance (m) and angle (rad) from the tip at q to the target.
 /** @returns {[number, number]} */
-export const measureMiss = (right, q) => measureTipError(linkFrames(right.arm, q).at(-1), right);
+export const measureMiss = (solutions, q) =>
+  measureTipError(linkFrames(solutions.arm, q).at(-1), solutions);
 
 /** @returns {[number, number]} */
 function measureTipError(tip, { arm, branches }) {
@@ -145,24 +148,25 @@ export function describeMiss(distance, angle) {
 
 /**
  * Return whether q reaches the target to its digits.
- * @param {Solutions} right
+ * @param {Solutions} solutions
  * @param {number[]} q joint values (rad or m)
  * @param {number[]} [units] of the last typed digit of each joint value
  * @param {(chain: any) => any} [change] changes the arm's table or joint values first
  */
-export function reachesTarget(right, q, units = q.map(() => 0), change = (chain) => chain) {
-  const frames = chainFrames(change(makeChain(right.arm, q)));
-  const columns = jacobianColumns(right.arm, frames);
-  const spread = (i) => columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * units[k], 0);
-  const most = (rows) => Math.max(REACHED, norm(rows.map(spread)));
-  const [distance, angle] = measureTipError(frames.at(-1), right);
-  return distance <= most([0, 1, 2]) && (q.length < 6 || angle <= most([3, 4, 5]));
+export function reachesTarget(solutions, q, units = q.map(() => 0), change = (chain) => chain) {
+  const frames = chainFrames(change(makeChain(solutions.arm, q)));
+  const columns = jacobianColumns(solutions.arm, frames);
+  const boundRow = (i) =>
+    columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * units[k], 0);
+  const bound = (rows) => Math.max(REACHED, norm(rows.map(boundRow)));
+  const [distance, angle] = measureTipError(frames.at(-1), solutions);
+  return distance <= bound([0, 1, 2]) && (q.length < 6 || angle <= bound([3, 4, 5]));
 }
 
 // Return x - y, without whole turns for a revolute joint.
-function signedGap(turns, x, y) {
+function signedGap(isRevolute, x, y) {
   const gap = x - y;
-  return turns && Math.abs(gap) < LARGEST_ANGLE
+  return isRevolute && Math.abs(gap) < LARGEST_ANGLE
     ? gap - 2 * Math.PI * roundHalfToEven(gap / (2 * Math.PI))
     : gap;
 }

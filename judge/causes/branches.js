@@ -24,22 +24,22 @@ const NUDGE = 1e-6; // rad or m: a difference for a derivative
 
 /**
  * Explain joint values that equal no branch.
- * @param {Solutions} right
+ * @param {Solutions} solutions
  * @param {JointVector} answer
  * @param {number} number of the answer, from 1
  * @param {number | null} tolerance
  * @returns {{ causes: Cause[], finding: Finding }}
  */
-export function explainWrongAnswer(right, answer, number, tolerance) {
+export function explainWrongAnswer(solutions, answer, number, tolerance) {
   const where = formatMessage("answer", { number });
   const reportWithoutCause = (key) => ({
     causes: [],
     finding: { what: "answer", where, words: formatMessage(key, { number }) },
   });
-  if (!right.branches.length) return reportWithoutCause("ik no branch");
-  if (reachesTarget(right, answer.values)) return reportWithoutCause("ik unlisted");
-  const [distance, angle] = measureMiss(right, answer.values);
-  const { causes, words } = findBranchCauses(right, answer, tolerance);
+  if (!solutions.branches.length) return reportWithoutCause("ik no branch");
+  if (reachesTarget(solutions, answer.values)) return reportWithoutCause("ik unlisted");
+  const [distance, angle] = measureMiss(solutions, answer.values);
+  const { causes, words } = findBranchCauses(solutions, answer, tolerance);
   const off = describeMiss(distance, answer.values.length >= 6 ? angle : 0);
   const what = causes.length ? causeName(causes[0]) : "answer";
   return {
@@ -51,23 +51,23 @@ export function explainWrongAnswer(right, answer, number, tolerance) {
 // Explain joint values by a mix of two branches, by a single mistake, or by a single mistake with a
 // wrong shoulder. If nothing fits, name the joints that occur in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
-function findBranchCauses(right, answer, tolerance) {
-  const fits = matchJointsByBranch(right, answer, tolerance);
-  const mixed = explainMixedBranches(right, fits);
-  if (mixed) return addElbowFormula(mixed, right, answer, tolerance);
-  const causes = listCauses(right, answer, tolerance);
+function findBranchCauses(solutions, answer, tolerance) {
+  const fits = matchJointsByBranch(solutions, answer, tolerance);
+  const mixed = explainMixedBranches(solutions, fits);
+  if (mixed) return addElbowFormula(mixed, solutions, answer, tolerance);
+  const causes = listCauses(solutions, answer, tolerance);
   if (causes.length) return { causes, words: uncapitalize(joinCauseMessages(causes)) };
-  const strayJoints = jointNames(right.arm).filter((_, k) => !fits.some((row) => row[k]));
+  const strayJoints = jointNames(solutions.arm).filter((_, k) => !fits.some((row) => row[k]));
   const key = strayJoints.length > 1 ? "ik in no branch" : "ik one in no branch";
   return { causes: [], words: formatMessage(key, { joints: joinList(strayJoints) }) };
 }
 
 // Add slip 12 to a mix of branches, since in a planar arm both give the other elbow's second angle.
-function addElbowFormula(mixed, right, answer, tolerance) {
-  const [elbow] = listJointMistakes(right.arm).filter(([{ keys }]) =>
+function addElbowFormula(mixed, solutions, answer, tolerance) {
+  const [elbow] = listJointMistakes(solutions.arm).filter(([{ keys }]) =>
     keys.includes("ik.plus for minus"),
   );
-  if (!elbow || findBranch(right, undoMistake(answer, elbow[1]), tolerance) < 0) return mixed;
+  if (!elbow || findBranch(solutions, undoMistake(answer, elbow[1]), tolerance) < 0) return mixed;
   const words = formatMessage("or", {
     first: mixed.words,
     others: uncapitalize(causeMessage(elbow[0])),
@@ -76,32 +76,34 @@ function addElbowFormula(mixed, right, answer, tolerance) {
 }
 
 // Return whether an answer fits a branch and, with so few digits, a mistake in that branch as well.
-export const looksLikeMistake = (right, answer) =>
-  listJointMistakes(right.arm).some(([, undo]) =>
-    right.branches.some(({ q, free }) => {
+export const looksLikeMistake = (solutions, answer) =>
+  listJointMistakes(solutions.arm).some(([, undo]) =>
+    solutions.branches.some(({ q, free }) => {
       const mistaken = { values: undo(q), units: answer.units };
-      const withMistake = { ...right, branches: [{ q: mistaken.values, free }] };
+      const withMistake = { ...solutions, branches: [{ q: mistaken.values, free }] };
       const fitsBoth =
-        findBranch(right, answer, null) >= 0 && findBranch(withMistake, answer, null) === 0;
-      return fitsBoth && exceedsDigits(right, { values: q, units: q.map(() => 0) }, mistaken);
+        findBranch(solutions, answer, null) >= 0 && findBranch(withMistake, answer, null) === 0;
+      return fitsBoth && exceedsDigits(solutions, { values: q, units: q.map(() => 0) }, mistaken);
     }),
   );
 
 // List the mistakes without which an answer would equal a branch or reach the target by a wrong
 // table. If there are none, list those without which only the shoulder would differ.
-function listCauses(right, answer, tolerance) {
-  const undone = [...listJointMistakes(right.arm), ...listQuarterTurns(right, answer)]
+function listCauses(solutions, answer, tolerance) {
+  const undone = [...listJointMistakes(solutions.arm), ...listQuarterTurns(solutions, answer)]
     .map(([cause, undo]) => ({ cause, corrected: undoMistake(answer, undo) }))
-    .filter(({ corrected }) => hasFineDigits(corrected) && exceedsDigits(right, answer, corrected));
+    .filter(
+      ({ corrected }) => hasFineDigits(corrected) && exceedsDigits(solutions, answer, corrected),
+    );
   const selectCauses = (isRight) =>
     undone.flatMap(({ cause, corrected }) => (isRight(corrected) ? [cause] : []));
-  const single = selectCauses((corrected) => findBranch(right, corrected, tolerance) >= 0);
-  const reaches = (change) => reachesTarget(right, answer.values, answer.units, change);
-  const tableChanges = reaches() || !hasFineDigits(answer) ? [] : listTableMistakes(right.arm);
+  const single = selectCauses((corrected) => findBranch(solutions, corrected, tolerance) >= 0);
+  const reaches = (change) => reachesTarget(solutions, answer.values, answer.units, change);
+  const tableChanges = reaches() || !hasFineDigits(answer) ? [] : listTableMistakes(solutions.arm);
   const tables = tableChanges.flatMap(([cause, change]) => (reaches(change) ? [cause] : []));
   if (single.length || tables.length) return dropRepeatedCauses([...single, ...tables]);
   const withShoulder = selectCauses((corrected) =>
-    isOnlyShoulderWrong(matchJointsByBranch(right, corrected, tolerance)),
+    isOnlyShoulderWrong(matchJointsByBranch(solutions, corrected, tolerance)),
   );
   const shoulder = makeCause("ik.shoulder");
   return dropRepeatedCauses(withShoulder).map((cause) => combineCauses(cause, shoulder));
@@ -125,9 +127,9 @@ function undoMistake({ values, units }, undo) {
 
 // Return whether a mistake changes more than the typed digits. Near 0, degrees look like radians.
 const exceedsDigits = ({ arm }, { values, units }, corrected) => {
-  const turns = revoluteFlags(arm);
+  const isRevolute = revoluteFlags(arm);
   return values.some((x, k) => {
-    const gap = Math.abs(x - corrected.values[k]) % (turns[k] ? 2 * Math.PI : Infinity);
+    const gap = Math.abs(x - corrected.values[k]) % (isRevolute[k] ? 2 * Math.PI : Infinity);
     return gap > Math.max(units[k], 1e-3);
   });
 };

@@ -113,19 +113,19 @@ function listRowMistakes(row, index) {
  * @returns {ChainMistake[]}
  */
 export function listPoseMistakes(degreesKey, arm) {
-  const turns = revoluteFlags(arm);
+  const isRevolute = revoluteFlags(arm);
   const changeJoints = (change) => (c) => ({ ...c, q: c.q.map(change) });
   /** @type {ChainMistake[]} */
   const mistakes = [RAD, DEG].map((factor) => [
     makeCause(degreesKey),
-    changeJoints((x, k) => (turns[k] ? x * factor : x)),
+    changeJoints((x, k) => (isRevolute[k] ? x * factor : x)),
   ]);
   const signs = arm.makerSigns;
   if (signs) mistakes.push([makeMakersCause(arm), changeJoints((x, k) => signs[k] * x)]);
   for (const [k, joint] of jointNames(arm).entries()) {
     const change = (factor) => changeJoints((x, i) => (i === k ? factor * x : x));
     mistakes.push([makeCause("ik.sign", { joint }), change(-1)]);
-    const [key, factor, _unit] = turns[k]
+    const [key, factor, _unit] = isRevolute[k]
       ? ["ik.joint degrees", DEG, "radians"]
       : ["ik.joint millimetres", 1000, "metres"];
     mistakes.push([makeCause(key, { joint }), change(factor)]);

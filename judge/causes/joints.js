@@ -43,10 +43,10 @@ const changeJoint = (k, change) => (q) => q.map((x, i) => (i === k ? change(x) :
 
 /** @param {Arm} arm @returns {Generator<JointMistake>} */
 function* listMistakesInAllJoints(arm) {
-  const turns = revoluteFlags(arm);
-  yield [makeCause("ik.degrees"), (q) => q.map((x, k) => (turns[k] ? x * RAD : x))];
+  const isRevolute = revoluteFlags(arm);
+  yield [makeCause("ik.degrees"), (q) => q.map((x, k) => (isRevolute[k] ? x * RAD : x))];
   // handed in: q6 ... q1
-  if (turns.length > 1) yield [makeCause("ik.reversed order"), (q) => [...q].reverse()];
+  if (isRevolute.length > 1) yield [makeCause("ik.reversed order"), (q) => [...q].reverse()];
   const signs = arm.makerSigns; // handed in
   if (signs) yield [makeMakersCause(arm), (q) => q.map((x, k) => signs[k] * x)];
 }
@@ -59,14 +59,14 @@ export function makeMakersCause(arm, key = "ik.makers signs") {
 
 /** @param {Arm} arm @returns {Generator<JointMistake>} */
 function* listMistakesInOneJoint(arm) {
-  const turns = revoluteFlags(arm);
+  const isRevolute = revoluteFlags(arm);
   const names = jointNames(arm);
   yield* listElbowFormulaMistakes(arm);
   // A wrong sign is tried before half a turn of a different joint, which may give the same position
   // and is rarer.
   for (const n of ANGLE_MISTAKES.keys())
     for (const [k, joint] of names.entries()) {
-      const [key, undo] = (turns[k] ? ANGLE_MISTAKES : SLIDE_MISTAKES)[n] ?? [];
+      const [key, undo] = (isRevolute[k] ? ANGLE_MISTAKES : SLIDE_MISTAKES)[n] ?? [];
       if (key) yield [makeCause(key, { joint }), changeJoint(k, undo)];
     }
   for (const [i, j] of combinations([...names.keys()], 2)) {

@@ -1,14 +1,21 @@
 // Finds the mistakes that explain an answer. A candidate is a single mistake or a pair. It explains
 // the answer only if it gives every entry to the typed digits.
 
-import { agrees, largest, room, slackOf, tellable } from "../digits.js";
+import {
+  agrees,
+  largest,
+  logCountPossibleValues,
+  computeSlack,
+  canBeDistinguished,
+} from "../digits.js";
 import { capitalize, formatMessage, joinList, uncapitalize } from "../sentences.js";
 
-const CHANCE = 1e-3; // accepted probability that some mistake fits numbers that are off by chance
+// Accepted probability that some mistake fits numbers that are off by chance.
+const LARGEST_CHANCE = 1e-3;
 const MAX_STATED = 3; // mistakes that give the same numbers; nobody reads more
-// The mistake's own slack, which is slow to compute, is computed only for entries within this many
-// times the widest slack.
-const NEAR = 3;
+// A mistake's own slack is slow to compute. It is computed only if the mistake's entries are within
+// this many times the widest slack.
+const NEAR_FACTOR = 3;
 
 /** @typedef {import("../digits.js").Entries} Entries */
 /**
@@ -62,7 +69,7 @@ export function joinCauseMessages(causes) {
  * Find the mistakes that explain an answer. These fit the typed digits, or else fit them with the
  * slack of q's digits.
  * @param {object} answer
- * @param {Entries} answer.mine the typed entries
+ * @param {Entries} answer.typed
  * @param {Entries} answer.q joint values
  * @param {number} answer.dof
  * @param {number[]} answer.expected the right entries
@@ -71,32 +78,37 @@ export function joinCauseMessages(causes) {
  * @param {Iterable<Mistake>} candidates
  * @returns {Mistake[]} none if some candidate would fit random numbers as well
  */
-export function findExplanations({ mine, q, dof, expected, slack, wrong }, candidates) {
+export function findExplanations({ typed, q, dof, expected, slack, wrong }, candidates) {
   const widest = Math.max(...slack);
   const largestExpected = largest(expected);
   const rightIndices = wrong.flatMap((isWrong, i) => (isWrong ? [] : [i]));
   const selectRight = (list) => rightIndices.map((i) => list[i]);
-  const rightEntries = { values: selectRight(mine.values), units: selectRight(mine.units) };
+  const rightEntries = { values: selectRight(typed.values), units: selectRight(typed.units) };
   const rightSlack = selectRight(slack);
   const [exact, near] = [[], []];
   let rivals = 0; // candidates that leave the right entries right
   for (const candidate of candidates) {
     const values = candidate.make(q.values);
     const leavesRight = agrees(rightEntries, selectRight(values), rightSlack);
-    if (leavesRight && tellable(mine, expected, values)) rivals++;
-    if (agrees(mine, values)) exact.push(candidate);
+    if (leavesRight && canBeDistinguished(typed, expected, values)) rivals++;
+    if (agrees(typed, values)) exact.push(candidate);
     else if (widest && !exact.length) {
-      const most = NEAR * widest * Math.max(1, largest(values) / largestExpected);
-      const isNear = agrees(mine, values, new Array(values.length).fill(most));
-      if (isNear && agrees(mine, values, slackOf(q, dof, candidate.make))) near.push(candidate);
+      const most = NEAR_FACTOR * widest * Math.max(1, largest(values) / largestExpected);
+      const isNear = agrees(typed, values, new Array(values.length).fill(most));
+      if (isNear && agrees(typed, values, computeSlack(q, dof, candidate.make)))
+        near.push(candidate);
     }
   }
   const explanations = exact.length ? exact : near;
-  if (Math.log10(rivals) - room(mine, expected, slack, wrong) > Math.log10(CHANCE)) return [];
+  if (
+    Math.log10(rivals) - logCountPossibleValues(typed, expected, slack, wrong) >
+    Math.log10(LARGEST_CHANCE)
+  )
+    return [];
   return explanations.slice(0, MAX_STATED);
 }
 
-/** Put "perhaps" before a message if the cause leaves something unexplained. */
+/** Put "perhaps" before a message if its cause leaves findings unexplained. */
 export const hedgeMessage = (message, unexplained) =>
   unexplained.length
     ? capitalize(formatMessage("perhaps", { cause: uncapitalize(message) }))

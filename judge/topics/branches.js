@@ -34,30 +34,35 @@ function judgeBranches(mine, arm, typedTarget, options = {}) {
   const { angles = "rad", tolerance = null, found: solved = null } = options;
   const isSolved = solved && solved.arm === arm.name;
   const target = solved?.target ?? typedTarget;
-  const right = makeSolutions(arm, isSolved ? solved.branches : solveTarget(arm, target));
+  const solutions = makeSolutions(arm, isSolved ? solved.branches : solveTarget(arm, target));
   const given = listGivenRows(target);
   const part = { topic: "branches", angles, tolerance, given, many: true };
   return judgeWholeOrPart(
-    () => judgeAnswers(mine, right, target, options),
-    () => judgeFirstAngles(mine, right, part),
+    () => judgeAnswers(mine, solutions, target, options),
+    () => judgeFirstAngles(mine, solutions, part),
   );
 }
 
-function judgeAnswers(mine, right, target, options) {
-  const { arm } = right;
+function judgeAnswers(mine, solutions, target, options) {
+  const { arm } = solutions;
   const { angles, tolerance = null } = options;
-  const read = readAnswers(mine, right, target, options);
+  const read = readAnswers(mine, solutions, target, options);
   const { typed, taken } = read;
-  const { wrongNumbers, ...first } = judgeReadAnswers(right, read.answers, tolerance, taken);
-  const verdict = askAboutDegrees(first, {
+  const { wrongNumbers, ...firstVerdict } = judgeReadAnswers(
+    solutions,
+    read.answers,
+    tolerance,
+    taken,
+  );
+  const verdict = askAboutDegrees(firstVerdict, {
     arm,
     values: read.answers.flatMap(({ values }) => values),
     angles,
     key: "ik.degrees",
-    judgeInDegrees: () => judgeAnswers(mine, right, target, { ...options, angles: "deg" }),
+    judgeInDegrees: () => judgeAnswers(mine, solutions, target, { ...options, angles: "deg" }),
     makeHeadline: (cause) => formatMessage("ik wrong", { arm: arm.name, cause }),
   });
-  const dof = movingRows(right.arm).length;
+  const dof = movingRows(solutions.arm).length;
   const isReadByRows = !taken.length && typed.shape.at(-1) === dof;
   if (!isReadByRows) return { ...verdict, typed };
   const wrong = read.answers.flatMap(({ values }, i) =>
@@ -67,15 +72,15 @@ function judgeAnswers(mine, right, target, options) {
 }
 
 // Read answers as rows, or as columns if the list is square and only its columns are branches.
-function readAnswers(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
-  const { arm } = right;
+function readAnswers(mine, solutions, target, { angles = "rad", tolerance = null, which = null }) {
+  const { arm } = solutions;
   const request = { given: listGivenRows(target), which };
   const rows = readJointVectors(mine, arm, angles, request);
   const count = rows.answers.length;
   if (count < 2 || count !== movingRows(arm).length) return rows;
-  if (matchAnswers(right, rows.answers, tolerance).hits.size) return rows;
+  if (matchAnswers(solutions, rows.answers, tolerance).answerByBranch.size) return rows;
   const columns = readJointVectors(mine, arm, angles, { ...request, byColumns: true });
-  return matchAnswers(right, columns.answers, tolerance).wrongNumbers.length ? rows : columns;
+  return matchAnswers(solutions, columns.answers, tolerance).wrongNumbers.length ? rows : columns;
 }
 
 // Collect the different branches, and their count before equal branches were joined.
@@ -87,34 +92,36 @@ const makeSolutions = (arm, branches) => ({
 });
 
 /** @returns {import("../verdict.js").Verdict & { wrongNumbers: number[] }} */
-function judgeReadAnswers(right, given, tolerance, taken) {
-  const { arm, branches } = right;
-  const { hits, wrongNumbers, isExact } = matchAnswers(right, given, tolerance);
+function judgeReadAnswers(solutions, answers, tolerance, taken) {
+  const { arm, branches } = solutions;
+  const { answerByBranch, wrongNumbers, isExact } = matchAnswers(solutions, answers, tolerance);
   const explanations = wrongNumbers.map((number) =>
-    explainWrongAnswer(right, given[number - 1], number, tolerance),
+    explainWrongAnswer(solutions, answers[number - 1], number, tolerance),
   );
   const hasWrong = wrongNumbers.length > 0;
-  const found = branches.flatMap(({ name }, k) => (hits.has(k) ? [name] : []));
-  const missing = branches.flatMap(({ name }, k) => (hits.has(k) ? [] : [name]));
-  const unreachable = noteOutOfRange(right, hits);
-  const oneSided = unreachable.length || hasWrong ? [] : findForgottenSign(right, hits);
+  const found = branches.flatMap(({ name }, k) => (answerByBranch.has(k) ? [name] : []));
+  const missing = branches.flatMap(({ name }, k) => (answerByBranch.has(k) ? [] : [name]));
+  const unreachable = noteOutOfRange(solutions, answerByBranch);
+  const forgottenSigns =
+    unreachable.length || hasWrong ? [] : findForgottenSign(solutions, answerByBranch);
   const hasTooFewDigits =
-    tolerance === null && given.some((answer) => hits.size && looksLikeMistake(right, answer));
+    tolerance === null &&
+    answers.some((answer) => answerByBranch.size && looksLikeMistake(solutions, answer));
   const isUnfinished = missing.length > 0 && !unreachable.length;
   const grade = chooseGrade(hasWrong, isUnfinished || hasTooFewDigits, isExact);
-  const common = findCommonCause(explanations);
+  const commonCause = findCommonCause(explanations);
   const causes = [
     ...explanations.flatMap((explanation) => explanation.causes.map(causeName)),
-    ...oneSided.map(({ what }) => what),
+    ...forgottenSigns.map(({ what }) => what),
   ];
-  const headline = formatHeadline(grade, right, { common, found, isUnfinished });
+  const headline = formatHeadline(grade, solutions, { commonCause, found, isUnfinished });
   return {
     ...makeVerdict("branches", arm, grade, headline),
     wrongNumbers,
-    findings: [...listFindings({ common, explanations, found, missing }), ...oneSided],
+    findings: [...listFindings({ commonCause, explanations, found, missing }), ...forgottenSigns],
     causes: [...new Set(causes)],
     taken,
-    notes: [...noteBranches(right), ...noteEqualAnswers(arm, given), ...unreachable],
+    notes: [...noteBranches(solutions), ...noteEqualAnswers(arm, answers), ...unreachable],
     figures: { found, right: found.length, of: branches.length, wrong: wrongNumbers.length },
   };
 }
@@ -137,13 +144,13 @@ function chooseGrade(hasWrong, isUnfinished, isExact) {
 // List the wrong answers, the branches in the answer unless it is complete, and the missing
 // branches unless no answer is right.
 /** @returns {Finding[]} */
-function listFindings({ common, explanations, found, missing }) {
+function listFindings({ commonCause, explanations, found, missing }) {
   const hasWrong = explanations.length > 0;
-  const findings = common ? [makeFinding("cause", `${causeMessage(common)}.`)] : [];
+  const findings = commonCause ? [makeFinding("cause", `${causeMessage(commonCause)}.`)] : [];
   if (missing.length || hasWrong)
     for (const name of found)
       findings.push(makeFinding("found", formatMessage("ik found", { name }), name));
-  if (!common) findings.push(...explanations.map(({ finding }) => finding));
+  if (!commonCause) findings.push(...explanations.map(({ finding }) => finding));
   if (missing.length && (found.length || !hasWrong))
     findings.push(
       makeFinding("missing", formatMessage("ik missing", { names: missing.join("; ") })),
@@ -151,11 +158,11 @@ function listFindings({ common, explanations, found, missing }) {
   return findings;
 }
 
-function formatHeadline(grade, { arm, branches }, { common, found, isUnfinished }) {
+function formatHeadline(grade, { arm, branches }, { commonCause, found, isUnfinished }) {
   const fields = { arm: arm.name, count: found.length, all: branches.length };
   if (!branches.length) return formatMessage("ik none", fields);
-  if (grade === WRONG && common)
-    return formatMessage("ik wrong", { cause: uncapitalize(causeMessage(common)), ...fields });
+  if (grade === WRONG && commonCause)
+    return formatMessage("ik wrong", { cause: uncapitalize(causeMessage(commonCause)), ...fields });
   if (grade === WRONG) return formatMessage("ik some wrong", fields);
   if (grade === SO_FAR)
     return formatMessage(isUnfinished ? "ik so far" : "ik so far digits", fields);
@@ -165,14 +172,14 @@ function formatHeadline(grade, { arm, branches }, { common, found, isUnfinished 
 // Report a forgotten sign of a root. A joint then has the same sign in all answers and the opposite
 // sign in all missing branches.
 /** @returns {Finding[]} */
-function findForgottenSign({ arm, branches }, hits) {
-  if (!isPartial(branches, hits)) return [];
-  const turns = revoluteFlags(arm);
+function findForgottenSign({ arm, branches }, answerByBranch) {
+  if (!isPartial(branches, answerByBranch)) return [];
+  const isRevolute = revoluteFlags(arm);
   const k = jointNames(arm).findIndex((_, joint) => {
     const q = branches.map((branch) => branch.q[joint]);
-    const sizes = q.map((x) => Math.abs(turns[joint] ? Math.sin(x) : x));
-    const foundSigns = new Set(q.filter((_, b) => hits.has(b)).map(Math.sign));
-    const missingSigns = q.filter((_, b) => !hits.has(b)).map(Math.sign);
+    const sizes = q.map((x) => Math.abs(isRevolute[joint] ? Math.sin(x) : x));
+    const foundSigns = new Set(q.filter((_, b) => answerByBranch.has(b)).map(Math.sign));
+    const missingSigns = q.filter((_, b) => !answerByBranch.has(b)).map(Math.sign);
     return (
       Math.min(...sizes) > NEARLY_ZERO &&
       foundSigns.size === 1 &&
@@ -180,29 +187,32 @@ function findForgottenSign({ arm, branches }, hits) {
     );
   });
   if (k < 0) return [];
-  const key = k || !turns[0] ? "ik.one sign" : "ik one side";
+  const key = k || !isRevolute[0] ? "ik.one sign" : "ik one side";
   return [makeFinding("ik.one sign", formatMessage(key, { joint: jointNames(arm)[k] }))];
 }
 
 // Return whether some branches are in the answer and some are missing.
-const isPartial = (branches, hits) => hits.size > 0 && hits.size < branches.length;
+const isPartial = (branches, answerByBranch) =>
+  answerByBranch.size > 0 && answerByBranch.size < branches.length;
 
 // Note a prismatic joint that is beyond its range in all missing branches.
-function noteOutOfRange({ arm, branches }, hits) {
-  if (!isPartial(branches, hits)) return [];
-  const missing = branches.filter((_, b) => !hits.has(b));
-  const turns = revoluteFlags(arm);
+function noteOutOfRange({ arm, branches }, answerByBranch) {
+  if (!isPartial(branches, answerByBranch)) return [];
+  const missing = branches.filter((_, b) => !answerByBranch.has(b));
+  const isRevolute = revoluteFlags(arm);
   const rows = movingRows(arm).map((row) => arm.rows[row]);
   const beyond = jointNames(arm).filter(
-    (_, k) => !turns[k] && missing.every(({ q }) => isOutsideLimits(rows[k], q[k])),
+    (_, k) => !isRevolute[k] && missing.every(({ q }) => isOutsideLimits(rows[k], q[k])),
   );
   return beyond.length ? [formatMessage("ik out of range", { joints: joinList(beyond) })] : [];
 }
 
 // Note each group of equal answers.
-function* noteEqualAnswers(arm, given) {
-  for (const [n, answer] of given.entries()) {
-    const numbers = given.flatMap((other, k) => (isSameAnswer(arm, other, answer) ? [k + 1] : []));
+function* noteEqualAnswers(arm, answers) {
+  for (const [n, answer] of answers.entries()) {
+    const numbers = answers.flatMap((other, k) =>
+      isSameAnswer(arm, other, answer) ? [k + 1] : [],
+    );
     if (numbers.length > 1 && numbers[0] === n + 1)
       yield formatMessage("ik twice", { numbers: joinList(numbers.map(String)) });
   }

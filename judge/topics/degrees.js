@@ -28,8 +28,8 @@ const TURN = 2 * Math.PI;
  */
 export function askAboutDegrees(verdict, question) {
   const { arm, values, angles = "rad", key, judgeInDegrees, makeHeadline } = question;
-  const turns = revoluteFlags(arm);
-  const large = values.findIndex((x, i) => turns[i % turns.length] && Math.abs(x) > TURN);
+  const isRevolute = revoluteFlags(arm);
+  const large = values.findIndex((x, i) => isRevolute[i % isRevolute.length] && Math.abs(x) > TURN);
   const isExplained = verdict.causes.some((name) => name.split(" + ").includes(key));
   if (angles === "deg" || large < 0 || isExplained) return verdict;
   if (![WRONG, SO_FAR].includes(verdict.grade)) return verdict;
@@ -41,7 +41,7 @@ export function askAboutDegrees(verdict, question) {
     return { ...verdict, grade: WRONG, headline, findings, causes: [causeName(cause)] };
   }
   if (verdict.grade !== WRONG || verdict.causes.length) return verdict;
-  const joint = jointNames(arm)[large % turns.length];
+  const joint = jointNames(arm)[large % isRevolute.length];
   const note = formatMessage("more than a turn", { joint, value: formatNumber(values[large], 6) });
   const setting = { field: "angles", value: "deg" };
   return {

@@ -62,13 +62,14 @@ export function judgeFirstTorquesInText(read, context) {
  */
 export function judgeFirstTorques(typed, { arm, q, load, tolerance, taken }) {
   const { dof } = load.c;
-  const { values, shape } = typed;
-  const count = values.length;
+  const { values: typedTorques, shape } = typed;
+  const count = typedTorques.length;
   const isList = shape.filter((n) => n !== 1).length === 1;
   if (!isList || count >= dof) return null;
   const makeTorques = makeTorqueMaker(load, dof, q.values)();
-  const right = (angles) => makeTorques(angles).slice(0, count);
-  const { grade, wrong } = judgeEntries({ mine: typed, q, dof, right, mistakes: [], tolerance });
+  const makeExpected = (values) => makeTorques(values).slice(0, count);
+  const question = { typed, q, dof, makeExpected, mistakes: [], tolerance };
+  const { grade, wrong } = judgeEntries(question);
   if (grade === WRONG) return null;
   const missing = jointNumbers(arm).slice(count);
   const joints = joinList(missing.map((joint) => formatMessage("joint", { joint })));

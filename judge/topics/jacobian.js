@@ -8,7 +8,7 @@ import {
   listJacobianSteps,
 } from "../causes/jacobian.js";
 import { causeName, joinCauseMessages } from "../causes/ranking.js";
-import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
+import { agrees, RIGHT, SO_FAR, canBeDistinguished, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
 import { fixedRows, norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
@@ -35,7 +35,7 @@ import {
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const ALL_ROWS = [0, 1, 2, 3, 4, 5];
 const PLANE_NAMES = ["x", "y", "z", "φ", "φ", "φ"]; // of a planar arm's rows
-const NAMES = /^(?:j|ans$)/i; // of variables that hold the answer
+const ANSWER_NAMES = /^(?:j|ans$)/i; // of variables that hold the answer
 const HALVES = ["linear", "angular"];
 
 /**
@@ -138,7 +138,7 @@ function readMatrix(mine, known, arm, question) {
     ...listShapes(dof, arm.rows.length),
     ...listReducedShapes(arm, dof),
   ];
-  const request = { wants, names: NAMES, given: [at.values], which };
+  const request = { wants, names: ANSWER_NAMES, given: [at.values], which };
   const read = convertToMetres(numbers(mine, what, known, undefined, request), arm);
   const symbolic = read.symbolic || computed;
   if (generic && !symbolic) throw new ArmError(formatMessage("J needs q"));
@@ -212,8 +212,8 @@ function reportWrongShape(typed, { arm, at, frame }, taken) {
 const listRowsWithout = (row) => ALL_ROWS.filter((i) => i !== row);
 
 /** @returns {import("../verdict.js").Verdict} */
-function judgeSelectedRows(typed, asked, takenBefore) {
-  const { arm, at, frame, tolerance = null, isGradeOnly } = asked;
+function judgeSelectedRows(typed, request, takenBefore) {
+  const { arm, at, frame, tolerance = null, isGradeOnly } = request;
   const steps = listJacobianSteps(arm, at.values, frame);
   const makeWhole = makeJacobian(arm, frame);
   const selection = selectRows(typed, arm, makeWhole(at.values));
@@ -221,13 +221,13 @@ function judgeSelectedRows(typed, asked, takenBefore) {
   const isPartial = selection.rows.length < 6;
   const restrict = (mistake) =>
     isPartial ? { ...mistake, make: (q) => pickRows(mistake.make(q), selection) } : mistake;
-  const right = (q) => pickRows(makeWhole(q), selection);
+  const makeExpected = (q) => pickRows(makeWhole(q), selection);
   const mistakes = listSingleMistakes(arm, frame, steps).map(restrict);
-  const further = [listCopiedColumns, listMistakePairs].map(
+  const furtherLists = [listCopiedColumns, listMistakePairs].map(
     (list) => () => Array.from(list(arm, frame, steps), restrict),
   );
-  const question = { mine: typed, q: at, dof: at.values.length, right, mistakes, tolerance };
-  const judged = judgeEntries({ ...question, further, isGradeOnly });
+  const question = { typed, q: at, dof: at.values.length, makeExpected, mistakes, tolerance };
+  const judged = judgeEntries({ ...question, furtherLists, isGradeOnly });
   const rowNames = nameRows(selection);
   const rest = {
     taken: [...takenBefore, ...describeSelection(selection, arm)],
@@ -238,7 +238,7 @@ function judgeSelectedRows(typed, asked, takenBefore) {
     const hidden =
       typed.symbolic || isPartial
         ? []
-        : noteHiddenMistakes(steps, mistakes, at.values, right(at.values));
+        : noteHiddenMistakes(steps, mistakes, at.values, makeExpected(at.values));
     const verdict = reportRight(judged, typed, arm, half);
     return { ...verdict, ...rest, notes: [...verdict.notes, ...hidden] };
   }
@@ -276,12 +276,12 @@ function listRowSelections(arm, count) {
 // Select the rows that were typed: of the selections that fit, the nearest to the right entries. A
 // half of a planar arm's rows has rows of zeros, so it is read only if zeros were typed.
 /** @returns {RowSelection} */
-function selectRows({ values, shape }, arm, right) {
+function selectRows({ values, shape }, arm, expected) {
   if (shape[0] === 6) return { rows: ALL_ROWS, half: null };
   const selections = listRowSelections(arm, shape[0]);
   const [first] = selections;
   if (first.half === null && values.every(Boolean)) return first;
-  const measureDistance = (selection) => norm(subtractEach(pickRows(right, selection), values));
+  const measureDistance = (selection) => norm(subtractEach(pickRows(expected, selection), values));
   return selections.reduce((best, selection) =>
     measureDistance(selection) < measureDistance(best) ? selection : best,
   );
@@ -302,14 +302,16 @@ function describeSelection({ rows, half }, arm) {
 function noteHiddenMistakes(steps, mistakes, q, expected) {
   const recipe = mistakes.filter((_, k) => !steps[k].change && !("i" in steps[k].cause.fields[0]));
   const zeros = expected.map(() => 0);
-  const visible = recipe.filter(({ make }) => tellable({ units: zeros }, expected, make(q)));
+  const visible = recipe.filter(({ make }) =>
+    canBeDistinguished({ units: zeros }, expected, make(q)),
+  );
   const count = recipe.length - visible.length;
   return count ? [formatMessage("J hidden", { count, all: recipe.length })] : [];
 }
 
 // Report a Jacobian that is right, rounded or right so far. `half` is 0 or 1 if only the linear or
 // the angular half was typed, else null.
-function reportRight({ grade, how, wrong }, typed, arm, half) {
+function reportRight({ grade, agreement, wrong }, typed, arm, half) {
   const where = typed.symbolic ? "" : formatMessage("at this pose");
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
   const [typedHalf, other] = half ? ["angular", "linear"] : HALVES;
@@ -327,7 +329,7 @@ function reportRight({ grade, how, wrong }, typed, arm, half) {
   const missing = { what: "missing", where: `${other} rows`, words };
   return makeJacobianVerdict(arm, half !== null && grade === RIGHT ? SO_FAR : grade, headline, {
     findings: half === null ? [] : [missing],
-    notes: how === "cut" ? [formatMessage("cut")] : [],
+    notes: agreement === "cut" ? [formatMessage("cut")] : [],
   });
 }
 

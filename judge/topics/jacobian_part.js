@@ -27,16 +27,16 @@ export function judgeFirstRows(typed, question, taken) {
   const dof = at.values.length;
   if (!PARTIAL_COUNTS.includes(count) || width !== dof || !hasEntriesOnly(typed)) return null;
   const makeWhole = makeJacobian(arm, frame);
-  const right = (q) => {
+  const makeExpected = (q) => {
     const J = makeWhole(q);
     const ordered = angularFirst ? [...J.slice(3 * dof), ...J.slice(0, 3 * dof)] : J;
     return ordered.slice(0, count * dof);
   };
   const { grade, wrong } = judgeEntries({
-    mine: typed,
+    typed,
     q: at,
     dof,
-    right,
+    makeExpected,
     mistakes: [],
     tolerance,
   });

@@ -4,7 +4,7 @@
 import { listExchangedDigits, listJointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
 import { listTableMistakes } from "../causes/chain.js";
-import { agrees, FINE, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
+import { agrees, FINE_UNIT, RIGHT, ROUNDED, computeSlack, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { isOutsideLimits } from "../geometry/arm.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
@@ -44,7 +44,7 @@ const TARGETS = [
   { rows: 1, columns: 3 },
   { rows: 3, columns: 1 },
 ];
-const MAX_LISTED = 3; // wrong entries of a target; a wrong q changes more of them
+const MOST_LISTED = 3; // wrong entries of a target: a wrong q changes more entries
 
 /** @typedef {import("../reading/joint_vectors.js").JointVector} JointVector */
 /**
@@ -101,9 +101,9 @@ function judgeFirstJoints(q, arm, T, { angles = "rad", tolerance = null }) {
   if (!form || target?.pose !== needsPose(form)) return null;
   const values = target.pose ? orthonormalize(target.values) : target.values[0];
   const branches = tryOrNull(() => solveTarget(arm, values)) ?? [];
-  const right = { arm, branches, count: branches.length };
+  const solutions = { arm, branches, count: branches.length };
   const question = { topic: "pose", angles, tolerance, given: listGivenRows(T), many: false };
-  return judgeFirstAngles(q, right, question);
+  return judgeFirstAngles(q, solutions, question);
 }
 
 /**
@@ -121,64 +121,76 @@ export function readTarget(T, arm, known, orPoint = true) {
   const pose = size === "4x4" || size === "3x4";
   if (!pose && !(orPoint && size === "3"))
     throw new ArmError(formatMessage("pose shape", { what, given: describeShape(shape), wanted }));
-  const cut = (list) => (pose ? [0, 1, 2].map((i) => list.slice(4 * i, 4 * i + 4)) : [list]);
-  return { values: cut(values), units: cut(units), pose, formulas: symbolic };
+  const splitRows = (list) => (pose ? [0, 1, 2].map((i) => list.slice(4 * i, 4 * i + 4)) : [list]);
+  return { values: splitRows(values), units: splitRows(units), pose, formulas: symbolic };
 }
 
 /** @returns {import("../verdict.js").Verdict} */
 function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
-  const mine = { values: T.values.flat(), units: findTargetUnits(T.units.flat()) };
-  const right = makeTipEntries(arm, T);
-  const mistakes = [...listSingleMistakes(arm, T)];
+  const typed = { values: T.values.flat(), units: findTargetUnits(T.units.flat()) };
+  const makeExpected = makeTipEntries(arm, T);
   const listDigitMistakes = () =>
-    listExchangedDigits(arm, q).map(([cause, undo]) => ({ cause, make: (x) => right(undo(x)) }));
-  const further = [listDigitMistakes, () => listMistakePairs(arm, T)];
-  const question = { mine, q, dof: q.values.length, right, mistakes, tolerance, further };
-  const judged = judgeEntries({ ...question, isGradeOnly });
-  const coarseSlack = slackOf(q, q.values.length, right, Infinity);
+    listExchangedDigits(arm, q).map(([cause, undo]) => ({
+      cause,
+      make: (values) => makeExpected(undo(values)),
+    }));
+  const judged = judgeEntries({
+    typed,
+    q,
+    dof: q.values.length,
+    makeExpected,
+    mistakes: [...listSingleMistakes(arm, T)],
+    furtherLists: [listDigitMistakes, () => listMistakePairs(arm, T)],
+    tolerance,
+    isGradeOnly,
+  });
+  const coarseSlack = computeSlack(q, q.values.length, makeExpected, Infinity);
   const isUnexplained = judged.grade === WRONG && tolerance === null && !judged.mistakes.length;
-  const hasTooFewDigits = isUnexplained && agrees(mine, right(q.values), coarseSlack);
+  const hasTooFewDigits = isUnexplained && agrees(typed, makeExpected(q.values), coarseSlack);
   const grade = hasTooFewDigits ? SO_FAR : judged.grade;
   const tip = chainFrames(makeChain(arm, q.values)).at(-1);
   const [distance, angle] = measureTargetMiss(tip, T);
-  const rest = { taken, figures: { position_error: distance, orientation_error: angle } };
+  const shared = { taken, figures: { position_error: distance, orientation_error: angle } };
   if (grade !== WRONG)
     return makePoseVerdict(arm, grade, formatMessage(HEADLINES[grade], { arm: arm.name }), {
-      ...rest,
+      ...shared,
       notes: [...noteBeyondLimits(arm, q)],
     });
   const off = describeTargetMiss(T, judged.wrong, distance, angle);
   const causes = judged.mistakes.length
     ? judged.mistakes.map(({ cause }) => cause)
-    : findWrongJoint(q, arm, T, mine, right);
+    : findWrongJoint(q, arm, T, typed, makeExpected);
+  return reportMiss(arm, off, causes, listWrongEntries(T, judged.wrong), shared);
+}
+
+// Report that the tip misses the target, by the causes or else by the wrong entries of the target.
+function reportMiss(arm, off, causes, wrongEntries, shared) {
   if (!causes.length) {
-    const findings = listWrongEntries(T, judged.wrong);
     const headline = formatMessage("pose wrong", { arm: arm.name, off });
-    const names = [...new Set(findings.map(({ what }) => what))];
-    return makePoseVerdict(arm, WRONG, headline, { ...rest, findings, causes: names });
+    const names = [...new Set(wrongEntries.map(({ what }) => what))];
+    const fields = { ...shared, findings: wrongEntries, causes: names };
+    return makePoseVerdict(arm, WRONG, headline, fields);
   }
-  const words = joinCauseMessages(causes);
-  const headline = formatMessage("pose cause", { arm: arm.name, off, cause: uncapitalize(words) });
-  const findings = [{ what: "cause", where: "", words: `${words}.` }];
-  return makePoseVerdict(arm, WRONG, headline, {
-    ...rest,
-    findings,
-    causes: causes.map(causeName),
-  });
+  const message = joinCauseMessages(causes);
+  const cause = uncapitalize(message);
+  const headline = formatMessage("pose cause", { arm: arm.name, off, cause });
+  const findings = [{ what: "cause", where: "", words: `${message}.` }];
+  const fields = { ...shared, findings, causes: causes.map(causeName) };
+  return makePoseVerdict(arm, WRONG, headline, fields);
 }
 
 // Return the cause that a single joint is off, if its change alone takes the tip to a target of
 // numbers. There is none if the change of a second joint does so too.
 /** @returns {import("../causes/ranking.js").Cause[]} */
-function findWrongJoint(q, arm, T, mine, right) {
+function findWrongJoint(q, arm, T, typed, makeExpected) {
   const [x, y, z] = [0, 1, 2].map((k) => T.values.map((row) => row[k]));
   const goal = T.pose
     ? { point: T.values.map((row) => row[3]), tool: { x, y, z, o: [0, 0, 0] } }
     : { point: T.values[0], tool: null };
   const poses = T.formulas ? [] : listPosesWithOneChange(arm, q.values, goal);
   const causes = poses.flatMap((values, k) => {
-    const slack = slackOf({ ...q, values }, values.length, right);
-    if (!agrees(mine, right(values), slack)) return [];
+    const slack = computeSlack({ ...q, values }, values.length, makeExpected);
+    if (!agrees(typed, makeExpected(values), slack)) return [];
     const _off = formatNumber(Math.abs(values[k] - q.values[k]), 2);
     const _unit = revoluteFlags(arm)[k] ? "rad" : "m";
     return [makeCause("ik.number", { joint: jointNames(arm)[k], _off, _unit })];
@@ -187,14 +199,14 @@ function findWrongJoint(q, arm, T, mine, right) {
 }
 
 /**
- * Return the units of a target's numbers. A coarse place is exact, as a question gives 0.4 m;
- * beside finer numbers a program has left off zeros.
+ * Return the units of a target's numbers. A number with a coarse last place is exact, since a
+ * question gives 0.4 m. Beside finer numbers it has their unit, since a program left off its zeros.
  * @param {number[]} typedUnits
  */
 function findTargetUnits(typedUnits) {
-  const fine = typedUnits.filter((unit) => unit && unit < FINE);
-  const finest = fine.length ? Math.min(...fine) : 0;
-  return typedUnits.map((unit) => (unit < FINE ? unit : finest));
+  const fineUnits = typedUnits.filter((unit) => unit && unit < FINE_UNIT);
+  const finest = fineUnits.length ? Math.min(...fineUnits) : 0;
+  return typedUnits.map((unit) => (unit < FINE_UNIT ? unit : finest));
 }
 
 const HEADLINES = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
@@ -219,17 +231,17 @@ const makeTipEntries =
 
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* listSingleMistakes(arm, T) {
-  const right = makeTipEntries(arm, T);
+  const makeRight = makeTipEntries(arm, T);
   for (const [cause, correct] of listJointMistakes(arm))
-    yield { cause, make: (q) => right(correct(q)) };
+    yield { cause, make: (q) => makeRight(correct(q)) };
   for (const [cause, change] of listTableMistakes(arm))
     yield { cause, make: makeTipEntries(arm, T, change) };
   const isPosition = (i) => !T.pose || i % 4 === 3;
-  const makeInMillimetres = (q) => right(q).map((x, i) => (isPosition(i) ? 1000 * x : x));
+  const makeInMillimetres = (q) => makeRight(q).map((x, i) => (isPosition(i) ? 1000 * x : x));
   yield { cause: makeCause("pose.millimetres"), make: makeInMillimetres }; // slip 26 of the book
   if (!T.pose) return;
   const changeRotation = (change) => (q) => {
-    const rows = right(q);
+    const rows = makeRight(q);
     return rows.map((x, i) => (isPosition(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
   };
   const makeTransposed = changeRotation((R, i, j) => R[4 * j + i]);
@@ -263,7 +275,7 @@ function measureTargetMiss(tip, { values, pose }) {
 function listWrongEntries(T, wrong) {
   const indices = wrong.flatMap((isWrong, i) => (isWrong ? [i] : []));
   if (!T.pose && (!T.formulas || indices.length !== 1)) return [];
-  if (indices.length > MAX_LISTED) return [];
+  if (indices.length > MOST_LISTED) return [];
   return indices.map((i) => {
     const [row, column] = [Math.floor(i / 4) + 1, (i % 4) + 1];
     const where = T.pose ? formatMessage("entry", { row, column }) : "xyz"[i];

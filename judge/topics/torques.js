@@ -34,8 +34,8 @@ import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from ".
 
 const GRAVITY = [0, 0, -9.81]; // m/s²
 // Names of variables that hold the answer; "effort" is the name in ROS.
-const NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i;
-const SAMPLE = 5; // poses of a trajectory at which mistakes are tried before all poses
+const ANSWER_NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i;
+const SAMPLE_SIZE = 5; // poses of a trajectory at which mistakes are tried first
 
 /**
  * Judge torques at q or along a list of q.
@@ -58,7 +58,7 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   );
   const load = makeLoad(arm, wrenches, gravity);
   const given = [...rowsOf(at.values, dof), ...wrenches];
-  const request = { names: NAMES, given, which: options.which };
+  const request = { names: ANSWER_NAMES, given, which: options.which };
   const taken = [...(at.locked ?? []), ...describeModel(load)];
   const context = { arm, q: at, load, tolerance, isGradeOnly, taken };
   const read = (wants, text = mine) => {
@@ -216,7 +216,7 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance, isGradeOnly }) 
     precision,
     places,
   });
-  const notes = judged.how === "cut" ? [formatMessage("cut")] : [];
+  const notes = judged.agreement === "cut" ? [formatMessage("cut")] : [];
   return makeTorquesVerdict(arm, judged.grade, headline, { ...rest, notes });
 }
 
@@ -228,24 +228,24 @@ function judgeBySample(typed, at, load, { arm, tolerance, isGradeOnly }) {
   const steps = listTorqueSteps(arm, load);
   const isEmpty = !typed.values.some(Boolean);
   const request = { dof, tolerance, isGradeOnly };
-  const judge = (mine, q, maker, mistakes, further) =>
-    judgeEntries({ ...request, mine, q, right: maker(), mistakes, further });
-  const judgeAll = (mine, q, poses) => {
-    const maker = makeTorqueMaker(poses, dof, q.values);
+  const judgeWith = (torques, q, maker, mistakes, furtherLists) =>
+    judgeEntries({ ...request, typed: torques, q, makeExpected: maker(), mistakes, furtherLists });
+  const judgeWithAllMistakes = (torques, q, loadAtPoses) => {
+    const maker = makeTorqueMaker(loadAtPoses, dof, q.values);
     const pairs = isEmpty ? [] : [() => listMistakePairs(steps, maker)];
-    return judge(mine, q, maker, listSingleMistakes(steps, maker), pairs);
+    return judgeWith(torques, q, maker, listSingleMistakes(steps, maker), pairs);
   };
-  if (count <= SAMPLE) return judgeAll(typed, at, load);
-  const indices = Array.from({ length: SAMPLE }, (_, i) =>
-    Math.round((i * (count - 1)) / (SAMPLE - 1)),
+  if (count <= SAMPLE_SIZE) return judgeWithAllMistakes(typed, at, load);
+  const indices = Array.from({ length: SAMPLE_SIZE }, (_, i) =>
+    Math.round((i * (count - 1)) / (SAMPLE_SIZE - 1)),
   );
   const select = (list) => indices.flatMap((i) => list.slice(i * dof, (i + 1) * dof));
   const sample = ({ values, units }) => ({ values: select(values), units: select(units) });
   const wrenches = indices.map((i) => load.wrenches[i]);
-  const first = judgeAll(sample(typed), sample(at), { ...load, wrenches });
+  const first = judgeWithAllMistakes(sample(typed), sample(at), { ...load, wrenches });
   const maker = makeTorqueMaker(load, dof, at.values);
   const mistakes = first.mistakes.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
-  return judge(typed, at, maker, mistakes, []);
+  return judgeWith(typed, at, maker, mistakes, []);
 }
 
 // Return the largest error of a torque, and the number of joints that are right at every pose.

@@ -102,7 +102,7 @@ function computeMedian(list) {
 export function* listNotes(arm, path, q) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const rates = q.slice(1).map((row, k) => row.map((x, i) => (x - q[k][i]) / dt[k]));
-  const turns = revoluteFlags(arm);
+  const isRevolute = revoluteFlags(arm);
   const listExcesses = (list, perTime, measureExcess) =>
     jointNumbers(arm).flatMap((joint, k) => {
       const excess = list.reduce(
@@ -110,7 +110,7 @@ export function* listNotes(arm, path, q) {
         -Infinity,
       );
       if (!(excess > 1e-9)) return [];
-      const unit = (turns[k] ? "rad" : "m") + perTime;
+      const unit = (isRevolute[k] ? "rad" : "m") + perTime;
       return [formatMessage("joint by", { joint, by: formatNumber(excess, 2), unit })];
     });
   const range = listExcesses(q, "", (x, { lower, upper }) =>

@@ -1,7 +1,7 @@
 // Finds the units of a trajectory's last digits, from which a program may have trimmed zeros.
 
 import { followsPathByEuler, makeTrace, METHOD_ERROR } from "../causes/trace.js";
-import { columnUnits } from "../digits.js";
+import { findColumnUnits } from "../digits.js";
 import { dot, jacobianColumns, linkFrames, minus, norm } from "../geometry/kinematics.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -17,7 +17,7 @@ const FEWEST_TRIMMED = 2; // entries of a row; a single short entry may be round
  * @param {{ q: number[][], units: number[][] }} trajectory @param {Arm} arm @param {Path} path
  */
 export function unitsWithoutTrimming({ q, units }, arm, path) {
-  const fine = columnUnits(q, units);
+  const fine = findColumnUnits(q, units);
   const isTrimmed = units.map((row, k) => row.map((unit, i) => unit > 1.5 * fine[k][i]));
   const errors = q.map((row, k) =>
     minus(path.position(path.times[k]), linkFrames(arm, row).at(-1).o),
@@ -43,7 +43,7 @@ export function unitsWithoutTrimming({ q, units }, arm, path) {
  * @param {number} startError distance of the first point from the path (m)
  */
 export function isDriftOfEuler({ q, units }, arm, path, startError) {
-  const fine = columnUnits(q, units);
+  const fine = findColumnUnits(q, units);
   if (startError > METHOD_ERROR + boundTipError(q[0], fine[0], arm)) return false;
   return followsPathByEuler(makeTrace(q, fine, arm, path));
 }
