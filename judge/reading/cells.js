@@ -1,6 +1,7 @@
 // Splits a line of text into cells, with units as factors.
 
 import { isFunction } from "./formula.js";
+import { LENGTH_UNITS } from "./units.js";
 
 /** @typedef {import("./spans.js").Span} Span */
 /**
@@ -44,16 +45,24 @@ export function splitOutsideBrackets(text, from, to, separatorAt) {
 
 const TIME_STAMPS = [/^\d{9,}\.\d+$/, /^\d{4}-\d\d-\d\d/, /^\d{1,2}[/.]\d{1,2}[/.]\d{2,4}$/];
 export const isTimeStamp = (text) => TIME_STAMPS.some((pattern) => pattern.test(text));
-// Units behind a number, and what takes their place: a factor to SI or the mark of degrees.
-const UNITS = new Map(
+// Units behind a number, with their factors to SI.
+const FACTORS = new Map(
   Object.entries({
-    ...{ m: "", N: "", Nm: "", rad: "", radians: "", deg: " deg", degrees: " deg", "°": " deg" },
-    Grad: " deg",
-    ...{ Newtonmeters: "", Newtonmetres: "", mm: "*1e-3", cm: "*1e-2", kN: "*1e3" },
-    ...{ Nmm: "*1e-3", mNm: "*1e-3", Ncm: "*1e-2", kNm: "*1e3" },
+    ...LENGTH_UNITS,
+    ...{ rad: 1, radians: 1, N: 1, kN: 1e3 },
+    ...{ Nm: 1, Newtonmeters: 1, Newtonmetres: 1, Nmm: 1e-3, mNm: 1e-3, Ncm: 1e-2, kNm: 1e3 },
   }),
 );
-const convertUnit = (word) => UNITS.get(word.replace(/[-·*⋅. ]/g, ""));
+const DEGREES = ["deg", "degrees", "°", "Grad"];
+
+// Write a unit as a factor to SI, or as the mark of degrees; undefined if the word is no unit.
+function convertUnit(word) {
+  const unit = word.replace(/[-·*⋅. ]/g, "");
+  if (DEGREES.includes(unit)) return " deg";
+  const factor = FACTORS.get(unit);
+  return factor === 1 ? "" : factor && `*1e${Math.round(Math.log10(factor))}`;
+}
+
 /**
  * Return whether a word is a unit of a length, an angle, a force or a moment.
  * @param {string} word

@@ -7,6 +7,7 @@
 import { RAD } from "../geometry/angles.js";
 import { ArmError } from "../sentences.js";
 import { isFunction, parse, plain, value } from "./formula.js";
+import { LENGTH_UNITS } from "./units.js";
 
 const LONGEST = 200; // characters
 
@@ -19,7 +20,7 @@ const QUANTITIES = {
     such: "90°, pi/2 or 1.571 rad",
   },
   length: {
-    units: { m: 1, cm: 0.01, mm: 0.001 },
+    units: LENGTH_UNITS,
     bare: "m",
     most: 100,
     of: "a length",

@@ -14,7 +14,7 @@ import {
   noteLockedValues,
   unnamed,
 } from "./numbers.js";
-import { LENGTH_UNITS } from "./units.js";
+import { nameLengthUnit } from "./units.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
@@ -70,7 +70,7 @@ export const describeUnits = ({ statedUnits }, angles, arm) => [
     ? [formatMessage(statedUnits.angles === "deg" ? "taken: degrees" : "taken: radians")]
     : []),
   ...(statedUnits?.lengths && revoluteFlags(arm).includes(false)
-    ? [formatMessage("taken: lengths", { unit: LENGTH_UNITS[statedUnits.lengths] })]
+    ? [formatMessage("taken: lengths", { unit: nameLengthUnit(statedUnits.lengths) })]
     : []),
 ];
 

@@ -26,6 +26,7 @@ import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table
 import { isVariable, readRow, trimEntry } from "./table_rows.js";
 import { maskUnfinishedRows } from "./table_unfinished.js";
 import { findUnreadCell } from "./table_unread.js";
+import { LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -267,10 +268,13 @@ function findConvention({ convention, context }) {
 // Lengths in cm, or (cm, deg), beside a table; a unit behind a number belongs to that number.
 const LENGTHS_IN = new RegExp(
   String.raw`\b(?:lengths?|distances?|dimensions)(?: (?:are|all|given|measured))*` +
-    String.raw`(?: in|:| \() ?(mm|cm|m|milli|centi|met)(?:met)?(?:ers?|res?)?\b`,
+    String.raw`(?: in|:| \() ?(${LENGTH_UNIT}|milli|centi|met)(?:met)?(?:ers?|res?)?\b`,
   "gi",
 );
-const UNITS_ALONE = /(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(mm|cm|m), ?(?:deg|rad|°)/gim;
+const UNITS_ALONE = new RegExp(
+  String.raw`(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(${LENGTH_UNIT}), ?(?:deg|rad|°)`,
+  "gim",
+);
 const UNIT_NAMES = { milli: "mm", centi: "cm", met: "m" };
 
 // Read the unit of lengths that a text beside a table states; none if it states two.

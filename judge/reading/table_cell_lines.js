@@ -3,11 +3,13 @@
 import { listLines } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
+import { LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @typedef {import("./spans.js").Span & { text: string }} Line */
 
-const UNIT = /^[([](?:deg|degrees|°|rad|mm|cm|m)[)\]]$/; // on a line below its header
+const ANY_UNIT = `deg|degrees|°|rad|${LENGTH_UNIT}`;
+const UNIT = new RegExp(String.raw`^[([](?:${ANY_UNIT})[)\]]$`); // on a line below its header
 const OTHER_HEADER = /^(?:joint )?(?:type|kind)$/i;
 const ROW_NAME = /^(?:[\p{L}#]+[ _]?)?\d{1,2}(?:[.)]| ?[-–→] ?\d{1,2})?$/u; // Link 1, 1., 0-1
 

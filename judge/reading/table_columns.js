@@ -4,6 +4,7 @@
 import { isNumber, number, plain } from "./formula.js";
 import { findLabel } from "./labels.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
+import { LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const listSpellings = (words, entry) => words.split(" ").map((word) => [word, entry]);
@@ -54,12 +55,14 @@ export function nameColumns(headers) {
   return names.map((name, k) => (namesTwoD && isOffset(headers[k]) ? "theta" : name));
 }
 
+const UNIT_BEHIND = new RegExp(String.raw`[[(/_]\s?(${LENGTH_UNIT})(?!\w)`, "g"); // a_mm, a (mm)
+const UNIT_APART = new RegExp(String.raw`[[(/_ ]\s?(${LENGTH_UNIT})(?!\w)`); // a mm
 export function readHeaders(headers) {
   const text = replaceSubscripts(headers.join(" "));
-  const units = new Set([...text.matchAll(/[[(/_]\s?(mm|cm|m)(?!\w)/g)].map(([, unit]) => unit));
+  const units = new Set([...text.matchAll(UNIT_BEHIND)].map(([, unit]) => unit));
   if (units.size > 1)
     throw new ArmError(formatMessage("header units", { units: [...units].join(", ") }));
-  const [, lengths = null] = /[[(/_ ]\s?(mm|cm|m)(?!\w)/.exec(text) ?? [];
+  const [, lengths = null] = UNIT_APART.exec(text) ?? [];
   const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
   return { lengths, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };
 }

@@ -2,7 +2,8 @@
 // nobody stated are guessed from the numbers, and each guess is reported.
 
 import { RAD } from "../geometry/angles.js";
-import { ENTRIES, toMetres, UNITS } from "./table_rows.js";
+import { ENTRIES } from "./table_rows.js";
+import { LENGTH_UNITS, nameLengthUnit, toMetres } from "./units.js";
 import { ArmError, formatMessage, formatNumber, formatRowNumbers } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -33,7 +34,7 @@ export function convertTable(table, kinds) {
   const bareAngles = listBareAngles(table).map(Math.abs);
   const isDegrees = table.angles === null && Math.max(...bareAngles) > MOST_RADIANS;
   if (isDegrees) refuseMixedAngles(bareAngles);
-  const length = UNITS[isMillimetres ? "mm" : (table.lengths ?? "m")];
+  const length = LENGTH_UNITS[isMillimetres ? "mm" : (table.lengths ?? "m")];
   const angle = isDegrees || table.angles === "deg" ? RAD : 1;
   const isCraig = table.convention === "craig";
   const rows = convertRows(table, kinds, length, angle);
@@ -126,7 +127,7 @@ export function convertFromCraig(rows) {
 export function describeReading(table, { assumptions, length, angle }) {
   const { rows, order = [], convention } = table;
   const columns = order.map((name) => COLUMN_SYMBOLS[name]).join(" ");
-  const unit = Object.keys(UNITS).find((name) => UNITS[name] === length);
+  const unit = nameLengthUnit(length);
   const hasBareLength = rows.some(({ numbers, metres }) =>
     LENGTHS.some((name) => numbers[name] && !metres.has(name)),
   );

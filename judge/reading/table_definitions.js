@@ -6,7 +6,8 @@ import { withoutComments } from "./decorations.js";
 import { parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
 import { findEntry } from "./table_columns.js";
 import { IN_NAME } from "./table_owners.js";
-import { isVariable, toMetres, UNITS } from "./table_rows.js";
+import { isVariable } from "./table_rows.js";
+import { LENGTH_UNIT, LENGTH_UNITS, toMetres } from "./units.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 /** @typedef {import("./owners.js").Token} Token */
@@ -32,7 +33,7 @@ const WHOLE_NAME = new RegExp(`^${NUMBERED}$`, "u");
 const ROOT = String.raw`\\?sqrt[ ]?[({]${NUMERAL}[)}]`;
 const TERM = `(?:${ROOT}|${DECIMAL_COMMA}|${NUMERAL}|${NUMBERED})`;
 const FORMULA = String.raw`[-+]?${TERM}(?:[ ]?[-+*/][ ]?${TERM})*`; // L1 = 2 * 0.15
-const UNIT = String.raw`[ \t]*(?:([[(])[ ]?(?:in )?)?(mm|cm|m)(?![\p{L}\p{N}])[ ]?[\])]?`;
+const UNIT = String.raw`[ \t]*(?:([[(])[ ]?(?:in )?)?(${LENGTH_UNIT})(?![\p{L}\p{N}])[ ]?[\])]?`;
 const END =
   String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=]|[ ]+[.\d]|` +
   String.raw`[ ]*\([^()\n]{0,40}\)[ ]*[-+*/^])`; // 0.107 (flange) + 0.1
@@ -148,7 +149,7 @@ function evaluateLength(formula, unit, definitions, known, depth = 0) {
   });
   const last = numbers.at(-1);
   const isEqual = numbers.every((x) => x !== null && Math.abs(x - last) < ROUND_OFF);
-  return isEqual ? toMetres(last, UNITS[unit ?? "m"]) : null;
+  return isEqual ? toMetres(last, LENGTH_UNITS[unit ?? "m"]) : null;
 }
 
 const ROUND_OFF = 1e-9; // m

@@ -6,6 +6,7 @@ import { findEntry } from "./table_columns.js";
 import { makeEntry, makeUntyped } from "./table_named_entries.js";
 import { findUnusedText } from "./table_named_unread.js";
 import { ENTRIES } from "./table_rows.js";
+import { LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @typedef {import("./spans.js").Span} Span */
@@ -13,7 +14,7 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 /** @typedef {import("./table_named_entries.js").Entry} Entry */
 /** @typedef {import("./table_named_entries.js").EntryRows} EntryRows */
 
-const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|mm|cm|m)?[)}]?`;
+const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|${LENGTH_UNIT})?[)}]?`;
 const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ/])([A-Za-zαθ]+${INDEX})['"]?\s*[:=]\s*`, "g");
 
 /**

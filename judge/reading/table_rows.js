@@ -2,16 +2,12 @@
 
 import { RAD } from "../geometry/angles.js";
 import { parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
+import { LENGTH_UNIT, LENGTH_UNITS } from "./units.js";
 import { ArmError, formatMessage, formatNumber } from "../sentences.js";
 
 /** @typedef {import("./table.js").TypedRow} TypedRow */
 
 export const ENTRIES = ["a", "alpha", "d", "theta"];
-
-export const UNITS = { m: 1, cm: 1e-2, mm: 1e-3 };
-
-// Convert a length to metres without round-off: 72 / 1000 is 0.072, 72 * 0.001 is not.
-export const toMetres = (length, unit) => length / Math.round(1 / unit);
 
 // Names of joints' variables.
 const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
@@ -74,13 +70,13 @@ export function readRow(i, entries, known) {
 
 const LENGTHS = new Set(["a", "d"]);
 const IN_METRES = / m$/;
+const MEASURED = new RegExp(String.raw`^([-+−]?)\s*(\d*\.?\d*)(?:\*1e-(\d)|\s*(${LENGTH_UNIT}))$`);
 
 // Write a length with a unit in metres, digit for digit: 612.7 mm is 0.6127 m.
 function convertToMetres(text) {
-  const [, sign, x, factor, unit] =
-    /^([-+−]?)\s*(\d*\.?\d*)(?:\*1e-([23])|\s*(mm|cm|m))$/.exec(text.trim()) ?? [];
+  const [, sign, x, power, unit] = MEASURED.exec(text.trim()) ?? [];
   if (!x) return text;
-  const shift = factor ? Number(factor) : { mm: 3, cm: 2, m: 0 }[unit];
+  const shift = Number(power ?? Math.round(-Math.log10(LENGTH_UNITS[unit])));
   const places = (x.split(".")[1] ?? "").length + shift;
   return `${sign}${(Number(x) / 10 ** shift).toFixed(places)} m`;
 }

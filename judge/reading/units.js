@@ -1,6 +1,8 @@
 // Units of angles, lengths and moments that a text names for several numbers, as "q (deg)" does.
 
-export const LENGTH_UNITS = { 0.001: "mm", 0.01: "cm" }; // by their factors to m
+/** Units of lengths with their factors to m, and a pattern of their names. */
+export const LENGTH_UNITS = { mm: 1e-3, cm: 1e-2, m: 1 };
+export const LENGTH_UNIT = Object.keys(LENGTH_UNITS).join("|");
 export const MOMENT_UNITS = { 0.001: "N mm", 0.01: "N cm", 1000: "kN m" }; // by factors to N m
 
 // Degrees in English, German, French, Italian, Spanish, Portuguese and Russian, Chinese.
@@ -21,15 +23,18 @@ const LIST_IN_DEGREES = new RegExp(
 );
 const ANY_DEGREES = [DEGREES, GERMAN_DEGREES, LIST_IN_DEGREES];
 
+/** @param {"mm" | "cm"} unit that no number stands before @returns {[RegExp, number]} */
+function makeLengthFactor(unit) {
+  const before = String.raw`(?<![\d.]\s?|[\p{L}\d]|\bN\s?[·*]?\s?)`;
+  return [new RegExp(String.raw`${before}${unit}(?![\p{L}\d])`, "u"), LENGTH_UNITS[unit]];
+}
+
 /**
  * Units of lengths and moments as words of their own, and their factors to m and N m.
  * @type {Record<string, [RegExp, number][]>}
  */
 const FACTORS = {
-  lengths: [
-    [/(?<![\d.]\s?|[\p{L}\d]|\bN\s?[·*]?\s?)mm(?![\p{L}\d])/u, 1e-3],
-    [/(?<![\d.]\s?|[\p{L}\d]|\bN\s?[·*]?\s?)cm(?![\p{L}\d])/u, 1e-2],
-  ],
+  lengths: [makeLengthFactor("mm"), makeLengthFactor("cm")],
   moments: [
     [/(?<!\p{L})(?:N\s?[·*]?\s?mm|mN\s?[·*]?\s?m)(?!\p{L})/u, 1e-3],
     [/(?<!\p{L})N\s?[·*]?\s?cm(?!\p{L})/u, 1e-2],
@@ -72,6 +77,17 @@ const OTHER_UNIT = new RegExp(
 );
 
 const GON = /(?<!\p{L})grad(?!\p{L})/u;
+
+/**
+ * Name the unit of lengths that has a factor.
+ * @param {number} factor to m
+ */
+export const nameLengthUnit = (factor) =>
+  Object.keys(LENGTH_UNITS).find((name) => LENGTH_UNITS[name] === factor);
+
+// Convert a length to metres without round-off: 72 / 1000 is 0.072, 72 * 0.001 is not.
+/** @param {number} length @param {number} factor of its unit, to m */
+export const toMetres = (length, factor) => length / Math.round(1 / factor);
 
 /**
  * Find a unit that is not converted, so that no number is taken for another unit's.

@@ -15,7 +15,7 @@ import { fixedRows, norm, jointNumbers, revoluteFlags } from "../geometry/kinema
 import { subtractEach } from "../geometry/linear.js";
 import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task_rows.js";
 import { lengthFactor, lookup, numbers, pose, refuseOtherLists } from "../reading/numbers.js";
-import { LENGTH_UNITS } from "../reading/units.js";
+import { nameLengthUnit } from "../reading/units.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { askAboutDegrees } from "./degrees.js";
@@ -175,7 +175,7 @@ function convertToMetres(typed, arm) {
   const count = countLinearRows(shape[0], arm) * shape[1];
   if (!statedUnits?.lengths || !count) return typed;
   const convert = (list) => list.map((x, i) => (i < count ? x * lengthFactor(typed, i) : x));
-  const unit = LENGTH_UNITS[statedUnits.lengths];
+  const unit = nameLengthUnit(statedUnits.lengths);
   const taken = [...typed.taken, formatMessage("taken: linear rows", { unit })];
   return { ...typed, values: convert(typed.values), units: convert(typed.units), taken };
 }
