@@ -1,9 +1,10 @@
 // The last rows of a table that is not finished: marks such as ? and TODO stand in their cells, or
 // nothing beside the joint's variable.
 
-const MARK = String.raw`\?+|\.{2,}|…|\$?\\[lcdv]?dots\$?|TODO|TBD|None|nan|null|xx+`;
+import { PLACEHOLDER } from "./unfilled.js";
+
 const LABEL = String.raw`(?:(?:joint|link|row)?[ _]*\d{1,2}[.):]?|J\d)`;
-const CELL = String.raw`[ \t|&,;]*(?:${MARK})(?=[ \t|&,;\\]|$)`;
+const CELL = String.raw`[ \t|&,;]*(?:${PLACEHOLDER})(?=[ \t|&,;\\]|$)`;
 const UNFINISHED = new RegExp(
   String.raw`^[ \t|&,]*(?:${LABEL}(?=[ \t|&,;]))?(?:${CELL})+[ \t|&,;\\]*$`,
   "i",

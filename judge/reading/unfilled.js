@@ -1,6 +1,11 @@
 // Cuts off the end of an answer that was not filled in yet.
 
-const PLACEHOLDER = /^(?:\?+|[-–—_]+|…|\.{2,}|tbd|todo)$/i;
+/** The marks of any case that stand in place of a number which is not known yet. */
+export const PLACEHOLDER = [
+  String.raw`\?+|[-–—_]+|…|\.{2,}|\$?\\[lcdv]?dots\$?`,
+  "tbd|todo|none|nan|null|xx+",
+].join("|");
+const ONLY_PLACEHOLDER = new RegExp(`^(?:${PLACEHOLDER})$`, "i");
 const LABEL = /^[\p{L}\p{M}_^{}\\$()\s]{0,40}\d{0,3}[})$\s]{0,9}[=:]/u;
 
 /**
@@ -20,4 +25,4 @@ const isUnfilled = (line) =>
   line
     .replace(LABEL, "")
     .split(/[\s,;|&$]+/)
-    .every((word) => !word || PLACEHOLDER.test(word));
+    .every((word) => !word || ONLY_PLACEHOLDER.test(word));
