@@ -41,6 +41,9 @@ const REMARK =
 // A name with a bracket directly behind it: its argument, as in atan2(y, x), or a factor.
 const NAME = String.raw`[A-Za-z]_?\d{1,2}(?=\()`;
 
+// A joint's variable may be locked, q3 (locked at 0): the remark is no decoration.
+const LOCKED = String.raw`(?<=[A-Za-zθ]_?\d) *\((?:locked|fixed)\b`;
+
 // The end of a value, but not "1", which may be a name.
 const END_OF_VALUE =
   String.raw`(?<![\p{L}_]\d{1,2} ?)(?<=(?:[.,]\d{1,22}|(?<![\d.])0)` +
@@ -84,7 +87,10 @@ const DECORATIONS = [
   [/(?<=[|&][ \t]*)(\*{1,3}|_)([^*|&\n]{1,40}\*?)\1(?=[ \t]*[|&])/g, "$2"], // an emphasised cell
   [new RegExp(MARK_BEHIND, "gm"), ""],
   [
-    new RegExp(String.raw`(?<=\d(?:[ ]?[*·]?[ ]?(?:${UNIT}|π|pi))?)(?<!${NAME}) *${REMARK}`, "g"),
+    new RegExp(
+      String.raw`(?<=\d(?:[ ]?[*·]?[ ]?(?:${UNIT}|π|pi))?)(?<!${NAME})(?!${LOCKED}) *${REMARK}`,
+      "g",
+    ),
     "",
   ],
   // a corrected value
@@ -154,7 +160,7 @@ export function labelNumberedLines(text) {
 
 const STRUCK = /~~[^~\n]{1,300}~~|<s>[^<>\n]{1,300}<\/s>|\\(?:phantom|cancel)\{[^{}\n]*\}/g;
 const COMMENTS = [
-  /(?<=[\d\])°m][ ]*)#[ ]?[a-z]{2,12}(?=[ ]*(?:[\t|&;,]|$))/gm, // in a cell
+  /(?<=[\d\])°m*][ ]*)#[ ]?[a-z]{2,12}(?=[ ]*(?:[\t|&;,]|$))/gm, // in a cell
   STRUCK,
   /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*of[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code

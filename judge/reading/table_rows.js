@@ -22,7 +22,7 @@ export const trimEntry = (cell) =>
   cell
     .replace(/^['"]|['"]$/g, "")
     .replace(/^[^=]*=\s*/, "")
-    .replace(LOCKED, "")
+    .replace(LOCKED, (note, at, all) => (isVariable(all.slice(0, at)) ? note : ""))
     .replace(/(?<=.)\^?\{?\*+\}?(?=\s*(?:[-+]|$))|(?<=.)[¹²³†‡]+$/g, "")
     .trim();
 

@@ -2,6 +2,7 @@
 // more row.
 
 import { isDate, isMisspelt } from "./owners.js";
+import { listLines } from "./spans.js";
 
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -27,6 +28,13 @@ const MARK = "·"; // begins a word that the judge wrote, as for column headers
  * @returns {{ line: number, cell: Span | undefined } | null}
  */
 export function findUnreadCell(table, text, isEntry) {
+  const { sources } = table.block;
+  const unclear = findLostSign(text, sources) ?? findUnclearComma(text, sources);
+  return unclear ?? findUnreadInLines(table, text, isEntry);
+}
+
+// Find the first unread cell on a line that holds more than rows, or looks like a row.
+function findUnreadInLines(table, text, isEntry) {
   const { block, plainLines } = table;
   const { sources } = block;
   const rests = listRests(block, isEntry);
@@ -39,9 +47,8 @@ export function findUnreadCell(table, text, isEntry) {
   const starts = new Map(sources.map(({ line, cells: [first] }) => [line, first.from]));
   const widths = listWidths(table);
   const separators = countSeparators(plainLines[sources[0].line]);
+  const typedLines = listLines(text);
   const list = findList(text, sources);
-  const signed = findLostSign(text, sources);
-  if (signed) return signed;
   for (const line of lines) {
     const [rest, plainLine] = [rests.get(line), plainLines[line]];
     const [first] = [...rest.candidates, ...rest.words];
@@ -52,13 +59,19 @@ export function findUnreadCell(table, text, isEntry) {
       const unread = findUnreadInRow(rest, line, starts.get(line));
       if (unread) return unread;
     } else if (isBeside(line)) {
-      if (hasSameSeparators(plainLine, separators)) return { line, cell: first };
-      if (!isOtherList && isMostlyEntries(rest, plainLine)) return { line, cell: first };
+      const isEntries = !isOtherList && isMostlyEntries(rest, plainLine);
+      if (isEntries || hasSameSeparators(plainLine, separators)) return { line, cell: first };
+      if (hidesCells(typedLines[line].text, plainLine, separators))
+        return { line, cell: typedLines[line] };
     }
     if (!isOtherList && isAsWide(rest, widths)) return { line, cell: first };
   }
   return null;
 }
+
+// Return whether cells behind a comment mark were left out, as in q1 # base | 0.5 | 0 | 90.
+const hidesCells = (typedLine, plainLine, separators) =>
+  !plainLine.includes(MARK) && hasSameSeparators(typedLine, separators);
 
 // Find an entry whose sign was typed before it and is no part of its cell, as in !-$\pi/2$. Before
 // the first entry of a row a minus with a blank behind it is a bullet or a dash.
@@ -79,6 +92,19 @@ const NO_SIGN = /\\h?phantom\{[^}]*\}|<?-{1,3}>|<-{1,3}/g; // of LaTeX, and arro
 const blank = (match) => " ".repeat(match.length);
 const LOST_SIGN = /\S*[-−–—][^\p{L}\d\n|&;,\t-]*$/u;
 const ADJOINING_SIGN = /\S*[-−–—][^\p{L}\d\s|&;,-]*$/u;
+
+// Find an entry such as 1,000, which may be 1 or a thousand. A comma of another entry shows which.
+/** @param {string} text @param {Row[]} sources */
+function findUnclearComma(text, sources) {
+  const typed = sources.flatMap(({ line, cells }) =>
+    cells.map((cell) => ({ line, cell, entry: text.slice(cell.from, cell.to) })),
+  );
+  const isUnclear = ({ entry }) => UNCLEAR_COMMA.test(entry);
+  const hasDecimalComma = typed.some((one) => /\d,\d/.test(one.entry) && !isUnclear(one));
+  return (!hasDecimalComma && typed.find(isUnclear)) || null;
+}
+
+const UNCLEAR_COMMA = /^[-+−]?[1-9]\d{0,2},\d{3}(?![\d,])/;
 
 // Find the first unread cell behind the first entry of a row, or a second part of the row.
 /** @param {Rest} rest @param {number} line @param {number} start of the row's first entry */
