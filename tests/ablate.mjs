@@ -1,4 +1,4 @@
-// Switches the decisions of the judge one at a time: node tests/ablate.mjs QUESTIONS PATH (see ablate.py).
+// Switches the decisions of the judge one at a time: node tests/ablate.mjs QUESTIONS PATHS [SECONDS] (see ablate.py).
 
 import { Linter } from "eslint";
 import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
@@ -6,8 +6,8 @@ import { tmpdir } from "node:os";
 import { Script } from "node:vm";
 
 const ROOT = new URL("..", import.meta.url).pathname;
-const EXPLORER = ["entry", "paste", "corrections"]; // tests of tests/explorer that read texts
-const SECONDS = 3; // processor time after which a change counts as not decided
+const EXPLORER = ["entry", "paste", "corrections", "units"]; // tests of tests/explorer that read texts
+const [, , QUESTIONS, PATHS, SECONDS = "3"] = process.argv; // processor time for a change, then it is not decided
 const changes = []; // Patches of a single decision each: { where, what, texts }, with the texts that it may change
 const sites = []; // for each call that the copy contains, its place and its changes
 let active = null; // the change that is switched on
@@ -115,14 +115,15 @@ function instrument(file, code) {
   return [...code.split(""), ""].map((character, k) => (closes[k] ?? []).join("") + (opens[k] ?? []).join("") + character).join("");
 }
 
-// Copy the project to a folder, with calls in the modules whose path begins so; return runs of the texts.
-async function loadTexts(questions, path, copy) {
+// Copy the project to a folder, with calls in the modules whose paths begin so; return runs of the texts.
+async function loadTexts(questions, paths, copy) {
   for (const name of ["judge", "page", "tests/explorer", "tests/judge_reading.mjs", "tests/cases.json", "package.json"])
     cpSync(ROOT + name, copy + name, { recursive: true });
   symlinkSync(`${ROOT}node_modules`, `${copy}node_modules`);
   const edit = (file, change) => writeFileSync(copy + file, change(readFileSync(copy + file, "utf8")));
   const modules = readdirSync(`${copy}judge`, { recursive: true }).map((name) => `judge/${name}`);
-  for (const file of modules.filter((file) => file.startsWith(path) && file.endsWith(".js"))) edit(file, (code) => instrument(file, code));
+  const isChosen = (file) => file.endsWith(".js") && paths.some((path) => file.startsWith(path));
+  for (const file of modules.filter(isChosen)) edit(file, (code) => instrument(file, code));
   edit("tests/judge_reading.mjs", (code) => `${code.split("for await")[0]}export { answerQuestion };`);
   for (const name of EXPLORER)
     edit(`tests/explorer/${name}.test.mjs`, (code) => code.replace(/import.*"node:test";/, "const test = (_, run) => globalThis.runs.push(run);"));
@@ -148,7 +149,7 @@ function judge(run, milliseconds) {
 const seconds = () => process.cpuUsage().user / 1e6;
 const copy = `${mkdtempSync(`${tmpdir()}/ablate-`)}/`;
 process.on("exit", () => rmSync(copy, { recursive: true }));
-const texts = (await loadTexts(process.argv[2], process.argv[3], copy)).map((run, k) => {
+const texts = (await loadTexts(QUESTIONS, PATHS.split(","), copy)).map((run, k) => {
   textIndex = k;
   const start = seconds();
   return { run, answer: judge(run, 9e5), cost: seconds() - start };
@@ -157,7 +158,7 @@ textIndex = -1;
 const counts = {};
 for (active of changes) {
   const chosen = [...active.texts].map((k) => texts[k]).sort((one, other) => one.cost - other.cost);
-  const end = seconds() + SECONDS;
+  const end = seconds() + Number(SECONDS);
   const isFelt = ({ run, answer, cost }) => seconds() < end && judge(run, Math.ceil(3000 + 50000 * cost)) !== answer;
   const result = chosen.some(isFelt) ? "felt" : !chosen.length ? "not reached" : seconds() < end ? "not felt" : "not decided";
   counts[result] = (counts[result] ?? 0) + 1;

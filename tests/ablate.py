@@ -2,9 +2,11 @@
 
 `python -m tests.ablate` records the questions of the tests that judge texts. In a copy of the
 judge it then forces each condition, drops each pattern, and drops each alternative of patterns and
-lists. `--only PATH` takes modules whose path begins so, as judge/reading/lines.js. `--questions
-FILE` takes questions that were recorded before, or records them there. A decision that nothing
-feels is not proved superfluous: read it, then delete it or write its case.
+lists. `--only PATHS` takes modules whose paths begin so, separated by commas, as
+judge/reading/lines.js. `--questions FILE` takes questions that were recorded before, or records
+them there. `--seconds N` is the processor time for each decision, after which it counts as not
+decided. A decision that nothing feels is not proved superfluous: read it, then delete it or write
+its case.
 """
 
 import argparse
@@ -26,17 +28,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--only", default="judge/reading/")
     parser.add_argument("--questions", type=Path)
+    parser.add_argument("--seconds", default="3")
     options = parser.parse_args()
     with TemporaryDirectory() as folder:
         questions = options.questions or Path(folder, "questions.jsonl")
         if not questions.exists():
             record_questions(questions)
-        print(switch_decisions(questions, options.only))
+        print(switch_decisions(questions, options.only, options.seconds))
 
 
-def switch_decisions(questions: Path, path: str) -> str:
+def switch_decisions(questions: Path, paths: str, seconds: str = "3") -> str:
     """Return a line for each decision that changes no answer, and the counts."""
-    command = [node.NODE, str(HERE / "ablate.mjs"), str(questions), path]
+    command = [node.NODE, str(HERE / "ablate.mjs"), str(questions), paths, seconds]
     return subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE).stdout
 
 
