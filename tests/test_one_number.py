@@ -81,6 +81,16 @@ def test_wrong_step_of_three_is_not_called_the_only_one():
     assert "only step" not in report.headline.lower(), str(report)
 
 
+def test_wrong_number_of_unrounded_trace_is_located():
+    """Without typed decimals only round-off may separate the mended row from the path."""
+    arm, path, q = trace_circle("UR10E_HOMEWORK", 8)
+    for joint in range(6):
+        wrong = q.copy()
+        wrong[4, joint] += 0.3
+        report = checks.compare_trace(wrong, arm, path)
+        assert report.causes == (f"trace.number:4:{joint + 1}",), str(report)
+
+
 @pytest.mark.parametrize("name", CIRCLES)
 def test_one_wrong_number_of_pose_is_located(name):
     arm, key, start, _ = CIRCLES[name]

@@ -32,7 +32,6 @@ import { boundTipError } from "./trace_units.js";
  */
 
 const FEWEST_RIGHT = 3; // rows; fewer could lie on the path by chance
-const LEAST_ERROR = 1e-6; // m or rad: smaller differences do not distinguish two joints
 const AS_NEAR = 3; // a row this many times as far from the rows beside it is on another branch
 
 /**
@@ -84,8 +83,7 @@ function mendRow(q, row, arm, goal) {
 }
 
 const reachesGoal = (tip, { point, tool, distance, angle }) =>
-  norm(minus(tip.o, point)) <= distance + LEAST_ERROR &&
-  (!tool || rotationBetween(tool, tip) <= angle + LEAST_ERROR);
+  norm(minus(tip.o, point)) <= distance && (!tool || rotationBetween(tool, tip) <= angle);
 
 // Select the mends that leave the row nearest to the rows beside it. Far from them it is right as
 // well, but on another branch.
@@ -94,7 +92,7 @@ function selectNearest(mends, before, after) {
     norm(pose.map((x, i) => x - (before[i] + after[i]) / 2)),
   );
   const nearest = Math.min(...distances);
-  return mends.filter((_, k) => distances[k] <= AS_NEAR * nearest + LEAST_ERROR);
+  return mends.filter((_, k) => distances[k] <= AS_NEAR * nearest);
 }
 
 // Return the indices of two joints whose exchange makes a row right, or null.
