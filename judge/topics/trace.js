@@ -13,7 +13,7 @@ import {
 } from "../geometry/kinematics.js";
 import { DEG } from "../geometry/angles.js";
 import { RIGHT, SO_FAR, WRONG } from "../digits.js";
-import { jointShapes, numbers } from "../reading/numbers.js";
+import { JOINT_NAMES, jointShapes, numbers } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
 import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
 import {
@@ -62,7 +62,7 @@ export function readTrace(mine, arm, which = null) {
     wants: jointShapes(arm)
       .filter(({ rows, columns }) => rows === null || columns === null)
       .map((want) => ({ ...want, largest: true })),
-    names: /^(?:q|th|θ|position|ans$)/i,
+    names: JOINT_NAMES,
     which,
   });
 }
