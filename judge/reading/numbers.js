@@ -276,25 +276,14 @@ export function noteLockedValues({ rows }, values) {
 
 // Make the error for too few or too many values.
 export function notPerJoint(what, arm, shape) {
-  const words = formatMessage("pose shape", {
-    what,
-    given: describeShape(shape),
-    wanted: eachJoint(arm),
-  });
-  return new NoFitError(words + tooMany(arm, shape.at(-1)));
+  return new NoFitError(
+    formatMessage("pose shape", { what, given: describeShape(shape), wanted: eachJoint(arm) }),
+  );
 }
 
 // Split a list of numbers into rows.
 export const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
-
-// Write which joints to leave out if values were typed for locked joints too.
-function tooMany(arm, width) {
-  const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [`q_${i + 1}`] : []));
-  return locked.length && width === arm.rows.length
-    ? formatMessage("leave out", { joints: joinList(locked) })
-    : "";
-}
 
 /**
  * Return the factor to m of a length: that of the text's unit, 1 if it has a unit of its own.
