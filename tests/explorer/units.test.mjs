@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { numbers } from "../../judge/reading/numbers.js";
 import { findOtherUnit, readUnits } from "../../judge/reading/units.js";
+import { judgeWholeOrPart } from "../../judge/topics/first_joints.js";
 
 const DEGREES = [
   "q [deg]: 1 2", "degrees\n1 2", "q1_deg, q2_deg\n1, 2", "1 2 °", "1, 2 and 3 deg", "q1 = 1 q2 = 2°", "1; 2 Grad", "Winkel (Grad): 1 2",
@@ -58,4 +59,16 @@ test("each computation around the numbers is refused", () => {
 
 test("brackets, bullets, names and transposed lists are no computation", () => {
   for (const text of PLAIN) assert.equal(readShape(text).length, 2, text);
+});
+
+test("a list far too long is not tried as a part of an answer", () => {
+  const isPartTried = (length) => {
+    let isTried = false;
+    const wants = [{ rows: 1, columns: 7 }];
+    const read = () => numbers(Array(length).fill("0.25").join(" "), "tau", undefined, undefined, { wants });
+    assert.throws(() => judgeWholeOrPart(read, () => ((isTried = true), null)), /expected: 7 numbers/);
+    return isTried;
+  };
+  assert.ok(isPartTried(70));
+  assert.ok(!isPartTried(71)); // of 3 200 numbers each part would take a second
 });
