@@ -3,16 +3,10 @@
 
 import { makeCause, causeName, hedgeMessage, joinCauseMessages } from "../causes/ranking.js";
 import { findFewestMistakes } from "../causes/table.js";
-import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
+import { RIGHT, ROUNDED, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { compareAxes, describeAxes } from "../geometry/axes.js";
-import {
-  ANGLE_TOLERANCE,
-  isAngleColumn,
-  snapAngle,
-  snapRows,
-  jointColumn,
-} from "../geometry/rows.js";
+import { isAngleColumn, snapAngle, snapRows, jointColumn } from "../geometry/rows.js";
 import { readTables } from "../reading/table.js";
 import { convertTable } from "../reading/table_conversion.js";
 import { NoLink } from "../reading/table_matrices.js";
@@ -23,13 +17,16 @@ import { formatMessage, formatNumber, tryOrNull, uncapitalize } from "../sentenc
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { judgeFirstRows } from "./table_part.js";
 import { judgeSameArm } from "./table_same.js";
-import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_words.js";
+import { describeEntry, describeDifference, entryUnit } from "./table_messages.js";
+import {
+  computeTolerances,
+  EXACT_LENGTH,
+  findFinestUnit,
+  findWholeUnit,
+} from "./table_tolerances.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const EXACT_LENGTH = 1e-6; // m
-const COARSEST_UNIT = 1e-3; // m: lengths typed to the millimetre are still compared
-const WHOLE_NUMBERS = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 const MOST_ORDERS = 4; // orders of columns that are searched for mistakes if the order is a guess
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -56,7 +53,7 @@ const MOST_ORDERS = 4; // orders of columns that are searched for mistakes if th
  * @property {TableRow[]} rows
  * @property {Record<string, string>[]} texts its entries as they were typed
  * @property {number} lengthUnit the unit of the last typed place of the lengths (m); 0 if exact
- * @property {number} angleUnit the same of the angles (rad)
+ * @property {number} angleUnit the unit of the last typed place of the angles (rad)
  * @property {number} lengthScale the unit in which lengths are typed (m)
  * @property {number} angleScale the unit in which angles are typed (rad)
  * @property {string[]} assumptions what was guessed, as phrases
@@ -117,22 +114,23 @@ function judgeText(text, reference, options) {
 // on its first joints, then the verdict with the fewest mistakes.
 /** @param {Reading[]} readings */
 function chooseVerdict(readings) {
-  const same = readings.map((reading) => reading.judgeSame());
+  const sameArm = readings.map((reading) => reading.judgeSame());
   const index = [
     (verdict) => verdict?.grade === RIGHT,
     (verdict) => verdict && verdict.grade !== WRONG,
     Boolean,
   ]
-    .map((test) => same.findIndex(test))
+    .map((isWanted) => sameArm.findIndex(isWanted))
     .find((k) => k >= 0);
-  if (index !== undefined) return { verdict: same[index], index, isSame: true };
-  const first = readings.map((reading) => reading.judgeFirst());
-  const firstIndex = first.findIndex(Boolean);
-  if (firstIndex >= 0) return { verdict: first[firstIndex], index: firstIndex, isSame: false };
-  const wrong = readings.slice(0, MOST_ORDERS).map((reading) => reading.reportDifferences());
-  const counts = wrong.map(countMistakes);
+  if (index !== undefined) return { verdict: sameArm[index], index, isSame: true };
+  const firstJoints = readings.map((reading) => reading.judgeFirst());
+  const firstIndex = firstJoints.findIndex(Boolean);
+  if (firstIndex >= 0)
+    return { verdict: firstJoints[firstIndex], index: firstIndex, isSame: false };
+  const otherArm = readings.slice(0, MOST_ORDERS).map((reading) => reading.reportDifferences());
+  const counts = otherArm.map(countMistakes);
   const fewest = counts.indexOf(Math.min(...counts));
-  return { verdict: wrong[fewest], index: fewest, isSame: false };
+  return { verdict: otherArm[fewest], index: fewest, isSame: false };
 }
 
 // Return the tables as which a text may be read, or the error if its matrices are no link matrices.
@@ -141,16 +139,16 @@ function readTextOrNoLink(text, options, known) {
     return readTables(text, options, known);
   } catch (error) {
     if (error instanceof NoLink) return error;
-    const filled = dropUnfilledEnd(text);
-    if (filled !== text) return readTextOrNoLink(filled, options, known);
-    const dropped = dropOtherColumns(text);
-    if (!dropped.others.length) throw error;
-    const tables = tryOrNull(() => readTables(dropped.rest.text, options, known));
+    const filledPart = dropUnfilledEnd(text);
+    if (filledPart !== text) return readTextOrNoLink(filledPart, options, known);
+    const split = dropOtherColumns(text);
+    if (!split.others.length) throw error;
+    const tables = tryOrNull(() => readTables(split.rest.text, options, known));
     if (!tables) throw error;
     return tables.map((table) => ({
       ...table,
-      unusedLines: [...table.unusedLines, ...dropped.others.map(({ header }) => header)],
-      tokens: addOtherNumbers(table.tokens, dropped, text),
+      unusedLines: [...table.unusedLines, ...split.others.map(({ header }) => header)],
+      tokens: addOtherNumbers(table.tokens, split, text),
     }));
   }
 }
@@ -262,25 +260,6 @@ const makeTableOfArm = ({ name, rows, texts }) => ({
   added: 0,
 });
 
-// Return the finest unit of the last digits in some columns, or 0 if they have no decimals.
-function findFinestUnit(texts, columns) {
-  const decimals = texts.flatMap((row) =>
-    columns.flatMap((column) => row[column].match(DECIMAL) ?? []),
-  );
-  const finest = units(decimals).filter(Boolean);
-  return finest.length ? Math.min(...finest) : 0;
-}
-
-// Return the unit of lengths that are all whole numbers if it is small, else 0. Whole numbers among
-// formulas are exact.
-function findWholeUnit(typed, scale) {
-  const lengths = typed.rows.flatMap(({ kind, texts }) =>
-    kind === "prismatic" ? [texts.a] : [texts.a, texts.d],
-  );
-  const isWhole = lengths.every((text) => WHOLE_NUMBERS.test(text));
-  return scale <= COARSEST_UNIT && isWhole ? scale : 0;
-}
-
 /**
  * Replace rounded angles of two decimals or more, such as 1.57, by the right angles near them.
  * @param {Table} table @returns {TableRow[]}
@@ -299,57 +278,51 @@ export const snapTypedAngles = (table) =>
  * @returns {Reading}
  */
 function makeReading(table, reference, { tolerance = null, startPose = null }) {
-  const wanted = snapRows(reference.rows);
-  const rows = snapTypedAngles(table);
-  const [mine, ref] = [describeAxes(rows), describeAxes(wanted)];
-  const exact = tolerance === null ? EXACT_LENGTH : Math.max(tolerance, 1e-12);
-  const [length, angle] = [table.lengthUnit, table.angleUnit].map((unit) =>
-    tolerance === null && unit <= COARSEST_UNIT ? 0.51 * unit : 0,
-  );
-  const reach = Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
-  // A rounded angle moves the point where an axis meets the next axis.
-  const rounded = tolerance === null ? Math.max(exact, 2 * length, 2.5 * angle * reach) : exact;
-  const roundedAngle = Math.max(ANGLE_TOLERANCE, 4 * angle);
-  const sides = { table, reference, rows, wanted, mine, ref };
+  const [rows, expectedRows] = [snapTypedAngles(table), snapRows(reference.rows)];
+  const [axes, expectedAxes] = [describeAxes(rows), describeAxes(expectedRows)];
+  const pair = { table, reference, rows, expectedRows, axes, expectedAxes };
+  const tolerances = computeTolerances(table, rows, tolerance);
+  const { exact, rounded, roundedAngle, mapLength, typedLength } = tolerances;
   const judgeAxes = (comparison, grade) => {
     if (table.isExchanged)
       return reportWrong(table, reference, [makeCause("table.alpha and theta")]);
-    const lastPlace = Math.min(table.lengthUnit || table.angleUnit * reach, COARSEST_UNIT);
-    const mapped = grade === RIGHT ? EXACT_LENGTH : 10 * lastPlace;
-    return judgeSameArm(sides, comparison, grade, { length: rounded, mapped, startPose });
+    const mapped = grade === RIGHT ? EXACT_LENGTH : mapLength;
+    return judgeSameArm(pair, comparison, grade, { length: rounded, mapLength: mapped, startPose });
   };
   const judgeSame = () => {
-    const comparison = compareAxes(mine, ref, exact);
-    const higher = Math.abs(comparison.baseHigher);
-    const isRounded = higher > exact && higher <= rounded;
+    const comparison = compareAxes(axes, expectedAxes, exact);
+    const baseGap = Math.abs(comparison.baseHigher);
+    const isRounded = baseGap > exact && baseGap <= rounded;
     if (!comparison.differences.length) return judgeAxes(comparison, isRounded ? ROUNDED : RIGHT);
     if (tolerance !== null) return null;
-    const near = compareAxes(mine, ref, rounded, roundedAngle);
-    return near.differences.length ? null : judgeAxes(near, ROUNDED);
+    const roundedComparison = compareAxes(axes, expectedAxes, rounded, roundedAngle);
+    return roundedComparison.differences.length ? null : judgeAxes(roundedComparison, ROUNDED);
   };
   return {
     judgeSame,
-    judgeFirst: () => judgeFirstRows(sides, rounded, roundedAngle),
-    reportDifferences: () => reportDifferences(sides, Math.max(exact, length)),
+    judgeFirst: () => judgeFirstRows(pair, rounded, roundedAngle),
+    reportDifferences: () => reportDifferences(pair, Math.max(exact, typedLength)),
   };
 }
 
 /**
  * Report a table that does not describe the reference by the fewest mistakes that explain it.
- * @param {import("./table_same.js").Sides} sides @param {number} length tolerance (m)
+ * @param {import("./table_same.js").TablePair} pair @param {number} length tolerance (m)
  * @returns {Verdict}
  */
-function reportDifferences({ table, reference, rows, wanted }, length) {
-  const hypotheses = findFewestMistakes(rows, reference, wanted, table.modified, length);
+function reportDifferences({ table, reference, rows, expectedRows }, length) {
+  const hypotheses = findFewestMistakes(rows, reference, expectedRows, table.modified, length);
   const causes = hypotheses.flatMap(({ cause }) => cause ?? []);
   const [hypothesis] = hypotheses;
   const { a, alpha } = table.rows[0];
   const isCraig = causes.some(({ keys }) => keys.includes("table.craig"));
-  const own = isCraig ? { ...table, modified: true, added: Number(Boolean(a || alpha)) } : table;
+  const typedTable = isCraig
+    ? { ...table, modified: true, added: Number(Boolean(a || alpha)) }
+    : table;
   const findings = hypothesis.differences.map((difference) =>
     Array.isArray(difference)
-      ? describeEntry(own, hypothesis, difference, length)
-      : describeDifference(own, difference),
+      ? describeEntry(typedTable, hypothesis, difference, length)
+      : describeDifference(typedTable, difference),
   );
   return reportWrong(table, reference, causes, findings);
 }

@@ -5,7 +5,7 @@ import { compareAxes, describeAxes } from "../geometry/axes.js";
 import { formatMessage, joinList } from "../sentences.js";
 import { makeVerdict } from "../verdict.js";
 
-/** @typedef {import("./table_same.js").Sides} Sides */
+/** @typedef {import("./table_same.js").TablePair} TablePair */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 
@@ -20,37 +20,47 @@ const NEXT_JOINT = {
 
 /**
  * Judge a table with fewer joints than the reference.
- * @param {Sides} sides
+ * @param {TablePair} pair
  * @param {number} length how much lengths may differ (m)
  * @param {number} angle how much angles may differ (rad)
  * @returns {Verdict | null} null if its rows are not the first ones, up to a joint map
  */
-export function judgeFirstRows({ table, reference, rows, wanted, mine, ref }, length, angle) {
-  const count = mine.joints.length;
-  if (count >= ref.joints.length) return null;
-  const own = describeAxes([...rows, NEXT_JOINT]);
+export function judgeFirstRows(pair, length, angle) {
+  const { table, reference, rows, expectedRows, axes, expectedAxes } = pair;
+  const [count, all] = [axes.joints.length, expectedAxes.joints.length];
+  if (count >= all) return null;
+  const axesWithNext = describeAxes([...rows, NEXT_JOINT]);
   // Fixed rows after the last typed joint may be typed or still missing.
-  const ends = wanted.map((_, end) => end);
+  const ends = expectedRows.map((_, end) => end);
   const isFirst = ends
-    .filter((end) => end >= ref.joints[count - 1] && end < ref.joints[count])
+    .filter((end) => end >= expectedAxes.joints[count - 1] && end < expectedAxes.joints[count])
     .some((end) => {
-      const first = describeAxes([...wanted.slice(0, end), NEXT_JOINT]);
-      const { differences, upsideDown, baseHigher } = compareAxes(own, first, length, angle);
+      const first = describeAxes([...expectedRows.slice(0, end), NEXT_JOINT]);
+      const { differences, upsideDown, baseHigher } = compareAxes(
+        axesWithNext,
+        first,
+        length,
+        angle,
+      );
       const isElsewhere = upsideDown || Math.abs(baseHigher) > length;
-      return !isElsewhere && differences.every((x) => isBeyond(x, rows.length));
+      return (
+        !isElsewhere && differences.every((difference) => isAlongNextAxis(difference, rows.length))
+      );
     });
   if (!isFirst) return null;
-  const missing = ref.joints.slice(count).map((joint) => formatMessage("joint", { joint }));
+  const missing = expectedAxes.joints
+    .slice(count)
+    .map((joint) => formatMessage("joint", { joint }));
   const joints = joinList(missing);
   const fields = { mine: table.name, reference: reference.name, joints };
   const words = formatMessage("table rows missing", fields);
   return makeVerdict("table", reference, SO_FAR, formatMessage("table first rows", fields), {
     findings: [{ what: "missing", where: joints, words }],
     taken: table.assumptions,
-    figures: { right: count, of: ref.joints.length },
+    figures: { right: count, of: all },
   });
 }
 
 // Return whether a difference is the position of the last frame along the next axis, which is free.
-const isBeyond = (/** @type {Difference} */ { key, row, ends }, count) =>
+const isAlongNextAxis = (/** @type {Difference} */ { key, row, ends }, count) =>
   (key === "table along" && row > count) || (key === "table distance" && !ends[1]);

@@ -16,14 +16,14 @@ import {
   describeEntry,
   entryText,
   entryUnit,
-  listOffEntries,
+  listDifferentEntries,
   roundTo,
   typedRowNumber,
-} from "./table_words.js";
+} from "./table_messages.js";
 
 const TIP_TOLERANCE = 1e-4; // m: tips this close are at the same point
 const TURN_TOLERANCE = 1e-3; // rad, of a joint's zero
-const MAX_MISTAKES = 3; // wrong entries; a table with more of them has other zeros by choice
+const MOST_MISTAKES = 3; // wrong entries; with more of them the student chose other zeros
 
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -34,14 +34,15 @@ const MAX_MISTAKES = 3; // wrong entries; a table with more of them has other ze
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /**
- * The student's table and the reference, as typed, as rows with right angles, and by their axes.
- * @typedef {object} Sides
- * @property {Table} table
+ * The student's table beside the reference. Angles near a right angle are right angles in both
+ * lists of rows.
+ * @typedef {object} TablePair
+ * @property {Table} table the student's table as typed
  * @property {Arm} reference
- * @property {TableRow[]} rows
- * @property {TableRow[]} wanted
- * @property {TableAxes} mine
- * @property {TableAxes} ref
+ * @property {TableRow[]} rows of the student's table
+ * @property {TableRow[]} expectedRows of the reference
+ * @property {TableAxes} axes of the student's table
+ * @property {TableAxes} expectedAxes of the reference
  */
 /**
  * A fault of a table in what the question fixes. It has a message without a full stop, the position
@@ -51,49 +52,50 @@ const MAX_MISTAKES = 3; // wrong entries; a table with more of them has other ze
 /**
  * @typedef {object} Tolerances
  * @property {number} length how much lengths may differ (m)
- * @property {number} mapped how much lengths may differ in the search for a joint map (m)
+ * @property {number} mapLength how much lengths may differ in the search for a joint map (m)
  * @property {number[] | null} startPose joint values whose pose the question fixes
  */
 
 /**
  * Judge a table whose axes are those of the reference.
- * @param {Sides} sides
+ * @param {TablePair} pair
  * @param {AxisComparison} comparison
  * @param {string} grade by the digits of the lengths: RIGHT or ROUNDED
  * @param {Tolerances} tolerances
  * @returns {Verdict}
  */
-export function judgeSameArm(sides, comparison, grade, tolerances) {
-  const { table, reference, mine, ref } = sides;
-  const map = findJointMap(mine, ref, comparison, tolerances.mapped);
-  const fault = findFault(sides, comparison, map, tolerances);
-  if (fault) return makeFaultVerdict(sides, fault, tolerances.mapped);
-  const joints = listMappedJoints(map, listOwnNumbers(table, mine), ref);
+export function judgeSameArm(pair, comparison, grade, tolerances) {
+  const { table, reference, axes, expectedAxes } = pair;
+  const map = findJointMap(axes, expectedAxes, comparison, tolerances.mapLength);
+  const fault = findFault(pair, comparison, map, tolerances);
+  if (fault) return makeFaultVerdict(pair, fault, tolerances.mapLength);
+  const joints = listMappedJoints(map, listOwnNumbers(table, axes), expectedAxes);
   const names = { mine: table.name, reference: reference.name };
   const shared = { taken: table.assumptions, figures: { "same machine": true } };
   const isToolReversed = angleDistance(...comparison.toolAngles) > 1;
-  if (isIdentity(map, ref, grade) && !isToolReversed) {
+  if (isIdentity(map, expectedAxes, grade) && !isToolReversed) {
     const headline = formatMessage(grade === RIGHT ? "table same" : "table rounded", names);
     return makeVerdict("table", reference, grade, headline, {
       ...shared,
       notes: noteRightAngles(table),
     });
   }
-  const own = { arm: reference.name };
-  const arm = expressInOwnJoints(reference, mine, map, formatMessage("own joints", own));
+  const ownName = formatMessage("own joints", { arm: reference.name });
+  const arm = expressInOwnJoints(reference, axes, map, ownName);
+  const start = wrapAngles(arm.home, joints);
   return makeVerdict("table", reference, RIGHT_BY_MAP, formatMessage("table right by map", names), {
     ...shared,
     map: {
       ...map,
-      start: wrapAngles(arm.home, joints),
+      start,
       arm,
       ...describeMap(map, joints, reference),
     },
-    advice: [{ field: "ownJoints", value: formatRows(mine.rows) }],
+    advice: [{ field: "ownJoints", value: formatRows(axes.rows) }],
     notes: [
-      ...noteLastFrame(sides, map, isToolReversed),
-      ...noteStart(wrapAngles(arm.home, joints), joints),
-      ...noteMistakes(sides, tolerances.mapped),
+      ...noteLastFrame(pair, map, isToolReversed),
+      ...noteStart(start, joints),
+      ...noteMistakes(pair, tolerances.mapLength),
       ...(grade === ROUNDED ? [formatMessage("map rounded")] : []),
       ...noteRightAngles(table),
     ],
@@ -102,39 +104,42 @@ export function judgeSameArm(sides, comparison, grade, tolerances) {
 
 /**
  * Note how the last frame is turned where both tips meet. The student may choose its axes.
- * @param {Sides} sides @param {JointMap} map @returns {string[]}
+ * @param {TablePair} pair @param {JointMap} map @returns {string[]}
  */
-function noteLastFrame({ reference, mine, ref }, map, isToolReversed) {
+function noteLastFrame({ reference, axes, expectedAxes }, map, isToolReversed) {
   if (isToolReversed) return [formatMessage("tool reversed")];
-  const q = reference.home ?? ref.joints.map(() => 0);
-  const [own, wanted] = [linkFrames(mine, toOwnJoints(map, q)), linkFrames(ref, q)];
-  const turn = rotationBetween(own.at(-1), wanted.at(-1)) * DEG;
+  const q = reference.home ?? expectedAxes.joints.map(() => 0);
+  const [lastFrame, expectedFrame] = [
+    linkFrames(axes, toOwnJoints(map, q)),
+    linkFrames(expectedAxes, q),
+  ].map((frames) => frames.at(-1));
+  const turn = rotationBetween(lastFrame, expectedFrame) * DEG;
   return turn < 1 ? [] : [formatMessage("tool turned", { degrees: formatNumber(turn, 3) })];
 }
 
-const listOwnNumbers = (table, mine) => mine.joints.map((i) => typedRowNumber(table, i, "d"));
+const listOwnNumbers = (table, axes) => axes.joints.map((i) => typedRowNumber(table, i, "d"));
 
 // What the question fixes
 
-/** @param {Sides} sides @param {JointMap | null} map @returns {Fault | null} */
-function findFault(sides, comparison, map, { length, startPose }) {
+/** @param {TablePair} pair @param {JointMap | null} map @returns {Fault | null} */
+function findFault(pair, comparison, map, { length, startPose }) {
   return (
-    findBaseFault(sides, comparison, map, length) ??
-    findToolFault(sides, comparison) ??
+    findBaseFault(pair, comparison, map, length) ??
+    findToolFault(pair, comparison) ??
     (map ? null : { message: formatMessage("no joint map"), where: "", entry: "" }) ??
-    (startPose ? findStartFault(sides, startPose, length) : null)
+    (startPose ? findStartFault(pair, startPose, length) : null)
   );
 }
 
 /** Find a base frame that is elsewhere on axis 1, or upside down. @returns {Fault | null} */
-function findBaseFault({ table, mine }, { upsideDown, baseHigher }, map, length) {
-  const gap = mine.gaps.find(isBaseHeightGap)?.parallelJoints.at(-1) ?? 0;
-  const row = typedRowNumber(table, mine.joints[gap], "d");
+function findBaseFault({ table, axes }, { upsideDown, baseHigher }, map, length) {
+  const gap = axes.gaps.find(isBaseHeightGap)?.parallelJoints.at(-1) ?? 0;
+  const row = typedRowNumber(table, axes.joints[gap], "d");
   const where = `row ${row}, d`;
   if (upsideDown)
     return { message: formatMessage("base upside down"), where: "row 1, alpha", entry: "" };
   // If axis 1 leans from z_0, the height is measured along axis 1.
-  const higher = map && mine.axis1Angle <= ANGLE_TOLERANCE ? map.base.o[2] : baseHigher;
+  const higher = map && axes.axis1Angle <= ANGLE_TOLERANCE ? map.base.o[2] : baseHigher;
   if (Math.abs(higher) <= length) return null;
   const height = formatNumber(roundTo(1000 * Math.abs(higher), 6), 4);
   const way = formatMessage(higher > 0 ? "higher" : "lower");
@@ -144,20 +149,22 @@ function findBaseFault({ table, mine }, { upsideDown, baseHigher }, map, length)
 // Find a last frame whose z axis is at a wrong angle to the last joint axis. The student may choose
 // the direction of z along that axis.
 /** @returns {Fault | null} */
-function findToolFault({ table, mine }, { toolAngles: [angle, expected] }) {
+function findToolFault({ table, axes }, { toolAngles: [angle, expected] }) {
   const error = Math.min(angleDistance(angle, expected), angleDistance(angle, Math.PI - expected));
   if (error <= Math.max(ANGLE_TOLERANCE, 0.51 * table.angleUnit)) return null;
-  const [own, reference] = [angle, expected].map((x) => formatNumber(roundTo(x * DEG, 4), 4));
-  const row = typedRowNumber(table, mine.rows.length, "alpha");
-  const message = formatMessage("tool", { mine: own, reference, row });
+  const [mine, reference] = [angle, expected].map((x) => formatNumber(roundTo(x * DEG, 4), 4));
+  const row = typedRowNumber(table, axes.rows.length, "alpha");
+  const message = formatMessage("tool", { mine, reference, row });
   return { message, where: `row ${row}, alpha`, entry: "alpha" };
 }
 
 /** Find a tool elsewhere at the joint values whose pose is fixed. @returns {Fault | null} */
 function findStartFault({ rows, reference }, startPose, length) {
-  const [mine, ref] = [rows, reference.rows].map((arm) => linkFrames({ rows: arm }, startPose));
-  const away = norm(minus(mine.at(-1).o, ref.at(-1).o));
-  const turn = rotationBetween(mine.at(-1), ref.at(-1)) * DEG;
+  const [tip, expectedTip] = [rows, reference.rows].map((arm) =>
+    linkFrames({ rows: arm }, startPose).at(-1),
+  );
+  const away = norm(minus(tip.o, expectedTip.o));
+  const turn = rotationBetween(tip, expectedTip) * DEG;
   if (away <= Math.max(TIP_TOLERANCE, 2 * rows.length * length) && turn < 1) return null;
   const fields = {
     start: `(${startPose.map((x) => formatNumber(x, 4)).join(", ")})`,
@@ -167,10 +174,10 @@ function findStartFault({ rows, reference }, startPose, length) {
   return { message: formatMessage("start pose", fields), where: "", entry: "" };
 }
 
-/** @param {Sides} sides @param {Fault} fault @returns {Verdict} */
-function makeFaultVerdict(sides, fault, length) {
-  const { table, reference } = sides;
-  const entries = listMistakes(sides, length, fault.entry);
+/** @param {TablePair} pair @param {Fault} fault @returns {Verdict} */
+function makeFaultVerdict(pair, fault, length) {
+  const { table, reference } = pair;
+  const entries = describeDifferentEntries(pair, length, fault.entry);
   const cause = entries.map(({ words }) => toClause(words)).join("; ");
   const fields = { mine: table.name, reference: reference.name, fault: fault.message, cause };
   const headline = formatMessage(cause ? "table other base because" : "table other base", fields);
@@ -188,10 +195,10 @@ function makeFaultVerdict(sides, fault, length) {
 // The joint map
 
 /** Return whether all joints count as in the reference. @param {JointMap} map */
-function isIdentity({ signs, offsets }, ref, grade) {
+function isIdentity({ signs, offsets }, { rows, joints }, grade) {
   // Rounded lengths turn a joint's zero a little.
   const turn = grade === RIGHT ? TURN_TOLERANCE : 1 / DEG;
-  const isRevolute = (k) => ref.rows[ref.joints[k] - 1].kind === "revolute";
+  const isRevolute = (k) => rows[joints[k] - 1].kind === "revolute";
   return (
     signs.every((sign) => sign > 0) &&
     offsets.every((offset, k) => Math.abs(offset) <= (isRevolute(k) ? turn : TIP_TOLERANCE))
@@ -209,15 +216,15 @@ function describeMap(map, joints, { home = [] }) {
         tail: shift,
       }),
     );
-  const own = wrapAngles(toOwnJoints(map, home), joints);
-  const withStart = home.length === joints.length;
+  const ownHome = wrapAngles(toOwnJoints(map, home), joints);
+  const hasHome = home.length === joints.length;
   const rows = joints.map(({ number, ownNumber, sign, shift, isRevolute }, k) => [
     `q_${number}`,
     `${sign < 0 ? "-" : ""}q_${ownNumber}${shift}`,
-    ...(withStart ? [home[k], own[k]].map((x) => formatJointValue(x, isRevolute)) : []),
+    ...(hasHome ? [home[k], ownHome[k]].map((x) => formatJointValue(x, isRevolute)) : []),
   ]);
   const headers = ["map table reference", "map table own"];
-  if (withStart) headers.push("map table start", "map table own start");
+  if (hasHome) headers.push("map table start", "map table own start");
   return {
     message: formatMessage("map", { equations: equations.join("; ") }),
     table: { headers: headers.map((key) => formatMessage(key)), rows },
@@ -233,36 +240,36 @@ function noteStart(start, joints) {
   return [formatMessage("map start", { start: values.join(", ") })];
 }
 
-// The mistakes that would give this map, as a question to the student.
-/** @param {Sides} sides */
-function noteMistakes(sides, length) {
-  const { rows, wanted } = sides;
-  const off = listOffEntries(rows, wanted, length) ?? [];
-  const areOffsets = off.every(([k, column]) => column === "theta" && !rows[k].theta);
+// Note the mistakes that would give this joint map, as a question to the student.
+/** @param {TablePair} pair */
+function noteMistakes(pair, length) {
+  const { rows, expectedRows } = pair;
+  const entries = listDifferentEntries(rows, expectedRows, length) ?? [];
+  const areOffsets = entries.every(([k, column]) => column === "theta" && !rows[k].theta);
   const cause =
-    off.length > 1 && areOffsets
+    entries.length > 1 && areOffsets
       ? causeMessage(makeCause("table.offsets"))
-      : listMistakes(sides, length)
+      : describeDifferentEntries(pair, length)
           .map(({ words }) => toClause(words))
           .join("; ");
   return cause ? [formatMessage("map mistake", { cause: uncapitalize(cause) })] : [];
 }
 
 /**
- * List the entries that differ from the reference's, if they are few, as findings.
- * @param {Sides} sides @param {number} length tolerance (m) @param {string} [column] "" for all
+ * Describe the entries that differ from the reference's, if they are few.
+ * @param {TablePair} pair @param {number} length tolerance (m) @param {string} [column] "" for all
  * @returns {Finding[]}
  */
-function listMistakes({ table, rows, wanted }, length, column = "") {
-  const off = listOffEntries(rows, wanted, length) ?? [];
-  if (off.length > MAX_MISTAKES) return [];
-  const comparison = { cause: null, rows, reference: wanted };
-  return off
+function describeDifferentEntries({ table, rows, expectedRows }, length, column = "") {
+  const entries = listDifferentEntries(rows, expectedRows, length) ?? [];
+  if (entries.length > MOST_MISTAKES) return [];
+  const comparison = { cause: null, rows, reference: expectedRows };
+  return entries
     .filter(([, entry]) => !column || entry === column)
     .map((entry) => describeEntry(table, comparison, entry, length));
 }
 
-// A sentence inside another.
+// Turn a sentence into a clause of another sentence.
 const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
 
 const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };

@@ -1,0 +1,175 @@
+// Formats the messages about a wrong entry of a table and about a difference of the axes.
+
+import { makeCause, causeName } from "../causes/ranking.js";
+import { DEG } from "../geometry/angles.js";
+import { formatMessage, formatNumber } from "../sentences.js";
+import { angleDistance } from "../geometry/axes.js";
+import { ANGLE_TOLERANCE, isAngleColumn } from "../geometry/rows.js";
+import { ENTRIES } from "../reading/table_rows.js";
+
+export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
+
+/** @typedef {import("./table.js").Table} Table */
+/** @typedef {import("../causes/ranking.js").Cause} Cause */
+/** @typedef {import("../geometry/arm.js").TableRow} TableRow */
+/** @typedef {import("../geometry/axes.js").Difference} Difference */
+/** @typedef {import("../verdict.js").Finding} Finding */
+
+/**
+ * List the entries that differ from the reference's.
+ * @param {TableRow[]} rows
+ * @param {TableRow[]} expectedRows
+ * @param {number} length tolerance (m)
+ * @returns {[number, string][] | null} index of the row and column of each entry; null if the
+ *   tables have different numbers of rows
+ */
+export function listDifferentEntries(rows, expectedRows, length) {
+  if (rows.length !== expectedRows.length) return null;
+  const isDifferent = (k, column) => {
+    const [x, y] = [rows[k][column], expectedRows[k][column]];
+    return isAngleColumn(column) ? angleDistance(x, y) > ANGLE_TOLERANCE : Math.abs(x - y) > length;
+  };
+  return ENTRIES.flatMap((column) =>
+    rows.flatMap((_, k) =>
+      isDifferent(k, column) ? [/** @type {[number, string]} */ ([k, column])] : [],
+    ),
+  );
+}
+
+/**
+ * Describe a wrong entry by the row and the text of the student's table.
+ * @param {Table} table
+ * @param {{ cause: Cause | null, rows: TableRow[], reference: TableRow[] }} comparison rows with
+ *   the correction of `cause`, and the rows with which they are compared
+ * @param {[number, string]} entry index of the row, and column
+ * @param {number} length tolerance (m)
+ * @returns {Finding}
+ */
+export function describeEntry(table, { cause, rows, reference }, [k, column], length) {
+  const [actual, expected] = [rows[k][column], reference[k][column]];
+  const row = typedRowNumber(table, k + 1, column);
+  const entryCause = makeEntryCause(column, row, actual, expected, length);
+  const typed = cause ? formatNumber(actual, 6) : entryText(table, k + 1, column);
+  const fields = { typed, words: formatMessage(entryCause.keys[0], entryCause.fields[0]) };
+  const where = `row ${row}, ${column}`;
+  return { what: causeName(entryCause), where, words: formatMessage("table entry", fields) };
+}
+
+// The message that names the quantity of each difference of the axes.
+const QUANTITY_KEYS = {
+  "table distance": "table distance what",
+  "table between": "table between what",
+  "table held": "table held what",
+  "table side": "table side what",
+  "table lean": "table lean what",
+  "table foot": "table foot what",
+  "table along": "table along what",
+  "table kind": "table kind what",
+};
+
+/**
+ * Describe a difference of the axes by the rows of the student's table.
+ * @param {Table} table @param {Difference} difference @returns {Finding}
+ */
+export function describeDifference(table, difference) {
+  const { key, entry, ends } = difference;
+  const isToBase = key === "table lean" || key === "table foot";
+  const row = isToBase ? difference.row : typedRowNumber(table, difference.row, entry);
+  const where = `row ${row}, ${entry}`;
+  if (key === "table count") {
+    const { mine, reference } = difference;
+    return { what: "row", where, words: formatMessage("table count words", { mine, reference }) };
+  }
+  const [i, j] = ends.map((end) => end && typedRowNumber(table, end, "d"));
+  const isToTip = (key === "table distance" || key === "table side") && !j;
+  const end = isToTip ? formatMessage("the tip") : formatMessage("axis", { i: j });
+  const along = i === j ? formatMessage("axis", { i }) : formatMessage("parallel axes", { i, j });
+  const quantity = formatMessage(QUANTITY_KEYS[key], { start: i, end, along, j });
+  const words = formatMessage("table at", {
+    row,
+    entry,
+    words: describeAmount(difference, quantity),
+  });
+  return { what: "row", where, words };
+}
+
+/** Compare a quantity with the reference's in words. @param {Difference} difference */
+function describeAmount({ key, mine, reference }, /** @type {string} */ what) {
+  if (key === "table kind") return formatMessage("table other", { what, mine, reference });
+  if (key === "table side") return formatMessage("table side", { what });
+  if (["table between", "table held", "table lean"].includes(key)) {
+    const isSigned = key === "table held" || mine >= 0; // "held" is an angle about the own axis
+    return describeAngle(what, isSigned ? [mine, reference] : [-mine, -reference]);
+  }
+  return describeLength(what, mine, reference);
+}
+
+/** @param {string} what @param {number[]} angles of the table and of the reference (rad) */
+function describeAngle(what, [actual, expected]) {
+  const [mine, reference, off] = [actual, expected, angleDistance(actual, expected)].map((angle) =>
+    formatNumber(roundTo(angle * DEG, 4), 6),
+  );
+  return formatMessage("table angle", { what, mine, reference, off });
+}
+
+// Describe a length in m. It is rounded to a micrometre, since between nearly parallel axes
+// round-off leaves no more digits, and to a nanometre first, so that half a micrometre always
+// rounds up.
+/** @param {string} what @param {number} actual @param {number} expected */
+function describeLength(what, actual, expected) {
+  const [x, y] = [actual, expected].map((length) => roundTo(roundTo(length, 9), 6));
+  if (x * y < 0) {
+    const fields = { what, mine: formatNumber(x, 6), reference: formatNumber(y, 6) };
+    return formatMessage("table other way", fields);
+  }
+  const way = formatMessage(Math.abs(x) > Math.abs(y) ? "long" : "short");
+  const off = formatNumber(roundTo(1000 * Math.abs(actual - expected), 6), 4);
+  const [mine, reference] = [x, y].map((length) => formatNumber(Math.abs(length), 6));
+  return formatMessage("table length", { what, mine, reference, off, way });
+}
+
+export const roundTo = (x, decimals) => Number(x.toFixed(decimals));
+
+// Return the number of the typed row that has an entry of a row of the table.
+export const typedRowNumber = ({ added, modified }, row, column) =>
+  row - added + Number(modified && (column === "a" || column === "alpha"));
+
+// Return the text that was typed as an entry of a row, or undefined if no typed row has it.
+const typedText = (table, row, column) =>
+  table.texts[typedRowNumber(table, row, column) - 1]?.[column];
+
+export const entryText = (table, row, column) =>
+  typedText(table, row, column) ?? formatNumber(table.rows[row - 1][column], 6);
+
+// Return the unit of an angle's last decimal, or 0 if it has fewer than two decimals.
+export function entryUnit(table, row, column) {
+  const last = (typedText(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
+  const decimals = last.slice(last.indexOf(".") + 1).length;
+  return decimals >= 2 ? table.angleScale * 10 ** -decimals : 0;
+}
+
+// Make the cause for a wrong entry: a wrong sign, a missing entry, or how far it is off.
+/** @returns {Cause} */
+function makeEntryCause(column, row, actual, expected, length) {
+  const isAngle = isAngleColumn(column);
+  const isNegated = isAngle
+    ? angleDistance(actual, -expected) < ANGLE_TOLERANCE
+    : Math.abs(actual + expected) <= length;
+  const isTwist = column === "alpha";
+  if (isNegated)
+    return isTwist ? makeCause("table.twist", { row }) : makeCause("table.sign", { column, row });
+  if (!actual)
+    return isTwist
+      ? makeCause("table.no twist", { row })
+      : makeCause("table.missing", { column, row });
+  if (!expected) return makeCause("table.too much", { column, row });
+  if (isAngle) {
+    const _off = formatNumber(roundTo(angleDistance(actual, expected) * DEG, 6), 4);
+    return makeCause("table.angle", { column, row, _off });
+  }
+  const _way = formatMessage(
+    actual * expected < 0 ? "off" : Math.abs(actual) > Math.abs(expected) ? "long" : "short",
+  );
+  const _off = formatNumber(roundTo(1000 * Math.abs(actual - expected), 6), 4);
+  return makeCause("table.number", { column, row, _off, _way });
+}
