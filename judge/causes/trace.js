@@ -24,9 +24,10 @@ import {
 } from "./trace_paths.js";
 
 // Error that the method of a right program may leave. Euler's method on the homework's circle stays
-// well below it. A tool that turns less counts as held.
+// well below it. A tool that turns by less counts as keeping its orientation.
 export const [METHOD_ERROR, METHOD_TILT] = [2e-3, 1 / DEG]; // m, rad
-const FINE = 1e-5; // share of the joint motion: constants of a program have digits, as pi = 3.1416
+// Share of the joint motion: the error of a program's rounded constants, such as pi = 3.1416.
+const CONSTANT_ERROR = 1e-5;
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/path.js").Path} Path */
@@ -52,15 +53,15 @@ const FINE = 1e-5; // share of the joint motion: constants of a program have dig
 
 /** @returns {Trace} */
 export function makeTrace(q, units, arm, path, typedRows = q) {
-  const made = new Map();
+  const statesByRow = new Map();
   const at = (k) => {
-    if (!made.has(k)) {
+    if (!statesByRow.has(k)) {
       const next = q[Math.ceil(k)];
       const pose = q[Math.floor(k)].map((x, i) => (x + next[i]) / 2);
       const c = makeChain(arm, pose);
-      made.set(k, [c, chainFrames(c)]);
+      statesByRow.set(k, [c, chainFrames(c)]);
     }
-    return made.get(k);
+    return statesByRow.get(k);
   };
   return { q, typedRows, units, arm, path, at };
 }
@@ -68,41 +69,46 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
 /**
  * Explain a wrong trajectory, or return null.
  *
- * Causes in this order: coordinates of the centre left out; if the tip is `off`, a mistake in the
- * table or the path; the rule of the loop, to the digits; if a mistake is `shown`, a mistake in the
- * joint values; any other shift; if a mistake is `shown`, the rule to the error of a right program;
- * two mistakes in the path.
- * @param {Trace} trace @param {number[][]} tip @param {number[]} allowed
- * @param {{ off: boolean, shown: boolean }} seen
+ * Causes in this order: coordinates of the centre left out; if the tip is off the path, a mistake
+ * in the table or the path; the rule of the loop, to the digits; with symptoms, a mistake in the
+ * joint values; any other shift; with symptoms, the rule to the error of a right program; two
+ * mistakes in the path.
+ * @param {Trace} trace
+ * @param {number[][]} tip its points
+ * @param {number[]} allowed largest error of the tip at each step (m)
+ * @param {{ isOff: boolean, hasSymptoms: boolean }} state whether the tip leaves the path, and
+ *   whether anything in the motion is wrong
  */
-export function findTraceCause(trace, tip, allowed, { off, shown }) {
+export function findTraceCause(trace, tip, allowed, { isOff, hasSymptoms }) {
   const { path } = trace;
-  if (off && !isPathKnown(path)) return null;
-  const [shifted, others] = off
+  if (isOff && !isPathKnown(path)) return null;
+  const [shiftedPaths, wrongPaths] = isOff
     ? [listDisplacedPaths(path, tip[0], allowed[0]), listPathsWithOneMistake(path)]
     : [[], []];
-  const named = shifted.filter(({ cause }) => cause.keys[0] !== "trace.displaced");
-  if (followsPath(trace)) return findShiftCause(trace, named, shifted, allowed);
+  const centrelessPaths = shiftedPaths.filter(({ cause }) => cause.keys[0] === "trace.centre");
+  if (followsPath(trace)) return findShiftCause(trace, centrelessPaths, shiftedPaths, allowed);
   return (
-    findWrongPathCause(trace, [...others, ...named], tip, allowed, off) ??
+    findWrongPathCause(trace, [...wrongPaths, ...centrelessPaths], tip, allowed, isOff) ??
     findLoopCause(trace, [
       ...listVelocityRules(path),
-      ...others.map(makePathRule),
+      ...wrongPaths.map(makePathRule),
       ...listMatrixRules(trace),
     ]) ??
-    findJointCause(trace, allowed, shown) ??
-    findPathCause(shifted, path, tip, allowed) ??
-    (shown ? findLoopCause(trace, listMatrixRules(trace), [METHOD_ERROR, METHOD_TILT]) : null) ??
-    (off ? findPathCause(listPathsWithTwoMistakes(path), path, tip, allowed) : null)
+    findJointCause(trace, allowed, hasSymptoms) ??
+    findPathCause(shiftedPaths, path, tip, allowed) ??
+    (hasSymptoms
+      ? findLoopCause(trace, listMatrixRules(trace), [METHOD_ERROR, METHOD_TILT])
+      : null) ??
+    (isOff ? findPathCause(listPathsWithTwoMistakes(path), path, tip, allowed) : null)
   );
 }
 
 // Explain a trajectory that follows the right rule from a wrong start. Null if it begins right.
-function findShiftCause(trace, named, shifted, allowed) {
-  const [shift] = shifted;
+function findShiftCause(trace, centrelessPaths, shiftedPaths, allowed) {
+  const [shift] = shiftedPaths;
   if (!shift) return null;
   return (
-    named[0]?.cause ??
+    centrelessPaths[0]?.cause ??
     findTableCause(trace, allowed) ??
     findJointCause(trace, allowed, true) ??
     shift.cause
@@ -110,23 +116,23 @@ function findShiftCause(trace, named, shifted, allowed) {
 }
 
 // Find a table mistake or a wrong path that explains the tip's motion, or null if the tip is right.
-function findWrongPathCause(trace, others, tip, allowed, off) {
-  if (!off) return null;
-  return findTableCause(trace, allowed) ?? findPathCause(others, trace.path, tip, allowed);
+function findWrongPathCause(trace, wrongPaths, tip, allowed, isOff) {
+  if (!isOff) return null;
+  return findTableCause(trace, allowed) ?? findPathCause(wrongPaths, trace.path, tip, allowed);
 }
 
 // Find a mistake in the joint values, such as a joint in degrees. Without it the tip would follow
-// the path and the tool would keep its orientation. If they do so as typed, no mistake is `shown`.
-function findJointCause({ typedRows, arm, path }, allowed, shown) {
-  if (!shown) return null;
-  const isHeld = typedRows[0].length >= 6;
+// the path and the tool would keep its orientation. Null if they do so as typed.
+function findJointCause({ typedRows, arm, path }, allowed, hasSymptoms) {
+  if (!hasSymptoms) return null;
+  const keepsTool = typedRows[0].length >= 6; // its tool keeps its orientation
   const isRight = (undo) => {
     const toolAt = (row) => linkFrames(arm, undo(row)).at(-1);
     const first = toolAt(typedRows[0]);
     return typedRows.every((row, k) => {
       const tool = toolAt(row);
       const isNear = norm(minus(tool.o, path.position(path.times[k]))) <= allowed[k];
-      return isNear && (!isHeld || rotationBetween(first, tool) <= METHOD_TILT);
+      return isNear && (!keepsTool || rotationBetween(first, tool) <= METHOD_TILT);
     });
   };
   return listJointMistakes(arm).find(([, undo]) => isRight(undo))?.[0] ?? null;
@@ -142,8 +148,8 @@ function findTableCause({ q, arm, path }, allowed) {
 }
 
 // Return the cause of the first path that the tip follows within the allowed error.
-function findPathCause(others, { times }, tip, allowed) {
-  for (const { cause, path } of others) {
+function findPathCause(wrongPaths, { times }, tip, allowed) {
+  for (const { cause, path } of wrongPaths) {
     const isNear = (p, k) => norm(minus(p, path.position(times[k]))) <= allowed[k];
     if (tip.every(isNear)) return cause;
   }
@@ -159,8 +165,8 @@ const followsPath = (trace) =>
 
 /**
  * Find the rule that gives each step from the previous step. It must hold by Euler's method to the
- * digits, or by any method within `near`. Null if no rule's error is below half of the right
- * rule's.
+ * digits, or by any method within the errors `near`. Null if no rule has less than half of the
+ * right rule's error.
  * @param {Trace} trace @param {Iterable<Rule>} rules @param {number[] | null} near
  */
 function findLoopCause(trace, rules, near = null) {
@@ -169,8 +175,8 @@ function findLoopCause(trace, rules, near = null) {
     Math.min(1, measureRuleError(trace, {}, near) / 2),
   ];
   for (const rule of rules) {
-    const left = measureRuleError(trace, rule, near);
-    if (left < least) [best, least] = [rule.cause, left];
+    const error = measureRuleError(trace, rule, near);
+    if (error < least) [best, least] = [rule.cause, error];
   }
   return best;
 }
@@ -229,39 +235,39 @@ function measureRuleError(
   const first = K(...at(0));
   const rows = q[0].length < 6 ? 3 : first.length / q[0].length;
   const sum = new Array(rows).fill(0);
-  const may = sum.map((_, i) => (near ? near[i < 3 ? 0 : 1] : 0));
-  let [here, worst] = [first, 0];
+  const bound = sum.map((_, i) => (near ? near[i < 3 ? 0 : 1] : 0));
+  let [here, largestShare] = [first, 0];
   for (let k = 0; k + 1 < q.length; k++) {
     const [t, dt] = [path.times[k], path.times[k + 1] - path.times[k]];
     const step = subtractEach(q[k + 1], q[k]);
-    const off = (M, time) => computeStepError(M, step, v(time, dt), dt, rows);
+    const measureError = (M, time) => computeStepError(M, step, v(time, dt), dt, rows);
     const next = K(...at(k + 1));
     const change = subtractEach(next, here);
-    const start = off(here, t);
-    const used = near ? off(K(...at(k + 0.5)), t + 0.5 * dt) : start;
-    const end = near ? off(next, t + dt) : start;
-    const roundOff = FINE * norm(step);
+    const start = measureError(here, t);
+    const used = near ? measureError(K(...at(k + 0.5)), t + 0.5 * dt) : start;
+    const end = near ? measureError(next, t + dt) : start;
+    const roundOff = CONSTANT_ERROR * norm(step);
     for (let i = 0; i < rows; i++) {
       sum[i] += used[i];
-      may[i] +=
+      bound[i] +=
         roundOff + boundEffect(change, i, units[k]) + Math.abs((start[i] + end[i]) / 2 - used[i]);
       const ends = (boundEffect(first, i, units[0]) + boundEffect(next, i, units[k + 1])) / 2;
-      worst = Math.max(worst, Math.abs(sum[i]) / (may[i] + ends));
+      largestShare = Math.max(largestShare, Math.abs(sum[i]) / (bound[i] + ends));
     }
-    if (!(worst <= 1)) return Infinity;
+    if (!(largestShare <= 1)) return Infinity;
     here = next;
   }
-  return worst;
+  return largestShare;
 }
 
-// Return M step - (v dt, 0 ...), its first rows.
+// Return the first rows of M step - (v dt, 0 ...).
 function computeStepError(M, step, v, dt, rows) {
-  const off = new Array(rows);
+  const error = new Array(rows);
   for (let i = 0, n = 0; i < rows; i++) {
-    off[i] = i < 3 ? -v[i] * dt : 0;
-    for (const x of step) off[i] += M[n++] * x;
+    error[i] = i < 3 ? -v[i] * dt : 0;
+    for (const x of step) error[i] += M[n++] * x;
   }
-  return off;
+  return error;
 }
 
 // Bound the effect of errors in each joint on row i of M.

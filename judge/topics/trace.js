@@ -25,7 +25,7 @@ import {
 } from "./trace_steps.js";
 import { arrangeBySteps, convertToSI } from "./trace_layout.js";
 import { findOnlyWrongRow, makeRowCause } from "./trace_row.js";
-import { boundTipError, isDriftOfEuler, unitsWithoutTrimming } from "./trace_units.js";
+import { boundTipError, isDriftOfEuler, findUntrimmedUnits } from "./trace_units.js";
 import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import {
   followsPathByEuler,
@@ -37,8 +37,8 @@ import {
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const INDEPENDENT = ["trace.one more", "trace.jump"]; // mistakes that are named beside any other
-const FEWEST_STEPS = 2; // rows that are judged without the last ones
+const INDEPENDENT_CAUSES = ["trace.one more", "trace.jump"]; // named beside any other mistake
+const FEWEST_STEPS = 2; // rows of a trajectory whose last rows are missing
 const SAME_ERROR = 1e-9; // m: errors that differ by less are equal
 
 /** @typedef {import("../geometry/path.js").Path} Path */
@@ -76,10 +76,11 @@ export const judgeTrace = completeVerdicts(judgeTypedTrace);
 
 function judgeTypedTrace(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
-  const read = arrangeBySteps(typed, arm, path.times.length, typed.statedUnits?.angles ?? angles);
-  if (!read)
+  const typedUnit = typed.statedUnits?.angles ?? angles;
+  const arranged = arrangeBySteps(typed, arm, path.times.length, typedUnit);
+  if (!arranged)
     return judgeFirstSteps(typed, arm, path, options) ?? reportWrongShape(typed, arm, path);
-  const trajectory = { ...read, units: unitsWithoutTrimming(read, arm, path) };
+  const trajectory = { ...arranged, units: findUntrimmedUnits(arranged, arm, path) };
   const { q, units, unit, taken } = trajectory;
   const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
   if (unit === "rad" && followsOnlyInDegrees(trajectory, arm, path, allowed))
@@ -99,20 +100,21 @@ function judgeFirstSteps(typed, arm, path, { angles = "rad", tolerance = null })
   const count = typed.shape[0];
   const all = path.times.length;
   const isPart = count >= FEWEST_STEPS && count < all - 1;
-  const read = isPart
+  const arranged = isPart
     ? arrangeBySteps(typed, arm, count, typed.statedUnits?.angles ?? angles)
     : null;
-  if (!read) return null;
-  const { q, units, taken } = read;
-  const first = { ...path, times: path.times.slice(0, count) };
+  if (!arranged) return null;
+  const { q, units, taken } = arranged;
+  const firstPart = { ...path, times: path.times.slice(0, count) };
   const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const errors = measureDistances(
-    first.times.map(path.position),
+    firstPart.times.map(path.position),
     frames.map(({ o }) => o),
   );
   const isTurned = movingRows(arm).length >= 6 && measureToolTurns(frames)[0] > METHOD_TILT;
-  if (isTurned || exceedsAllowed(errors, allowed) || findJumps(q, arm, first).length) return null;
+  if (isTurned || exceedsAllowed(errors, allowed) || findJumps(q, arm, firstPart).length)
+    return null;
   const headline = formatMessage("trace so far", { arm: arm.name, count, all });
   const words = formatMessage("trace rows missing", { from: count, to: all - 1 });
   return makeVerdict("trace", arm, SO_FAR, headline, {
@@ -124,10 +126,10 @@ function judgeFirstSteps(typed, arm, path, { angles = "rad", tolerance = null })
 
 // Return whether the joint values follow the path in degrees and not in radians.
 function followsOnlyInDegrees({ q, units }, arm, path, allowed) {
-  const wanted = path.times.map(path.position);
+  const points = path.times.map(path.position);
   const measureTipErrors = (rows) =>
     measureDistances(
-      wanted,
+      points,
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
   if (!exceedsAllowed(measureTipErrors(q), allowed)) return false;
@@ -143,7 +145,8 @@ function followsOnlyInDegrees({ q, units }, arm, path, allowed) {
 const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
 
 // Return the distance of each point from the path's point at the same time.
-const measureDistances = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
+const measureDistances = (pathPoints, points) =>
+  points.map((point, k) => norm(minus(point, pathPoints[k])));
 
 /** @returns {import("../verdict.js").Verdict} */
 function makeTraceVerdict(arm, grade, cause, taken, rest = {}) {
@@ -200,7 +203,7 @@ function judgeMotion(trajectory, { q, turnNotes, frames }, { arm, path, allowed,
   const symptoms = [...motionSymptoms, ...listExtraStep(trajectory)];
   const findCause = () => {
     const trace = makeTrace(q, trajectory.units, arm, path, trajectory.q);
-    return findTraceCause(trace, tip, allowed, { off: isOff, shown: motionSymptoms.length > 0 });
+    return findTraceCause(trace, tip, allowed, { isOff, hasSymptoms: motionSymptoms.length > 0 });
   };
   const cause = singularStart ?? (symptoms.length || !hasTolerance ? findCause() : null);
   const notes = [...turnNotes, ...(singularStart ? [] : listNotes(arm, path, q))];
@@ -217,8 +220,8 @@ function judgeMotion(trajectory, { q, turnNotes, frames }, { arm, path, allowed,
 // Return the verdict on a trajectory without a known mistake. It may have the drift of Euler's
 // method, symptoms only, or nothing wrong.
 function reportWithoutCause(trajectory, path, { arm, symptoms, errors, mayDrift, rest }) {
-  const { taken, extra } = trajectory;
-  if (mayDrift && !extra && isDriftOfEuler(trajectory, arm, path, errors[0]))
+  const { taken, hasExtraStep } = trajectory;
+  if (mayDrift && !hasExtraStep && isDriftOfEuler(trajectory, arm, path, errors[0]))
     return acceptEulerDrift(arm, errors, taken, rest);
   if (symptoms.length) return reportSymptoms(arm, symptoms, taken, rest);
   return makeTraceVerdict(arm, RIGHT, "", taken, rest);
@@ -233,8 +236,8 @@ function acceptEulerDrift(arm, errors, taken, rest) {
   return makeVerdict("trace", arm, RIGHT, headline, { taken, ...rest, notes });
 }
 
-const listExtraStep = ({ extra }) =>
-  extra ? [makeFinding("trace.one more", formatMessage("trace.one more"))] : [];
+const listExtraStep = ({ hasExtraStep }) =>
+  hasExtraStep ? [makeFinding("trace.one more", formatMessage("trace.one more"))] : [];
 
 // Do not report jumps if all steps are too long, or if a mistake in the joint values makes them.
 const dropExplainedJumps = (cause, symptoms, jump) =>
@@ -246,7 +249,7 @@ function reportCause(arm, cause, symptoms, taken, rest) {
   const words = causeMessage(cause);
   const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
   const kinds = symptoms.map(({ what }) => what);
-  const causes = [causeName(cause), ...kinds.filter((kind) => INDEPENDENT.includes(kind))];
+  const causes = [causeName(cause), ...kinds.filter((kind) => INDEPENDENT_CAUSES.includes(kind))];
   return makeTraceVerdict(arm, WRONG, `${uncapitalize(words)}.`, taken, {
     findings,
     causes,
@@ -258,27 +261,29 @@ function reportCause(arm, cause, symptoms, taken, rest) {
 // belong to a jump, unless its joints explain it.
 function judgeOnlyWrongRow(trajectory, frames, arm, path, allowed) {
   const wrongRow = findOnlyWrongRow(trajectory, arm, path, frames, allowed);
-  if (!wrongRow || trajectory.extra) return null;
-  const { row, mends, exchanged } = wrongRow;
+  if (!wrongRow || trajectory.hasExtraStep) return null;
+  const { row, corrections, exchanged } = wrongRow;
   const isInside = row > 0 && row < frames.length - 1;
-  const isExplained = mends.length > 0 || exchanged !== null;
+  const isExplained = corrections.length > 0 || exchanged !== null;
   return isInside || isExplained ? reportWrongRow(arm, wrongRow, trajectory, path) : null;
 }
 
 /** @param {import("./trace_row.js").WrongRow} wrongRow */
 function reportWrongRow(arm, wrongRow, trajectory, path) {
-  const { row, distance, angle, mends, exchanged } = wrongRow;
+  const { row, distance, angle, corrections, exchanged } = wrongRow;
   const { q, taken, isPerJoint } = trajectory;
-  const suspects = mends.length
-    ? mends.map(({ index }) => index)
+  const suspects = corrections.length
+    ? corrections.map(({ index }) => index)
     : (exchanged ?? q[0].map((_, i) => i));
   const wrong = q.flatMap((values, k) => values.map((_, i) => k === row && suspects.includes(i)));
-  const [mend] = mends;
-  const mended = q.map((values, k) =>
-    k === row && mend ? values.map((x, i) => (i === mend.index ? mend.value : x)) : values,
+  const [correction] = corrections;
+  const corrected = q.map((values, k) =>
+    k === row && correction
+      ? values.map((x, i) => (i === correction.index ? correction.value : x))
+      : values,
   );
   return reportCause(arm, makeRowCause(wrongRow, q[row], arm), [], taken, {
-    notes: mend ? [...listNotes(arm, path, mended)] : [],
+    notes: correction ? [...listNotes(arm, path, corrected)] : [],
     figures: { position_error: distance, tool_turn: angle, q },
     ...(isPerJoint ? {} : { wrong }),
   });

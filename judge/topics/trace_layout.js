@@ -14,7 +14,7 @@ import { formatMessage } from "../sentences.js";
  * @property {number[][]} units of the last typed digits
  * @property {string} unit of the typed angles, "rad" or "deg"
  * @property {string[]} taken
- * @property {boolean} extra whether it has one step too many
+ * @property {boolean} hasExtraStep whether it has one step too many
  * @property {boolean} isPerJoint whether it was typed as a list for each joint
  */
 
@@ -34,7 +34,7 @@ export function arrangeBySteps(typed, arm, count, unit) {
   const taken = [...typed.taken];
   const counts = [count - 1, count, count + 1];
   let [rows, units] = [typed.values, typed.units].map((list) =>
-    rowsOf(inNamedUnits(list, typed, unit), shape[1]),
+    rowsOf(convertToNamedUnits(list, typed, unit), shape[1]),
   );
   const isPerJoint =
     shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && counts.includes(shape[1]);
@@ -55,8 +55,13 @@ export function arrangeBySteps(typed, arm, count, unit) {
   if (rows[0].length !== dof || !counts.includes(rows.length) || rows.length < 2) return null;
   const typedRows = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
   taken.push(...describeUnits(typed, unit, arm));
-  const extra = rows.length === count + 1;
-  return { ...convertToSI(typedRows, arm, typed.statedUnits, unit), taken, extra, isPerJoint };
+  const hasExtraStep = rows.length === count + 1;
+  return {
+    ...convertToSI(typedRows, arm, typed.statedUnits, unit),
+    taken,
+    hasExtraStep,
+    isPerJoint,
+  };
 }
 
 // Return whether rows include constant values of the locked joints.
@@ -68,12 +73,12 @@ function hasLockedColumns(rows, arm) {
 
 // Write all values in the units that the text names. Those with a unit of their own are in SI.
 /** @param {number[]} list @param {import("../reading/numbers.js").Typed} typed */
-function inNamedUnits(list, { entries, statedUnits }, unit) {
-  const named = (/** @type {any} */ { angle, hasUnit }) => {
+function convertToNamedUnits(list, { entries, statedUnits }, unit) {
+  const findFactor = (/** @type {any} */ { angle, hasUnit }) => {
     if (angle) return unit === "deg" ? RAD : 1;
     return hasUnit ? (statedUnits?.lengths ?? 1) : 1;
   };
-  return list.map((x, i) => x / named(entries[i]));
+  return list.map((x, i) => x / findFactor(entries[i]));
 }
 
 /** Convert rows of joint values to rad and m. */

@@ -26,7 +26,7 @@ import { boundTipError } from "./trace_units.js";
  * @property {number} row its index
  * @property {number} distance of its tip from the path (m)
  * @property {number} angle between its tool and the tool of all other rows (rad)
- * @property {{ index: number, value: number }[]} mends joints whose change alone puts the row
+ * @property {{ index: number, value: number }[]} corrections joints whose change alone puts the row
  *   right, by their index from 0, and the value that does (rad or m)
  * @property {[number, number] | null} exchanged indices of two joints whose exchange does
  */
@@ -44,12 +44,12 @@ const AS_NEAR = 3; // a row this many times as far from the rows beside it is on
  */
 export function findOnlyWrongRow({ q, units }, arm, path, frames, allowed) {
   if (q.length <= FEWEST_RIGHT) return null;
-  const isHeld = movingRows(arm).length >= 6;
+  const keepsTool = movingRows(arm).length >= 6; // its tool keeps its orientation
   const points = path.times.map(path.position);
   const distances = frames.map(({ o }, k) => norm(minus(o, points[k])));
   // The tool of the first row is the right one, unless the first row is the wrong one.
   for (const reference of [frames[0], frames[1]]) {
-    const angles = frames.map((frame) => (isHeld ? rotationBetween(reference, frame) : 0));
+    const angles = frames.map((frame) => (keepsTool ? rotationBetween(reference, frame) : 0));
     const wrongRows = frames.flatMap((_, k) =>
       distances[k] > allowed[k] || angles[k] > METHOD_TILT ? [k] : [],
     );
@@ -58,26 +58,31 @@ export function findOnlyWrongRow({ q, units }, arm, path, frames, allowed) {
     const isOther = (_, k) => k !== row;
     const goal = {
       point: points[row],
-      tool: isHeld ? reference : null,
+      tool: keepsTool ? reference : null,
       distance: Math.max(...distances.filter(isOther)) + boundTipError(q[row], units[row], arm),
       angle: Math.max(...angles.filter(isOther)) + units[row].reduce((sum, unit) => sum + unit, 0),
     };
-    return { row, distance: distances[row], angle: angles[row], ...mendRow(q, row, arm, goal) };
+    return {
+      row,
+      distance: distances[row],
+      angle: angles[row],
+      ...findRowCorrections(q, row, arm, goal),
+    };
   }
   return null;
 }
 
 // Find the joints of a row whose change, or whose exchange, takes the tip to a goal.
-/** @returns {Pick<WrongRow, "mends" | "exchanged">} */
-function mendRow(q, row, arm, goal) {
+/** @returns {Pick<WrongRow, "corrections" | "exchanged">} */
+function findRowCorrections(q, row, arm, goal) {
   const typed = q[row];
   const isRight = (pose) => reachesGoal(linkFrames(arm, pose).at(-1), goal);
-  const mends = listPosesWithOneChange(arm, typed, goal)
+  const corrections = listPosesWithOneChange(arm, typed, goal)
     .map((pose, index) => ({ index, pose }))
     .filter(({ pose }) => isRight(pose));
-  const nearest = selectNearest(mends, q[row - 1] ?? q[row + 1], q[row + 1] ?? q[row - 1]);
+  const nearest = selectNearest(corrections, q[row - 1] ?? q[row + 1], q[row + 1] ?? q[row - 1]);
   return {
-    mends: nearest.map(({ index, pose }) => ({ index, value: pose[index] })),
+    corrections: nearest.map(({ index, pose }) => ({ index, value: pose[index] })),
     exchanged: findExchangedJoints(typed, isRight),
   };
 }
@@ -85,14 +90,14 @@ function mendRow(q, row, arm, goal) {
 const reachesGoal = (tip, { point, tool, distance, angle }) =>
   norm(minus(tip.o, point)) <= distance && (!tool || rotationBetween(tool, tip) <= angle);
 
-// Select the mends that leave the row nearest to the rows beside it. Far from them it is right as
-// well, but on another branch.
-function selectNearest(mends, before, after) {
-  const distances = mends.map(({ pose }) =>
+// Select the corrections that leave the row nearest to the rows beside it. Farther away the row is
+// right as well, but on another branch.
+function selectNearest(corrections, before, after) {
+  const distances = corrections.map(({ pose }) =>
     norm(pose.map((x, i) => x - (before[i] + after[i]) / 2)),
   );
   const nearest = Math.min(...distances);
-  return mends.filter((_, k) => distances[k] <= AS_NEAR * nearest);
+  return corrections.filter((_, k) => distances[k] <= AS_NEAR * nearest);
 }
 
 // Return the indices of two joints whose exchange makes a row right, or null.
@@ -108,14 +113,14 @@ function findExchangedJoints(typed, isRight) {
  * @param {WrongRow} wrongRow @param {number[]} typed joint values of the row @param {Arm} arm
  * @returns {import("../causes/ranking.js").Cause}
  */
-export function makeRowCause({ row, distance, angle, mends, exchanged }, typed, arm) {
+export function makeRowCause({ row, distance, angle, corrections, exchanged }, typed, arm) {
   const numbers = jointNumbers(arm);
-  if (mends.length > 1) {
-    const joints = mends.map(({ index }) => String(numbers[index]));
+  if (corrections.length > 1) {
+    const joints = corrections.map(({ index }) => String(numbers[index]));
     return makeCause("trace.row joints", { step: row, _joints: joinList(joints, "or") });
   }
-  if (mends.length) {
-    const [{ index, value }] = mends;
+  if (corrections.length) {
+    const [{ index, value }] = corrections;
     const _off = formatNumber(Math.abs(value - typed[index]), 2);
     const _unit = revoluteFlags(arm)[index] ? "rad" : "m";
     return makeCause("trace.number", { step: row, joint: numbers[index], _off, _unit });
