@@ -28,6 +28,7 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
 GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
 PANEL_PADDING = 3  # pt around a panel that a phone shows alone
+INLINE_BACKEND_NAMES = ("inline", "module://matplotlib_inline.backend_inline")  # Jupyter's
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
 STYLE: dict[Any, Any] = {
@@ -63,9 +64,13 @@ def use_book_style() -> None:
         "IPython"
     )  # loaded in every notebook; elsewhere there is no display to set
     if ipython and (shell := ipython.get_ipython()):
+        import matplotlib.pyplot as plt
         from matplotlib_inline.backend_inline import set_matplotlib_formats  # comes with IPython
 
         set_matplotlib_formats("svg")
+        # After each cell, pyplot would also draw every figure in pixels, which Jupyter never shows.
+        if mpl.get_backend() in INLINE_BACKEND_NAMES:
+            plt.uninstall_repl_displayhook()
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, format_svg)
         np.set_printoptions(precision=4, suppress=True)
 
