@@ -2,6 +2,7 @@
 
 import { RAD } from "../geometry/angles.js";
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
+import { bareName } from "./columns.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
 import { makeBlock } from "./block.js";
@@ -37,10 +38,8 @@ export const makePlainText = (pasted) =>
 export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiven = false) {
   const text = markHeadings(plain);
   const isEntryByCell = new Map();
-  const hasPadding = COMMA_BEFORE_ZERO.test(text.text);
-  const isNoEntry = (cell) => NO_ENTRY.test(cell) || (hasPadding && PADDED.test(cell));
   const isKnownEntry = (cell) => {
-    if (!isEntryByCell.has(cell)) isEntryByCell.set(cell, !isNoEntry(cell) && isEntry(cell));
+    if (!isEntryByCell.has(cell)) isEntryByCell.set(cell, !NO_ENTRY.test(cell) && isEntry(cell));
     return isEntryByCell.get(cell);
   };
   const splittings = SPLITTINGS.filter(({ decimal }) => !decimal || DECIMAL_COMMA.test(text.text));
@@ -49,11 +48,8 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiv
   );
 }
 
-const DECIMAL_COMMA = /\d,\d|[:=] ?[-+]?,\d/;
+const DECIMAL_COMMA = /,\d/;
 const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d/; // a row's number, two numbers
-// 0365 are the decimals of 1,0365, where a comma separates cells.
-const COMMA_BEFORE_ZERO = /(?:^|[\d\s|&;-]),0\d/;
-const PADDED = /^[-+]?0\d+$/;
 
 // Return a function that computes its result at the first call only.
 function callOnce(compute) {
@@ -88,7 +84,7 @@ const areGivenValues = (cells, given) =>
     return [given[k], given[k] / RAD].some((y) => Math.abs(x - y) <= half);
   });
 
-const isAnswerName = (name, names) => names?.test(name.replace(/^"|[^\p{L}\p{N}]$/gu, "")) ?? false;
+const isAnswerName = (name, names) => names?.test(bareName(name)) ?? false;
 
 // Group rows of one length that follow each other. Rows of other lengths between them end a group.
 function groupFollowingRows(rows, names) {

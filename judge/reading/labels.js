@@ -43,15 +43,15 @@ function parseLabel(text) {
   return { kind: JOINT_STEM.test(stem) ? "joint" : "count", number: Number(digits) };
 }
 
-// Take units, brackets and punctuation off a label.
+const UNIT_END = /(?:1\/s|(?:deg(?:rees?)?|rad(?:ians?)?|nm|mm?)(?:\/(?:s|rad))?|\/rad)$/;
+
+// Take brackets, punctuation and the unit behind it off a label.
 const simplifyLabel = (text) =>
   plain([...text.normalize("NFKC")].map((character) => DOTTED[character] ?? character).join(""))
     .toLowerCase()
-    .replace(/\((?:locked|fixed)\)$/, "")
     .replace(/(?<=\p{L}[_{]*\d[\d}]*)\^?\{?\(\d\)\}?$/u, "") // q1^(2) of branch 2
-    .replace(/[([](?:deg|rad|nm|m)[^)\]]*[)\]]|(?:\bm{0,2})?\/(?:s|rad)$/g, "")
     .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
-    .replace(/deg$/, "");
+    .replace(UNIT_END, "");
 
 const MOST_WORDS = 8; // of a label: "for the first joint"
 
@@ -72,7 +72,7 @@ export function findLabel(words) {
  */
 export function findValueLabel({ words, name, isAssigned }) {
   const label = findLabel(words);
-  if (!isAssigned || !name || !words.length || (label && label.kind !== "count")) return label;
+  if (!isAssigned || (label && label.kind !== "count")) return label;
   return findLabel([{ text: name }]) ?? label;
 }
 
@@ -82,7 +82,7 @@ export function findValueLabel({ words, name, isAssigned }) {
  * @param {import("./lines.js").Row[]} rows
  */
 export function readRowLabels(rows) {
-  const [first, ...names] = rows[0].above.filter(({ text }) => !/^(?:order|#+)$/i.test(text));
+  const [first, ...names] = rows[0].above.filter(({ text }) => !/^#+$/.test(text));
   const isListOfRows =
     /^rows?$/i.test(first?.text ?? "") &&
     names.length === rows.length &&

@@ -68,11 +68,9 @@ function isList(text, { at, character, isSplit, leaf }, end) {
 // Return whether round brackets hold several entries and no index.
 function isRoundList(text, { at, isSplit, leaf }, end, before) {
   if (/\w/.test(before) && end - at <= MOST_INDEX) return false;
-  if (before === "J" && ARGUMENTS_END.test(text.slice(end, end + 9))) return false;
-  return isSplit || !leaf || (/[\s=]/.test(before) && NUMBERS.test(text.slice(at + 1, end)));
+  return isSplit || !leaf || NUMBERS.test(text.slice(at + 1, end));
 }
 
-const ARGUMENTS_END = /^\)\s*=/; // of J(0.5, 0.7) = [...]
 const NUMBERS = /^\s*[-+]?[\d.]+(?:\s+[-+]?[\d.]+)+\s*$/; // beside each other
 
 /**
