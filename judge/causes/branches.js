@@ -20,7 +20,7 @@ import { listTableMistakes } from "./chain.js";
 
 const COARSEST_DIGIT = 0.0175; // rad or m: with coarser digits some mistake would fit any answer
 const QUARTER = Math.PI / 2;
-const NUDGE = 1e-6; // rad or m: a difference for a derivative
+const STEP = 1e-6; // rad or m: step of the difference quotient
 
 /**
  * Explain joint values that equal no branch.
@@ -90,18 +90,19 @@ export const looksLikeMistake = (solutions, answer) =>
 // List the mistakes without which an answer would equal a branch or reach the target by a wrong
 // table. If there are none, list those without which only the shoulder would differ.
 function listCauses(solutions, answer, tolerance) {
-  const undone = [...listJointMistakes(solutions.arm), ...listQuarterTurns(solutions, answer)]
+  const corrections = [...listJointMistakes(solutions.arm), ...listQuarterTurns(solutions, answer)]
     .map(([cause, undo]) => ({ cause, corrected: undoMistake(answer, undo) }))
     .filter(
       ({ corrected }) => hasFineDigits(corrected) && exceedsDigits(solutions, answer, corrected),
     );
   const selectCauses = (isRight) =>
-    undone.flatMap(({ cause, corrected }) => (isRight(corrected) ? [cause] : []));
-  const single = selectCauses((corrected) => findBranch(solutions, corrected, tolerance) >= 0);
+    corrections.flatMap(({ cause, corrected }) => (isRight(corrected) ? [cause] : []));
+  const jointCauses = selectCauses((corrected) => findBranch(solutions, corrected, tolerance) >= 0);
   const reaches = (change) => reachesTarget(solutions, answer.values, answer.units, change);
   const tableChanges = reaches() || !hasFineDigits(answer) ? [] : listTableMistakes(solutions.arm);
-  const tables = tableChanges.flatMap(([cause, change]) => (reaches(change) ? [cause] : []));
-  if (single.length || tables.length) return dropRepeatedCauses([...single, ...tables]);
+  const tableCauses = tableChanges.flatMap(([cause, change]) => (reaches(change) ? [cause] : []));
+  if (jointCauses.length || tableCauses.length)
+    return dropRepeatedCauses([...jointCauses, ...tableCauses]);
   const withShoulder = selectCauses((corrected) =>
     isOnlyShoulderWrong(matchJointsByBranch(solutions, corrected, tolerance)),
   );
@@ -120,7 +121,7 @@ function dropRepeatedCauses(causes) {
 function undoMistake({ values, units }, undo) {
   const corrected = undo(values);
   const slopes = values.map(
-    (_, k) => (undo(values.map((x, i) => (i === k ? x + NUDGE : x)))[k] - corrected[k]) / NUDGE,
+    (_, k) => (undo(values.map((x, i) => (i === k ? x + STEP : x)))[k] - corrected[k]) / STEP,
   );
   return { values: corrected, units: units.map((unit, k) => unit * Math.abs(slopes[k] || 1)) };
 }

@@ -35,8 +35,8 @@ function* listOtherLengths({ penless, alike = [], robots = [] }) {
   if (penless) {
     // handed in: the pen left out, and the pen taken away
     yield [makeCause("table.pen"), changeRows((_, i) => ({ d: penless.rows[i].d }))];
-    const away = changeRows((row, i) => ({ d: 2 * penless.rows[i].d - row.d }));
-    yield [makeCause("table.pen sign"), away];
+    const subtractPen = changeRows((row, i) => ({ d: 2 * penless.rows[i].d - row.d }));
+    yield [makeCause("table.pen sign"), subtractPen];
   }
   for (const { name, other, rows } of alike)
     // slip 2
@@ -67,13 +67,20 @@ function* listExchangedLengths({ rows }) {
   }
 }
 
-/** Offsets, convention, locked joint. @param {Arm} arm @returns {Generator<ChainMistake>} */
+/**
+ * List mistakes in offsets, convention and locked joint.
+ * @param {Arm} arm @returns {Generator<ChainMistake>}
+ */
 function* listTableWideMistakes({ rows }) {
   const hasOffset = (row) => row.kind === "revolute" && row.theta;
   if (rows.filter(hasOffset).length > 1)
     yield [makeCause("table.offsets"), changeRows((row) => (hasOffset(row) ? { theta: 0 } : {}))];
-  const before = changeRows((_, i) => ({ a: rows[i - 1]?.a ?? 0, alpha: rows[i - 1]?.alpha ?? 0 }));
-  yield [makeCause("table.craig rows"), before]; // handed in: Craig's rows in the standard matrix
+  const takePreviousLink = changeRows((_, i) => ({
+    a: rows[i - 1]?.a ?? 0,
+    alpha: rows[i - 1]?.alpha ?? 0,
+  }));
+  // handed in: Craig's rows in the standard matrix
+  yield [makeCause("table.craig rows"), takePreviousLink];
   const moving = rows.filter(({ kind }) => kind !== "fixed");
   if (moving.length < rows.length) {
     const withoutLocked = (c) => ({ ...c, rows: moving, at: movingRows({ rows: moving }) });
@@ -83,23 +90,25 @@ function* listTableWideMistakes({ rows }) {
 
 /** @param {Row} row @param {number} index @returns {ChainMistake[]} */
 function listRowMistakes(row, index) {
-  const place = { row: index + 1 };
+  const rowField = { row: index + 1 };
   const makeRowMistake = (key, fields, entries) => [
     makeCause(key, fields),
     changeRows((_, i) => (i === index ? entries : {})),
   ];
   const mistakes = [];
   if (Math.abs(Math.sin(row.alpha)) > 1e-9)
-    mistakes.push(makeRowMistake("table.twist", place, { alpha: -row.alpha }));
-  if (row.alpha) mistakes.push(makeRowMistake("table.no twist", place, { alpha: 0 }));
+    mistakes.push(makeRowMistake("table.twist", rowField, { alpha: -row.alpha }));
+  if (row.alpha) mistakes.push(makeRowMistake("table.no twist", rowField, { alpha: 0 }));
   for (const column of ["a", "d"]) {
     if (!row[column]) continue;
-    mistakes.push(makeRowMistake("table.sign", { column, ...place }, { [column]: -row[column] }));
-    mistakes.push(makeRowMistake("table.missing", { column, ...place }, { [column]: 0 }));
+    mistakes.push(
+      makeRowMistake("table.sign", { column, ...rowField }, { [column]: -row[column] }),
+    );
+    mistakes.push(makeRowMistake("table.missing", { column, ...rowField }, { [column]: 0 }));
   }
   if (row.theta && row.kind === "revolute") {
-    mistakes.push(makeRowMistake("table.offset", place, { theta: 0 }));
-    mistakes.push(makeRowMistake("table.offset sign", place, { theta: -row.theta }));
+    mistakes.push(makeRowMistake("table.offset", rowField, { theta: 0 }));
+    mistakes.push(makeRowMistake("table.offset sign", rowField, { theta: -row.theta }));
   }
   return mistakes;
 }

@@ -31,12 +31,12 @@ export const makeJacobian =
   (arm, frame, step = {}, build = buildBy(arm, frame, step)) =>
   (q) => {
     const { J, T } = build(q);
-    return (step.write ?? same)(J, T);
+    return (step.write ?? keep)(J, T);
   };
 
 // Build the Jacobian before it is written down. The last one is kept, since many writings are tried
 // on it.
-function buildBy(arm, frame, { change = same, recipe = chains.flatJacobian }) {
+function buildBy(arm, frame, { change = keep, recipe = chains.flatJacobian }) {
   let [lastQ, lastResult] = [null, null];
   return (q) => {
     if (q === lastQ) return lastResult;
@@ -51,7 +51,7 @@ function buildBy(arm, frame, { change = same, recipe = chains.flatJacobian }) {
   };
 }
 
-const same = (x, ..._) => x;
+const keep = (x, ..._) => x;
 
 /** List the mistakes. @param {Arm} arm @param {number[]} q @returns {JacobianStep[]} */
 export function listJacobianSteps(arm, q, frame) {
@@ -73,12 +73,12 @@ export const listSingleMistakes = (arm, frame, steps) =>
  * @param {Arm} arm @returns {Generator<Mistake>}
  */
 export function* listCopiedColumns(arm, frame) {
-  const right = makeJacobian(arm, frame);
+  const makeRight = makeJacobian(arm, frame);
   const joint = jointNumbers(arm);
   for (const k of joint.keys())
     for (const n of [k - 1, k + 1].filter((index) => index in joint)) {
       const make = (q) => {
-        const J = right(q);
+        const J = makeRight(q);
         return J.map((x, i) => (i % joint.length === k ? J[i - k + n] : x));
       };
       yield { cause: makeCause("J.column of", { joint: joint[n], i: joint[k] }), make };
@@ -121,34 +121,52 @@ const composeFunctions = (first, second) =>
  * @param {Chain} c @returns {Generator<[Cause, Recipe]>}
  */
 export function* listJacobianRecipes(c) {
-  const by = (options) => (c1, T) => chains.flatJacobian(c1, T, options(c1));
-  const angular = (options) => (c1, T) =>
-    chains.joinHalves(chains.flatJacobian(c1, T), chains.flatJacobian(c1, T, options(c1)));
-  const late = ({ at }) => at.map((i) => i + 1);
-  yield [makeCause("J.z_i angular"), angular((c1) => ({ axis: late(c1) }))]; // slip 19
-  yield [makeCause("J.z_0 angular"), angular(({ at }) => ({ axis: at.map(() => 0) }))]; // handed in
+  const withOptions = (options) => (chain, T) => chains.flatJacobian(chain, T, options(chain));
+  const withAngularOptions = (options) => (chain, T) =>
+    chains.joinHalves(chains.flatJacobian(chain, T), chains.flatJacobian(chain, T, options(chain)));
+  const listNextFrames = ({ at }) => at.map((i) => i + 1);
+  yield [
+    makeCause("J.z_i angular"),
+    withAngularOptions((chain) => ({ axis: listNextFrames(chain) })),
+  ]; // slip 19
   // handed in
-  yield [makeCause("J.one frame late"), by((c1) => ({ axis: late(c1), origin: late(c1) }))];
-  yield [makeCause("J.z_i"), by((c1) => ({ axis: late(c1) }))]; // slip 19, in both halves
-  yield [makeCause("J.origin late"), by((c1) => ({ origin: late(c1) }))]; // handed in
-  yield [makeCause("J.lever tip"), by(() => ({ subtracted: false }))]; // handed in
-  yield [makeCause("J.no cross"), by(() => ({ crossed: false }))]; // handed in
+  yield [makeCause("J.z_0 angular"), withAngularOptions(({ at }) => ({ axis: at.map(() => 0) }))];
+  // handed in
+  yield [
+    makeCause("J.one frame late"),
+    withOptions((chain) => ({ axis: listNextFrames(chain), origin: listNextFrames(chain) })),
+  ];
+  // slip 19, in both halves
+  yield [makeCause("J.z_i"), withOptions((chain) => ({ axis: listNextFrames(chain) }))];
+  // handed in
+  yield [makeCause("J.origin late"), withOptions((chain) => ({ origin: listNextFrames(chain) }))];
+  yield [makeCause("J.lever tip"), withOptions(() => ({ subtracted: false }))]; // handed in
+  yield [makeCause("J.no cross"), withOptions(() => ({ crossed: false }))]; // handed in
   const wrist = ({ rows }) => rows.length - 1; // handed in: the wrist's centre for the tip
-  yield [makeCause("J.point", { k: wrist(c) }), by((c1) => ({ point: wrist(c1) }))];
+  yield [makeCause("J.point", { k: wrist(c) }), withOptions((chain) => ({ point: wrist(chain) }))];
   // Modern Robotics: the velocity of the point of the tool that is at the base's origin
-  yield [makeCause("J.space"), by(() => ({ point: 0 }))];
-  const fromRows = (c1, T) => chains.flatJacobian(c1, chains.swapRowsForColumns(T)); // slip 4
+  yield [makeCause("J.space"), withOptions(() => ({ point: 0 }))];
+  const fromRows = (chain, T) => chains.flatJacobian(chain, chains.swapRowsForColumns(T)); // slip 4
   yield [makeCause("J.rows of T"), fromRows];
   if (c.turns.includes(false)) {
     // handed in: z_2 x ... over z_2, and z_2 over z_2
-    yield [makeCause("J.slide turns"), by(() => ({ slides: false }))];
-    yield [makeCause("J.slide angular"), angular(() => ({ slides: false }))];
+    yield [makeCause("J.slide turns"), withOptions(() => ({ slides: false }))];
+    yield [makeCause("J.slide angular"), withAngularOptions(() => ({ slides: false }))];
   }
-  const every = c.rows.map((_, i) => i);
-  for (const row of c.at.length < every.length ? c.at : []) {
-    const at = every.filter((i) => i !== row); // handed in: column 4 deleted for column 3
+  yield* listWrongDeletions(c);
+}
+
+/**
+ * List Jacobians of an arm with a locked joint that lack the column of another joint.
+ * @param {Chain} c @returns {Generator<[Cause, Recipe]>}
+ */
+function* listWrongDeletions(c) {
+  const allRows = c.rows.map((_, i) => i);
+  for (const row of c.at.length < allRows.length ? c.at : []) {
+    const at = allRows.filter((i) => i !== row); // handed in: column 4 deleted for column 3
     if (at.length !== c.dof) break;
-    const without = (c1, T) => chains.flatJacobian({ ...c1, at, turns: at.map(() => true) }, T);
+    const without = (chain, T) =>
+      chains.flatJacobian({ ...chain, at, turns: at.map(() => true) }, T);
     yield [makeCause("J.wrong column deleted", { column: row + 1 }), without];
   }
 }
@@ -158,29 +176,34 @@ export function* listJacobianRecipes(c) {
  * @param {Arm} arm @returns {Generator<[Cause, Writing]>}
  */
 function* listWritingMistakes(arm, { dof, turns }, frame) {
-  const each = (change) => (J) => J.map((x, i) => change(x, Math.floor(i / dof), i % dof));
-  const blocks = (v, w) => each((x, i) => x * (i < 3 ? v : w));
-  const order = (from) => (J) => J.map((_, i) => J[i - (i % dof) + from(i % dof)]);
-  const rows = (from) => (J) => J.map((_, i) => J[from(Math.floor(i / dof)) * dof + (i % dof)]);
-  yield [makeCause("J.halves"), rows((i) => (i + 3) % 6)]; // conventions: (omega, v)
-  yield [makeCause("J.wx and wy"), rows((i) => [0, 1, 2, 4, 3, 5][i])]; // handed in
-  yield [makeCause("J.vx and vy"), rows((i) => [1, 0, 2, 3, 4, 5][i])]; // handed in
-  yield [makeCause("J.cross"), each((x, i, k) => (turns[k] && i < 3 ? -x : x))]; // handed in
-  yield [makeCause("J.all signs"), blocks(-1, -1)]; // handed in
-  yield [makeCause("J.angular sign"), blocks(1, -1)]; // handed in
-  yield [makeCause("J.millimetres"), blocks(1000, 1)]; // slip 26: millimetres in a report in metres
-  yield [makeCause("J.angular degrees"), blocks(1, DEG)]; // handed in
+  const changeEntries = (change) => (J) => J.map((x, i) => change(x, Math.floor(i / dof), i % dof));
+  const scaleHalves = (v, w) => changeEntries((x, i) => x * (i < 3 ? v : w));
+  const reorderColumns = (from) => (J) => J.map((_, i) => J[i - (i % dof) + from(i % dof)]);
+  const reorderRows = (from) => (J) =>
+    J.map((_, i) => J[from(Math.floor(i / dof)) * dof + (i % dof)]);
+  yield [makeCause("J.halves"), reorderRows((i) => (i + 3) % 6)]; // conventions: (omega, v)
+  yield [makeCause("J.wx and wy"), reorderRows((i) => [0, 1, 2, 4, 3, 5][i])]; // handed in
+  yield [makeCause("J.vx and vy"), reorderRows((i) => [1, 0, 2, 3, 4, 5][i])]; // handed in
+  // handed in
+  yield [makeCause("J.cross"), changeEntries((x, i, k) => (turns[k] && i < 3 ? -x : x))];
+  yield [makeCause("J.all signs"), scaleHalves(-1, -1)]; // handed in
+  yield [makeCause("J.angular sign"), scaleHalves(1, -1)]; // handed in
+  // slip 26: millimetres in a report in metres
+  yield [makeCause("J.millimetres"), scaleHalves(1000, 1)];
+  yield [makeCause("J.angular degrees"), scaleHalves(1, DEG)]; // handed in
   if (!frame) yield* listAngleRates(dof);
-  yield [makeCause("J.angular zero"), blocks(1, 0)]; // half an answer
-  yield [makeCause("J.linear zero"), blocks(0, 1)];
-  yield [makeCause("J.per degree"), each((x, _, k) => (turns[k] ? x * RAD : x))]; // handed in
+  yield [makeCause("J.angular zero"), scaleHalves(1, 0)]; // half an answer
+  yield [makeCause("J.linear zero"), scaleHalves(0, 1)];
+  // handed in
+  yield [makeCause("J.per degree"), changeEntries((x, _, k) => (turns[k] ? x * RAD : x))];
   if (dof === 6) yield [makeCause("J.transposed"), (J) => chains.transpose(J, [6, 6])]; // handed in
-  yield [makeCause("J.reversed order"), order((k) => dof - 1 - k)]; // joints named q6 ... q1
+  // joints named q6 ... q1
+  yield [makeCause("J.reversed order"), reorderColumns((k) => dof - 1 - k)];
   yield* listFrameMistakes(arm, frame);
   const joint = jointNumbers(arm); // handed in: two joints exchanged
   for (let i = 0; i < dof; i++) {
     for (let j = i + 1; j < dof; j++) {
-      const exchanged = order((k) => (k === i ? j : k === j ? i : k));
+      const exchanged = reorderColumns((k) => (k === i ? j : k === j ? i : k));
       yield [makeCause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];
     }
   }
@@ -194,12 +217,12 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
  */
 function* listAngleRates(dof) {
   const withRates = (rates) => (J, T) => {
-    const made = J.slice();
+    const changed = J.slice();
     for (let k = 0; k < dof; k++) {
       const omega = [3, 4, 5].map((i) => J[i * dof + k]);
-      rates(T.at(-1), omega).forEach((rate, i) => (made[(3 + i) * dof + k] = rate));
+      rates(T.at(-1), omega).forEach((rate, i) => (changed[(3 + i) * dof + k] = rate));
     }
-    return made;
+    return changed;
   };
   yield [makeCause("J.zyz rates"), withRates(computeZyzRates)];
   yield [makeCause("J.rpy rates"), withRates(computeRollPitchYawRates)];

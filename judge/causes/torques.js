@@ -40,7 +40,7 @@ import { combineCauses, makeCause } from "./ranking.js";
  * @property {(tau: number[]) => number[]} [write]
  */
 
-const same = (x) => x;
+const keep = (x) => x;
 const multiply = (factor, list) => list.map((x) => factor * x);
 
 /** @param {LoadAtPose} at */
@@ -66,11 +66,11 @@ export function makeLoad(arm, wrenches, gravity) {
 }
 
 // Cache a function's results, in a WeakMap if its arguments are short-lived objects.
-/** @param {(argument: any) => any} make @param {Map<any, any> | WeakMap<any, any>} results */
-function keepResults(make, results = new Map()) {
+/** @param {(argument: any) => any} compute @param {Map<any, any> | WeakMap<any, any>} results */
+function cacheResults(compute, results = new Map()) {
   return (argument) => {
     let result = results.get(argument);
-    if (result === undefined) results.set(argument, (result = make(argument)));
+    if (result === undefined) results.set(argument, (result = compute(argument)));
     return result;
   };
 }
@@ -80,21 +80,24 @@ class TorquesAtPoses {
   /** @param {Load} load @param {number} dof @param {number[]} q joint values of all poses */
   constructor(load, dof, q) {
     const poses = rowsOf(q, dof).map((pose) => ({ ...load, c: { ...load.c, q: pose, dof } }));
-    const framesOf = keepResults(chains.chainFrames, new WeakMap());
+    const framesOf = cacheResults(chains.chainFrames, new WeakMap());
     this.atPose = (changed, i) => ({ ...changed, T: framesOf(changed.c), F: load.wrenches[i] });
-    this.loadsOf = keepResults((change) => poses.map((pose, i) => this.atPose(change(pose), i)));
-    const partsOf = (change) => keepResults((part) => this.loadsOf(change).map(part));
-    this.weightsOf = keepResults(partsOf);
-    this.forcesOf = keepResults(partsOf);
+    this.loadsOf = cacheResults((change) => poses.map((pose, i) => this.atPose(change(pose), i)));
+    const partsOf = (change) => cacheResults((part) => this.loadsOf(change).map(part));
+    this.weightsOf = cacheResults(partsOf);
+    this.forcesOf = cacheResults(partsOf);
   }
 
-  /** @param {Partial<TorqueStep>} steps those that are done wrong @returns {number[]} */
-  make({
-    change = same,
+  /**
+   * Compute the torques with some steps done wrong.
+   * @param {Partial<TorqueStep>} steps @returns {number[]}
+   */
+  compute({
+    change = keep,
     secondChange,
     weight = computeWeight,
     force = computeForce,
-    write = same,
+    write = keep,
   }) {
     const loads =
       secondChange && this.loadsOf(change).map((load, i) => this.atPose(secondChange(load), i));
@@ -106,17 +109,17 @@ class TorquesAtPoses {
 
 /**
  * Return a maker of torques. It takes the steps done wrong, and returns a function from the
- * joint values of all poses to the torques there. What it makes at `q` is kept.
+ * joint values of all poses to the torques there. Results at `q` are cached.
  * @param {Load} load
  * @param {number} dof
  * @param {number[]} q
  * @returns {(steps?: Partial<TorqueStep>) => (values: number[]) => number[]}
  */
 export function makeTorqueMaker(load, dof, q) {
-  const kept = new TorquesAtPoses(load, dof, q);
+  const cached = new TorquesAtPoses(load, dof, q);
   return (steps = {}) =>
     (values) =>
-      (values === q ? kept : new TorquesAtPoses(load, dof, values)).make(steps);
+      (values === q ? cached : new TorquesAtPoses(load, dof, values)).compute(steps);
 }
 
 /**
@@ -133,13 +136,13 @@ export const listTorqueSteps = (arm, load) => [
   ...listChainMistakes(arm),
 ];
 
-/** Mistakes in the table or q. @param {Arm} arm @returns {TorqueStep[]} */
+/** List mistakes in the table or q. @param {Arm} arm @returns {TorqueStep[]} */
 function listChainMistakes(arm) {
   const tables = listTableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
   return [...listPoseMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
-    const changed = keepResults(change, new WeakMap());
+    const changed = cacheResults(change, new WeakMap());
     const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
     return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };
   });
@@ -225,11 +228,11 @@ function* listWeightMistakes({ c, gravity }) {
   // handed in: the drawing has y upwards
   const g = Math.hypot(...gravity);
   /** @type {[string, number[]][]} */
-  const level = [
+  const horizontalVectors = [
     ["y", [0, -g, 0]],
     ["x", [-g, 0, 0]],
   ];
-  for (const [axis, vector] of level)
+  for (const [axis, vector] of horizontalVectors)
     yield {
       cause: makeCause("tau.gravity axis", { axis }),
       weight: (at) => computeWeight({ ...at, gravity: vector }),
@@ -264,7 +267,7 @@ function* listForceMistakes({ wrenches, c }) {
   }
 }
 
-/** Mistakes in masses, centres and g. @param {Arm} arm @returns {Generator<TorqueStep>} */
+/** List mistakes in masses, centres and g. @param {Arm} arm @returns {Generator<TorqueStep>} */
 function* listBodyMistakes(arm, load) {
   const makeBodyMistake = (key, change, fields = {}) => ({ cause: makeCause(key, fields), change });
   const g = Math.hypot(...load.gravity);
@@ -303,17 +306,17 @@ function* listBodyMistakes(arm, load) {
 }
 
 function* listMassMistakes(arm, load, makeBodyMistake) {
-  const all = load.masses;
+  const { masses } = load;
   const withMasses = (change) => (at) => ({ ...at, masses: at.masses.map(change) });
   const inGrams = withMasses((mass) => 1000 * mass); // handed in
   yield makeBodyMistake("tau.grams", inGrams);
   // handed in: an index that is one off
   for (const [step, end] of [
     [1, 0],
-    [1, all[0]],
+    [1, masses[0]],
     [-1, 0],
   ]) {
-    const moved = moveList(all, step, end);
+    const moved = moveList(masses, step, end);
     yield makeBodyMistake(
       "tau.masses moved",
       withMasses((_, k) => moved[k]),
@@ -321,15 +324,16 @@ function* listMassMistakes(arm, load, makeBodyMistake) {
   }
   const other = (arm.robots ?? []).find((robot) => robot.masses); // section 4
   if (other) {
-    const theirs = withMasses((_, k) => other.masses[k]);
-    yield makeBodyMistake("tau.robot", theirs, { name: other.name });
+    const otherMasses = withMasses((_, k) => other.masses[k]);
+    yield makeBodyMistake("tau.robot", otherMasses, { name: other.name });
   }
-  for (const [i, mass] of all.entries()) {
+  for (const [i, mass] of masses.entries()) {
     const link = i + 1;
     const missing = withMasses((x, k) => (k === i ? 0 : x));
     if (mass) yield makeBodyMistake("tau.mass missing", missing, { link });
-    if (link === all.length) continue;
-    const exchanged = withMasses((_, k) => all[k === i ? link : k === link ? i : k]); // handed in
+    if (link === masses.length) continue;
+    // handed in
+    const exchanged = withMasses((_, k) => masses[k === i ? link : k === link ? i : k]);
     yield makeBodyMistake("tau.masses exchanged", exchanged, { i: link, j: link + 1 });
   }
 }

@@ -9,8 +9,8 @@ import { combineCauses, makeCause } from "./ranking.js";
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {{ cause: Cause, path: Path }} WrongPath the path that a mistake makes */
 
-// A factor of 2 exchanges diameter and radius, a factor of 4 the homeworks' durations, 5 s and 20
-// s.
+// A factor of 2 exchanges diameter and radius. A factor of 4 exchanges the homeworks' durations,
+// 5 s and 20 s.
 const FACTORS = [1 / 2, 2, 1 / 4, 4];
 const AXES = [0, 1, 2];
 const PAIRS = [
@@ -26,15 +26,15 @@ const PAIRS = [
  * @returns {{ cause: Cause, rate: number, from: number }[]} all handed in
  */
 function listTimeMistakes({ times }) {
-  const [begins, ends] = [times[0], times.at(-1)];
-  const round = 1 - 1 / times.length; // the angle of step i is 2 pi i/(N + 1)
+  const [begin, end] = [times[0], times.at(-1)];
+  const openRate = 1 - 1 / times.length; // the angle of step i is 2 pi i/(N + 1)
   return [
-    { cause: makeCause("trace.backwards"), rate: -1, from: begins + ends },
+    { cause: makeCause("trace.backwards"), rate: -1, from: begin + end },
     ...FACTORS.map((f) => {
       const fields = { _share: formatNumber(100 * f), _over: formatNumber(1 / f) };
-      return { cause: makeCause("trace.fraction", fields), rate: f, from: (1 - f) * begins };
+      return { cause: makeCause("trace.fraction", fields), rate: f, from: (1 - f) * begin };
     }),
-    { cause: makeCause("trace.open"), rate: round, from: (1 - round) * begins },
+    { cause: makeCause("trace.open"), rate: openRate, from: (1 - openRate) * begin },
   ];
 }
 
@@ -118,7 +118,7 @@ export function listDisplacedPaths(path, start, allowed) {
 
 // Format a vector in mm, with at most three digits of its largest coordinate.
 function formatShift(metres) {
-  const far = 1e3 * Math.max(...metres.map(Math.abs));
-  const unit = 10 ** [100, 10, 1].filter((least) => far < least).length;
+  const largest = 1e3 * Math.max(...metres.map(Math.abs));
+  const unit = 10 ** [100, 10, 1].filter((limit) => largest < limit).length;
   return `(${metres.map((x) => formatNumber(Math.round(1e3 * x * unit) / unit + 0)).join(", ")})`;
 }

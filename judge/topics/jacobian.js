@@ -11,9 +11,8 @@ import { causeName, joinCauseMessages } from "../causes/ranking.js";
 import { agrees, RIGHT, SO_FAR, canBeDistinguished, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
-import { fixedRows, norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
-import { subtractEach } from "../geometry/linear.js";
-import { isPlanar, movableLinearRows, movableRows, pick } from "../geometry/task_rows.js";
+import { fixedRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
+import { isPlanar, movableLinearRows, movableRows } from "../geometry/task_rows.js";
 import { lengthFactor, lookup, numbers, pose, refuseOtherLists } from "../reading/numbers.js";
 import { nameLengthUnit } from "../reading/units.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
@@ -21,6 +20,15 @@ import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { askAboutDegrees } from "./degrees.js";
 import { judgeWholeOrPart } from "./first_joints.js";
 import { judgeFirstRows, PARTIAL_COUNTS } from "./jacobian_part.js";
+import {
+  ALL_ROWS,
+  describeSelection,
+  HALVES,
+  listRowSelections,
+  nameRows,
+  pickRows,
+  selectRows,
+} from "./jacobian_rows.js";
 import {
   ArmError,
   describeShape,
@@ -32,11 +40,7 @@ import {
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
-const ALL_ROWS = [0, 1, 2, 3, 4, 5];
-const PLANE_NAMES = ["x", "y", "z", "φ", "φ", "φ"]; // of a planar arm's rows
 const ANSWER_NAMES = /^(?:j|ans$)/i; // of variables that hold the answer
-const HALVES = ["linear", "angular"];
 
 /**
  * Judge a Jacobian of an arm's tip at q.
@@ -48,37 +52,37 @@ const HALVES = ["linear", "angular"];
 export const compareJacobian = completeVerdicts(judgeJacobian);
 
 function judgeJacobian(mine, arm, q, options = {}) {
-  const at = pose(q, arm, options.angles);
+  const typedQ = pose(q, arm, options.angles);
   return judgeWholeOrPart(
-    () => judgeWholeJacobian(mine, arm, q, at, options),
-    () => judgeFirstRowsInText(mine, arm, at, options),
+    () => judgeWholeJacobian(mine, arm, q, typedQ, options),
+    () => judgeFirstRowsInText(mine, arm, typedQ, options),
   );
 }
 
 // Judge a text with fewer rows than are asked for. Null if they are not the right first rows.
-function judgeFirstRowsInText(mine, arm, at, options) {
-  const known = lookup(arm, at.values, options.values ?? []);
-  const question = { ...options, arm, at, frame: options.frame ?? 0 };
+function judgeFirstRowsInText(mine, arm, typedQ, options) {
+  const known = lookup(arm, typedQ.values, options.values ?? []);
+  const question = { ...options, arm, typedQ, frame: options.frame ?? 0 };
   for (const rows of PARTIAL_COUNTS) {
-    const wants = [{ rows, columns: at.values.length, by: "row" }];
+    const wants = [{ rows, columns: typedQ.values.length, by: "row" }];
     const typed = tryOrNull(() =>
-      readMatrix(dropUnfilledEnd(mine), known, arm, { ...options, at, wants }),
+      readMatrix(dropUnfilledEnd(mine), known, arm, { ...options, typedQ, wants }),
     );
     const verdict =
-      typed && judgeFirstRows(typed, question, [...typed.taken, ...(at.locked ?? [])]);
+      typed && judgeFirstRows(typed, question, [...typed.taken, ...(typedQ.locked ?? [])]);
     if (verdict) return verdict;
   }
   return null;
 }
 
-function judgeWholeJacobian(mine, arm, q, at, options) {
-  const known = lookup(arm, at.values, options.values ?? []);
-  const typed = readMatrix(mine, known, arm, { ...options, at });
-  const question = { ...options, arm, at, frame: options.frame ?? 0 };
-  const first = judgeReadMatrix(typed, question, [...typed.taken, ...(at.locked ?? [])]);
+function judgeWholeJacobian(mine, arm, q, typedQ, options) {
+  const known = lookup(arm, typedQ.values, options.values ?? []);
+  const typed = readMatrix(mine, known, arm, { ...options, typedQ });
+  const question = { ...options, arm, typedQ, frame: options.frame ?? 0 };
+  const first = judgeReadMatrix(typed, question, [...typed.taken, ...(typedQ.locked ?? [])]);
   const verdict = askAboutDegrees(first, {
     arm,
-    values: at.values,
+    values: typedQ.values,
     angles: options.angles,
     key: "J.degrees",
     judgeInDegrees: () => judgeJacobian(mine, arm, q, { ...options, angles: "deg" }),
@@ -88,10 +92,10 @@ function judgeWholeJacobian(mine, arm, q, at, options) {
 }
 
 function judgeReadMatrix(typed, question, taken) {
-  const { arm, at, angularFirst = false } = question;
+  const { arm, typedQ, angularFirst = false } = question;
   const [rows, width] = typed.shape;
   const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
-  if (width !== at.values.length || !isJudged)
+  if (width !== typedQ.values.length || !isJudged)
     return judgeFirstRows(typed, question, taken) ?? reportWrongShape(typed, question, taken);
   if (!typed.values.some(Boolean)) {
     const headline = formatMessage("J wrong", {
@@ -132,13 +136,13 @@ const exchangeTypedHalves = (typed) => ({
  *   are read, if they are not the usual ones
  */
 function readMatrix(mine, known, arm, question) {
-  const { at, which, generic = false, computed = false } = question;
-  const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
+  const { typedQ, which, generic = false, computed = false } = question;
+  const [what, dof] = [`${arm.name}: your Jacobian`, typedQ.values.length];
   const wants = question.wants ?? [
     ...listShapes(dof, arm.rows.length),
     ...listReducedShapes(arm, dof),
   ];
-  const request = { wants, names: ANSWER_NAMES, given: [at.values], which };
+  const request = { wants, names: ANSWER_NAMES, given: [typedQ.values], which };
   const read = convertToMetres(numbers(mine, what, known, undefined, request), arm);
   const symbolic = read.symbolic || computed;
   if (generic && !symbolic) throw new ArmError(formatMessage("J needs q"));
@@ -185,11 +189,11 @@ const countLinearRows = (rows, arm) =>
   ({ 6: 3, 3: isPlanar(arm) ? 2 : 3, 2: isPlanar(arm) ? 2 : 0 })[rows] ?? 0;
 
 // Report a wrong shape, with its cause if all entries are right.
-function reportWrongShape(typed, { arm, at, frame }, taken) {
+function reportWrongShape(typed, { arm, typedQ, frame }, taken) {
   const { values, units, shape } = typed;
   const [rows, width] = shape;
-  const columns = computeAllColumns(arm, at.values, frame).sort(([i], [j]) => i - j);
-  const dof = at.values.length;
+  const columns = computeAllColumns(arm, typedQ.values, frame).sort(([i], [j]) => i - j);
+  const dof = typedQ.values.length;
   const hasRows = (indices) => {
     const expected = indices.flatMap((row) => columns.map(([, column]) => column[row]));
     return expected.length === values.length && agrees({ values, units }, expected);
@@ -213,11 +217,32 @@ const listRowsWithout = (row) => ALL_ROWS.filter((i) => i !== row);
 
 /** @returns {import("../verdict.js").Verdict} */
 function judgeSelectedRows(typed, request, takenBefore) {
-  const { arm, at, frame, tolerance = null, isGradeOnly } = request;
-  const steps = listJacobianSteps(arm, at.values, frame);
+  const { arm, typedQ, frame } = request;
+  const selection = selectRows(typed, arm, makeJacobian(arm, frame)(typedQ.values));
+  const { judged, notes } = judgeSelectedEntries(typed, request, selection);
+  const rowNames = nameRows(selection);
+  const taken = [...takenBefore, ...describeSelection(selection, arm)];
+  const shared = { taken, wrong: judged.wrong, rowNames };
+  if (judged.grade !== WRONG) {
+    const verdict = reportRight(judged, typed, arm, selection.half);
+    return { ...verdict, ...shared, notes: [...verdict.notes, ...notes] };
+  }
+  const columns = computeAllColumns(arm, typedQ.values, frame).map(([number, J]) => [
+    number,
+    pickRows(J, selection),
+  ]);
+  const findWrongColumns = () => listWrongColumns(typed, columns, judged.wrong, arm, rowNames);
+  const causes = judged.mistakes.map(({ cause }) => cause);
+  return { ...reportWrong(causes, findWrongColumns, arm), ...shared };
+}
+
+// Judge the entries of the selected rows. A right Jacobian of numbers gets a note on the mistakes
+// that would not change it.
+/** @param {import("./jacobian_rows.js").RowSelection} selection */
+function judgeSelectedEntries(typed, request, selection) {
+  const { arm, typedQ, frame, tolerance = null, isGradeOnly } = request;
+  const steps = listJacobianSteps(arm, typedQ.values, frame);
   const makeWhole = makeJacobian(arm, frame);
-  const selection = selectRows(typed, arm, makeWhole(at.values));
-  const { half } = selection;
   const isPartial = selection.rows.length < 6;
   const restrict = (mistake) =>
     isPartial ? { ...mistake, make: (q) => pickRows(mistake.make(q), selection) } : mistake;
@@ -226,76 +251,13 @@ function judgeSelectedRows(typed, request, takenBefore) {
   const furtherLists = [listCopiedColumns, listMistakePairs].map(
     (list) => () => Array.from(list(arm, frame, steps), restrict),
   );
-  const question = { typed, q: at, dof: at.values.length, makeExpected, mistakes, tolerance };
-  const judged = judgeEntries({ ...question, furtherLists, isGradeOnly });
-  const rowNames = nameRows(selection);
-  const rest = {
-    taken: [...takenBefore, ...describeSelection(selection, arm)],
-    wrong: judged.wrong,
-    rowNames,
-  };
-  if (judged.grade !== WRONG) {
-    const hidden =
-      typed.symbolic || isPartial
-        ? []
-        : noteHiddenMistakes(steps, mistakes, at.values, makeExpected(at.values));
-    const verdict = reportRight(judged, typed, arm, half);
-    return { ...verdict, ...rest, notes: [...verdict.notes, ...hidden] };
-  }
-  const columns = computeAllColumns(arm, at.values, frame).map(([number, J]) => [
-    number,
-    pickRows(J, selection),
-  ]);
-  const findWrongColumns = () => listWrongColumns(typed, columns, judged.wrong, arm, rowNames);
-  const causes = judged.mistakes.map(({ cause }) => cause);
-  return { ...reportWrong(causes, findWrongColumns, arm), ...rest };
-}
-
-/**
- * Some rows of a Jacobian, by their indices. `half` is 0 or 1 if they are its linear or angular
- * half and the other half is missing. It is null if they are all rows that the arm can move.
- * @typedef {{ rows: number[], half: number | null }} RowSelection
- */
-
-const pickRows = (J, { rows }) =>
-  rows.flatMap((i) => J.slice((i * J.length) / 6, ((i + 1) * J.length) / 6));
-
-// List the selections with so many rows. Those of a planar arm come first.
-/** @returns {RowSelection[]} */
-function listRowSelections(arm, count) {
-  const [movable, linear] = [movableRows(arm), movableLinearRows(arm)];
-  const reduced = [movable, ...(linear.length < 3 ? [linear] : [])];
-  const halves = [ALL_ROWS.slice(0, 3), ALL_ROWS.slice(3)];
-  const selections = [
-    ...(movable.length < 6 ? reduced.map((rows) => ({ rows, half: null })) : []),
-    ...halves.map((rows, half) => ({ rows, half })),
-  ];
-  return selections.filter(({ rows }) => rows.length === count);
-}
-
-// Select the rows that were typed: of the selections that fit, the nearest to the right entries. A
-// half of a planar arm's rows has rows of zeros, so it is read only if zeros were typed.
-/** @returns {RowSelection} */
-function selectRows({ values, shape }, arm, expected) {
-  if (shape[0] === 6) return { rows: ALL_ROWS, half: null };
-  const selections = listRowSelections(arm, shape[0]);
-  const [first] = selections;
-  if (first.half === null && values.every(Boolean)) return first;
-  const measureDistance = (selection) => norm(subtractEach(pickRows(expected, selection), values));
-  return selections.reduce((best, selection) =>
-    measureDistance(selection) < measureDistance(best) ? selection : best,
-  );
-}
-
-/** @param {RowSelection} selection */
-const nameRows = ({ rows, half }) =>
-  pick(half === null && rows.length < 6 ? PLANE_NAMES : ROWS, rows);
-
-function describeSelection({ rows, half }, arm) {
-  if (half !== null) return [formatMessage("taken: half", { half: HALVES[half] })];
-  if (rows.length === 6) return [];
-  const names = joinList(pick(PLANE_NAMES, rows));
-  return [formatMessage(isPlanar(arm) ? "taken: planar rows" : "taken: movable rows", { names })];
+  const dof = typedQ.values.length;
+  const question = { typed, q: typedQ, dof, makeExpected, mistakes, furtherLists };
+  const judged = judgeEntries({ ...question, tolerance, isGradeOnly });
+  const mayHide = judged.grade !== WRONG && !typed.symbolic && !isPartial;
+  const expected = makeExpected(typedQ.values);
+  const notes = mayHide ? noteHiddenMistakes(steps, mistakes, typedQ.values, expected) : [];
+  return { judged, notes };
 }
 
 // Note how many mistakes in the recipe give the same Jacobian at this pose.

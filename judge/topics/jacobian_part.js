@@ -5,10 +5,9 @@ import { SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { formatMessage, joinList } from "../sentences.js";
 import { makeVerdict } from "../verdict.js";
+import { ROWS } from "./jacobian_rows.js";
 
 /** @typedef {import("../reading/numbers.js").Typed} Typed */
-
-const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 
 /** How many rows may be typed so far. Three are a half of the Jacobian, which is judged as such. */
 export const PARTIAL_COUNTS = [5, 4, 2];
@@ -16,15 +15,15 @@ export const PARTIAL_COUNTS = [5, 4, 2];
 /**
  * Judge the first rows of a Jacobian.
  * @param {Typed} typed
- * @param {{ arm: import("../geometry/arm.js").Arm, at: import("../digits.js").Entries,
- *   frame: number, angularFirst?: boolean, tolerance?: number | null }} question `at` holds q
+ * @param {{ arm: import("../geometry/arm.js").Arm, typedQ: import("../digits.js").Entries,
+ *   frame: number, angularFirst?: boolean, tolerance?: number | null }} question
  * @param {string[]} taken how the answer was read
  * @returns {import("../verdict.js").Verdict | null} null if they are not the right first rows
  */
 export function judgeFirstRows(typed, question, taken) {
-  const { arm, at, frame, angularFirst = false, tolerance = null } = question;
+  const { arm, typedQ, frame, angularFirst = false, tolerance = null } = question;
   const [count, width] = typed.shape;
-  const dof = at.values.length;
+  const dof = typedQ.values.length;
   if (!PARTIAL_COUNTS.includes(count) || width !== dof || !hasEntriesOnly(typed)) return null;
   const makeWhole = makeJacobian(arm, frame);
   const makeExpected = (q) => {
@@ -34,7 +33,7 @@ export function judgeFirstRows(typed, question, taken) {
   };
   const { grade, wrong } = judgeEntries({
     typed,
-    q: at,
+    q: typedQ,
     dof,
     makeExpected,
     mistakes: [],

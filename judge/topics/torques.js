@@ -51,16 +51,16 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   if (!arm.rows.every((row) => row.body))
     throw new ArmError(formatMessage("no masses", { arm: arm.name, rows: arm.rows.length }));
   const dof = movingRows(arm).length;
-  const [at, wrenches] = pairPosesWithWrenches(
+  const [typedQ, wrenches] = pairPosesWithWrenches(
     readPoses(q, arm, options.angles),
     dof,
     options.wrench,
   );
   const load = makeLoad(arm, wrenches, gravity);
-  const given = [...rowsOf(at.values, dof), ...wrenches];
+  const given = [...rowsOf(typedQ.values, dof), ...wrenches];
   const request = { names: ANSWER_NAMES, given, which: options.which };
-  const taken = [...(at.locked ?? []), ...describeModel(load)];
-  const context = { arm, q: at, load, tolerance, isGradeOnly, taken };
+  const taken = [...(typedQ.locked ?? []), ...describeModel(load)];
+  const context = { arm, q: typedQ, load, tolerance, isGradeOnly, taken };
   const read = (wants, text = mine) => {
     const what = `${arm.name}: your torques`;
     const typed = numbers(unnamed(text), what, undefined, undefined, { ...request, wants });
@@ -75,7 +75,7 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   );
   return askAboutDegrees(verdict, {
     arm,
-    values: at.values,
+    values: typedQ.values,
     angles: options.angles,
     key: "tau.degrees",
     judgeInDegrees: () => judgeAllTorques(mine, arm, q, { ...options, angles: "deg" }),
@@ -126,12 +126,12 @@ function convertToNewtonMetres(typed) {
 }
 
 // Pair poses with wrenches. A single wrench belongs to all poses, a single pose to all wrenches.
-function pairPosesWithWrenches(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
-  const count = at.values.length / dof;
-  const wrenches = Array.isArray(wrench[0]) ? wrench : rowsOf(at.values, dof).map(() => wrench);
-  if (count !== 1) return [at, wrenches];
+function pairPosesWithWrenches(typedQ, dof, wrench = [0, 0, 0, 0, 0, 0]) {
+  const count = typedQ.values.length / dof;
+  const wrenches = Array.isArray(wrench[0]) ? wrench : rowsOf(typedQ.values, dof).map(() => wrench);
+  if (count !== 1) return [typedQ, wrenches];
   const repeat = (list) => wrenches.flatMap(() => list);
-  return [{ ...at, values: repeat(at.values), units: repeat(at.units) }, wrenches];
+  return [{ ...typedQ, values: repeat(typedQ.values), units: repeat(typedQ.units) }, wrenches];
 }
 
 /** Read a joint vector or a list of joint vectors. */
@@ -196,10 +196,10 @@ function reportWrongShape(typed, count, arm) {
 }
 
 /** @returns {import("../verdict.js").Verdict} */
-function judgeArrangedTorques(typed, at, load, { arm, tolerance, isGradeOnly }) {
-  const judged = judgeBySample(typed, at, load, { arm, tolerance, isGradeOnly });
+function judgeArrangedTorques(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
+  const judged = judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly });
   const causes = judged.mistakes.map(({ cause }) => cause);
-  const expected = makeTorqueMaker(load, load.c.dof, at.values)()(at.values);
+  const expected = makeTorqueMaker(load, load.c.dof, typedQ.values)()(typedQ.values);
   const figures = measureErrors(typed.values, expected, judged, load.c.dof);
   const rest = { taken: typed.taken, figures, wrong: judged.wrong };
   if (judged.grade === WRONG) {
@@ -222,7 +222,7 @@ function judgeArrangedTorques(typed, at, load, { arm, tolerance, isGradeOnly }) 
 
 // Judge torques at all poses. If there are many, the mistakes are first tried at a few of them, and
 // only those that fit there at all poses.
-function judgeBySample(typed, at, load, { arm, tolerance, isGradeOnly }) {
+function judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
   const steps = listTorqueSteps(arm, load);
@@ -235,17 +235,17 @@ function judgeBySample(typed, at, load, { arm, tolerance, isGradeOnly }) {
     const pairs = isEmpty ? [] : [() => listMistakePairs(steps, maker)];
     return judgeWith(torques, q, maker, listSingleMistakes(steps, maker), pairs);
   };
-  if (count <= SAMPLE_SIZE) return judgeWithAllMistakes(typed, at, load);
+  if (count <= SAMPLE_SIZE) return judgeWithAllMistakes(typed, typedQ, load);
   const indices = Array.from({ length: SAMPLE_SIZE }, (_, i) =>
     Math.round((i * (count - 1)) / (SAMPLE_SIZE - 1)),
   );
   const select = (list) => indices.flatMap((i) => list.slice(i * dof, (i + 1) * dof));
   const sample = ({ values, units }) => ({ values: select(values), units: select(units) });
   const wrenches = indices.map((i) => load.wrenches[i]);
-  const first = judgeWithAllMistakes(sample(typed), sample(at), { ...load, wrenches });
-  const maker = makeTorqueMaker(load, dof, at.values);
+  const first = judgeWithAllMistakes(sample(typed), sample(typedQ), { ...load, wrenches });
+  const maker = makeTorqueMaker(load, dof, typedQ.values);
   const mistakes = first.mistakes.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
-  return judgeWith(typed, at, maker, mistakes, []);
+  return judgeWith(typed, typedQ, maker, mistakes, []);
 }
 
 // Return the largest error of a torque, and the number of joints that are right at every pose.
