@@ -104,7 +104,7 @@ def test_bare_numbers_give_one_warning():
 
 
 def test_first_row_as_in_craigs_convention_warns():
-    with pytest.warns(UserWarning, match=r"say convention='craig' .* or convention='standard'"):
+    with pytest.warns(UserWarning, match=r"write convention='craig' .* else convention='standard'"):
         arm = Arm.from_table(CRAIG)
     assert "the standard convention" in arm.source
     with warnings.catch_warnings():

@@ -96,7 +96,7 @@ def test_wrong_shape_is_reported(mine, q, shape, wanted):
     key = "tau.energy" if shape is None else "tau.shape"
     assert (report.grade, report.causes, finding.what) == ("wrong", (key,), "shape")
     assert (finding.mine, finding.expected) == (np.shape(mine), (len(np.atleast_2d(q)), 3))
-    shape = "One number for each pose is the" if shape is None else f"Its shape is {shape};"
+    shape = "Your list has one number for each pose" if shape is None else f"Its shape is {shape};"
     assert finding.words.startswith(shape)
     assert wanted is None or f"give {wanted}, one torque for each of 3 joints" in finding.words
     assert report.headline.startswith(f"The torques of your arm are not right: {shape[:3].lower()}")
