@@ -148,14 +148,16 @@ function makeQuotingError(key, text, { from }, { what }) {
 // List the blocks that fit, if possible only those with the answer's name. If any shape is wanted,
 // the largest is the answer.
 function listFits(blocks, want, { wants, names = NONE }) {
-  const candidates = want.rows === 1 ? blocks.flatMap(listRowsAlone) : blocks;
+  const short = want.rows === null ? blocks : blocks.filter((b) => count(b) <= LONGEST_LIST);
+  const candidates = want.rows === 1 ? short.flatMap(listRowsAlone) : short;
   const fits = candidates.flatMap((block) => fitBlock(block, want, wants, names));
   if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
   const named = fits.filter(({ name }) => names.test(bareName(name)));
   return named.length ? named : fits;
 }
 
-const count = ({ rows }) => rows.flat().length;
+const LONGEST_LIST = 1000; // numbers of a list that an answer of fixed size may be a part of
+const count = ({ rows }) => rows.reduce((sum, row) => sum + row.length, 0);
 const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slice(0, 1);
 const textsOf = (cells) => cells.map(({ text }) => text);
 

@@ -171,11 +171,15 @@ const COMMENTS = [
 
 const blank = (comment) => comment.replace(/[^\n]/g, " ");
 
+// Long runs of blanks or of one mark. Patterns look back over them at each of their characters.
+const LONG_RUN = /([^\S\r\n]{200})[^\S\r\n]+|(([^\p{L}\p{N}\s])\3{199})\3+/gu;
+
 /**
- * Take text out that was struck through.
+ * Take text out that was struck through, and shorten long runs of blanks or of one mark.
  * @param {import("./spans.js").SpannedText} pasted
  */
-export const withoutStruckText = (pasted) => pasted.replace(STRUCK, blank);
+export const withoutStruckText = (pasted) =>
+  pasted.replace(STRUCK, blank).replace(LONG_RUN, "$1$2");
 
 /**
  * Take comments and struck text out; null where there are none.

@@ -38,6 +38,7 @@ function judgeBranches(mine, arm, typedTarget, options = {}) {
   const given = listGivenRows(target);
   const part = { topic: "branches", angles, tolerance, given, many: true };
   return judgeWholeOrPart(
+    mine,
     () => judgeAnswers(mine, solutions, target, options),
     () => judgeFirstAngles(mine, solutions, part),
   );

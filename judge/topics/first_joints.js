@@ -23,18 +23,24 @@ import { makeVerdict } from "../verdict.js";
  *   isGradeOnly: boolean | undefined, taken: string[] }} TorqueContext
  */
 
+// Characters of a half-done answer: five rows of formulas of a Jacobian are the longest, 4 000.
+const LONGEST_PART = 6000;
+
 /**
- * Judge an answer. If it has too few numbers, they are judged as those of the first joints.
+ * Judge an answer. If it has too few numbers, they are judged as those of the first joints. A part
+ * is tried in many shapes, so a long text is read only once.
  * @template {Verdict} T
+ * @param {any} mine text or nested lists
  * @param {() => T} judge throws a NoFitError if there are too few numbers
  * @param {() => Verdict | null} judgePart returns null if the numbers are not right either
  * @returns {T | Verdict}
  */
-export function judgeWholeOrPart(judge, judgePart) {
+export function judgeWholeOrPart(mine, judge, judgePart) {
   try {
     return judge();
   } catch (error) {
-    const verdict = error instanceof NoFitError ? judgePart() : null;
+    const mayBePart = error instanceof NoFitError && !(mine?.length > LONGEST_PART);
+    const verdict = mayBePart ? judgePart() : null;
     if (verdict) return verdict;
     throw error;
   }

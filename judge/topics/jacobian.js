@@ -54,6 +54,7 @@ export const compareJacobian = completeVerdicts(judgeJacobian);
 function judgeJacobian(mine, arm, q, options = {}) {
   const typedQ = pose(q, arm, options.angles);
   return judgeWholeOrPart(
+    mine,
     () => judgeWholeJacobian(mine, arm, q, typedQ, options),
     () => judgeFirstRowsInText(mine, arm, typedQ, options),
   );

@@ -64,6 +64,7 @@ export const comparePose = completeVerdicts(judgePose);
 
 function judgePose(q, arm, T, options = {}) {
   return judgeWholeOrPart(
+    q,
     () => judgeJoints(q, arm, T, options),
     () => judgeFirstJoints(q, arm, T, options),
   );

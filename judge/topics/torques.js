@@ -67,6 +67,7 @@ function judgeAllTorques(mine, arm, q, options = {}) {
     return convertToNewtonMetres(typed);
   };
   const verdict = judgeWholeOrPart(
+    mine,
     () => judgeTorques(read(listShapes(wrenches.length, arm)), context),
     () => {
       const readFirst = (wants) => read(wants, dropUnfilledEnd(mine));
