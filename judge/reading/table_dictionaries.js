@@ -37,9 +37,8 @@ export function readDictionaries(text, brackets) {
     ({ open, before, hasPairs }) => hasPairs && (open === "{" || before.endsWith("dict")),
   );
   const isBraced = braced.length > 0;
-  const lines = listLines(text).map((line) => ({ ...line, body: line.text, start: line.from }));
   /** @type {Body[]} */
-  const bodies = isBraced ? braced : lines;
+  const bodies = isBraced ? braced : listLineBodies(text);
   const pairsByBody = bodies.map(listPairs);
   const isCraig = countsTwistsFromZero(pairsByBody.flat());
   const rows = collectRows(
@@ -63,6 +62,33 @@ export function readDictionaries(text, brackets) {
       findUnusedText(text, isNumbered ? [] : kept.map(isBraced ? makeRow : makeLineRow), brackets),
   };
   return isCraig ? { ...table, convention: "craig" } : table;
+}
+
+// List the lines of a text. Lines of one pair each, as in YAML, are joined up to a repeated name.
+/** @param {string} text @returns {Body[]} */
+function listLineBodies(text) {
+  const lines = listLines(text).map((line) => ({ ...line, body: line.text, start: line.from }));
+  const columns = lines.map((line) => listPairs(line).map(({ index, column }) => index ?? column));
+  const bodies = [];
+  let names = [];
+  for (const [k, line] of lines.entries()) {
+    const [column, ...others] = columns[k];
+    const isNext = ENTRIES.includes(column) && !others.length && names.length > 0;
+    if (isNext && !names.includes(column)) {
+      const { from } = bodies.at(-1);
+      bodies[bodies.length - 1] = {
+        from,
+        to: line.to,
+        body: text.slice(from, line.to),
+        start: from,
+      };
+      names.push(column);
+    } else {
+      bodies.push(line);
+      names = ENTRIES.includes(column) && !others.length ? [column] : [];
+    }
+  }
+  return bodies;
 }
 
 // Collect the pairs of each row, by the number of its names, else by its dictionary or line.
