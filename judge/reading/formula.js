@@ -54,6 +54,7 @@ const SPELLINGS = new Map([
 ]);
 /** @type {[RegExp, string][]} */
 const LATEX = [
+  [/\\var(?=theta|phi)/g, "\\"],
   [/\\(?:boldsymbol|(?:math|text)[a-z]*)\s*\{([^{}]*)\}/g, "$1"],
   [/\^\s*\{?\s*°\s*\}?/g, "°"],
   [/(?<=[\d.)]\s*)deg(?:rees?|s|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
