@@ -32,11 +32,11 @@ const NUMBERED = String.raw`\p{L}{1,3}(?:_?\{?\d{1,2}\}?|[₀-₉]{1,2}|${WORD_I
 const WHOLE_NAME = new RegExp(`^${NUMBERED}$`, "u");
 const ROOT = String.raw`\\?sqrt[ ]?[({]${NUMERAL}[)}]`;
 const TERM = `(?:${ROOT}|${DECIMAL_COMMA}|${NUMERAL}|${NUMBERED})`;
-const FORMULA = String.raw`[-+]?${TERM}(?:[ ]?[-+*/][ ]?${TERM})*`; // L1 = 2 * 0.15
+const FORMULA = String.raw`[-+]?${TERM}(?:[ ]?[-+*/·×∗][ ]?${TERM})*`; // L1 = 2 * 0.15
 const UNIT = String.raw`[ \t]*(?:([[(])[ ]?(?:in )?)?(${LENGTH_UNIT})(?![\p{L}\p{N}])[ ]?[\])]?`;
 const END =
-  String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=]|[ ]+[.\d]|` +
-  String.raw`[ ]*\([^()\n]{0,40}\)[ ]*[-+*/^])`; // 0.107 (flange) + 0.1
+  String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=·×∗⋅%]|[ ]+[.\d]|` +
+  String.raw`[ ]*\([^()\n]{0,40}\)[ ]*[-+*/^·×∗⋅])`; // 0.107 (flange) + 0.1
 // Behind a colon, an arrow or a word nothing but the value may stand.
 const STRICT_END = String.raw`(?=[ \t]*(?:[,;)\]}$]|\.?[ \t]*$|\.\s|and\b))`;
 const SIGN = String.raw`["'$]*\s*:?={1,2}\s*`;
