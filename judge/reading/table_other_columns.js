@@ -10,11 +10,12 @@ import { ENTRIES } from "./table_rows.js";
 /** @typedef {import("./spans.js").Span} Span */
 /**
  * A column that is no part of the table, with its header's cell first.
- * @typedef {{ header: string, cells: Span[] }} OtherColumn
+ * @typedef {{ header: string, cells: (Span & { text: string })[] }} OtherColumn
  */
 
 const SEPARATORS = ["\t", "|", "&", ";"];
 const KEPT = /offset|type|kind|variable/i; // headers of columns that belong to a table
+const SUM = /^\s*(?:sum|total|summe|gesamt)\b/i;
 const VECTOR = /^[([{]\s*[-+−.\d]/; // a centre of mass
 
 /**
@@ -48,6 +49,8 @@ export function dropOtherColumns(text) {
         const hasNumbers = column.slice(1).some((cell) => isNumberOrVector(cell.text.trim()));
         return hasNumbers ? [{ header, cells: column }] : [];
       });
+      // A row named "sum" is no row of the table, and without that column nothing shows it.
+      if (others.some((column) => column.cells.some((cell) => SUM.test(cell.text)))) break;
       return { rest: new SpannedText(text).assemble(parts), others };
     }
   return { rest: new SpannedText(text), others: [] };

@@ -180,9 +180,9 @@ function reportNoLink({ message, causes, tokens }, { name }) {
 // Find the first row whose joint has a number not below that of the next named row.
 function findMisnamedRow(rows) {
   const named = rows.flatMap(({ joint }, k) => (joint ? [{ ...joint, row: k + 1 }] : []));
-  const misnamed = named.find(
-    ({ number }, k) => k + 1 < named.length && number >= named[k + 1].number,
-  );
+  const k = named.findIndex(({ number }, i) => number >= named[i + 1]?.number);
+  const isAsCounted = named[k]?.number === k + 1; // then the next row has the wrong name
+  const misnamed = named[isAsCounted ? k + 1 : k];
   return misnamed ? makeCause("table.names", { row: misnamed.row, name: misnamed.name }) : null;
 }
 
