@@ -3,6 +3,7 @@
 // guess is reported.
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
+import { linesOf } from "./characters.js";
 import { hasDecimals, simple, symbolsIn } from "./formula.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
@@ -19,14 +20,14 @@ import {
   listUsedDefinitions,
   refuseTwoLengths,
 } from "./table_definitions.js";
-import { maskSpans, refuseUnclearUnits, refuseUnreadValues } from "./table_symbols.js";
+import { dropUnclearUnits, maskSpans, refuseUnreadValues } from "./table_symbols.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
 import { isVariable, readRow, trimEntry } from "./table_rows.js";
 import { maskUnfinishedRows } from "./table_unfinished.js";
 import { findUnreadCell } from "./table_unread.js";
-import { LENGTH_UNIT } from "./units.js";
+import { findOtherUnit, LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -80,6 +81,7 @@ const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 
  */
 export function readTables(pastedText, options = {}, values = []) {
   refuseSize(pastedText);
+  refuseOtherUnit(pastedText);
   const typedText = maskUnfinishedRows(pastedText);
   const known = new Map(values.map(([name, x]) => [simple(name), x]));
   const definitions = listDefinitions(withoutStruckText(new SpannedText(typedText)), known);
@@ -88,7 +90,11 @@ export function readTables(pastedText, options = {}, values = []) {
   const request = { options, known: new Map([...known, ...defined]) };
   const tables = readWithLengths(typedText, request);
   const undefinedNames = values.map(([name]) => name).filter((name) => !defined.has(simple(name)));
-  return tables.map((table) => useDefinitions(table, definitions, undefinedNames, typedText));
+  const checked = tables.map((table) =>
+    useDefinitions(table, definitions, undefinedNames, typedText),
+  );
+  const { typedCells, tokens } = tables[0];
+  return dropUnclearUnits(listUsedDefinitions(definitions, typedCells, tokens), checked, typedText);
 }
 
 // Refuse a symbol of a table with two lengths or an unread one; give the numbers of used
@@ -106,7 +112,6 @@ function useDefinitions(table, definitions, undefinedNames, text) {
   const names = undefinedNames.filter((name) => symbols.has(simple(name)));
   refuseUnreadValues(names, maskSpans(text, [...cellSpans, ...definitions]), tokens, text);
   refuseChanges(table, maskSpans(text, [...cellSpans, ...used]), text);
-  refuseUnclearUnits(used, table, text);
   return {
     ...table,
     unusedLines: dropDefinitions(unusedLines, used),
@@ -142,6 +147,12 @@ function refuseSize(text) {
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
 }
 
+function refuseOtherUnit(text) {
+  const unit = findOtherUnit(text);
+  if (unit)
+    throw new ArmError(formatMessage("other unit", { what: formatMessage("your table"), unit }));
+}
+
 /**
  * Read the first block that is a table.
  * @param {string} text @param {import("./table_blocks.js").TableBlock[]} blocks
@@ -156,7 +167,8 @@ function readFirstBlock(text, blocks, request) {
     try {
       tokens = requireReadable(block, text, request);
       const cellSpans = listCellSpans(block);
-      return readCells({ ...block, assumptions: [] }, request).map((table) => ({
+      const assumptions = hasEmptyCells(block) ? [formatMessage("taken: empty")] : [];
+      return readCells({ ...block, assumptions }, request).map((table) => ({
         ...table,
         cellSpans,
         tokens: table.order
@@ -176,6 +188,11 @@ function readFirstBlock(text, blocks, request) {
   throw firstError ?? new ArmError(formatMessage("no rows", { given: quoteText(text) }));
 }
 
+// Return whether a cell of the rows is empty, so that it counts as 0.
+/** @param {import("./table_blocks.js").TableBlock} table */
+const hasEmptyCells = ({ block: { sources } }) =>
+  sources.some(({ cells }) => cells.some(({ from, to }) => from === to));
+
 /** @param {import("./table_blocks.js").TableBlock} table */
 const listCellSpans = ({ block: { sources, rows } }) =>
   [...sources.flatMap((row) => row.cells), ...rows.flat()].flatMap(
@@ -194,7 +211,7 @@ function requireReadable(table, text, { known }) {
   const unread = findUnreadCell(table, text, makeEntryTest(known));
   if (unread?.cell) refuseUnreadCell(text, tokens, unread.cell, what);
   if (unread) {
-    const line = quoteText(table.plainLines[findOddLine(table, unread.line)].trim());
+    const line = quoteText(linesOf(text)[findOddLine(table, unread.line)].trim());
     throw new ArmError(formatMessage("row torn", { line }), [], tokens, text);
   }
   refuseUnread(text, tokens, what);
@@ -241,7 +258,11 @@ function readCells(block, { options, known }) {
   const isKnown = (name) => known.has(simple(name));
   const hasSymbols = typedCells.some((cell) => symbolsIn(cell)?.some(isKnown));
   const textUnits = hasSymbols ? {} : readStatedLengths(block.context);
-  const stated = { ...textUnits, ...dropMissing(readHeaders(headers)) };
+  const stated = {
+    ...textUnits,
+    ...readStatedAngles(block.context),
+    ...dropMissing(readHeaders(headers)),
+  };
   const units = chooseUnits(options, stated, findConvention(block));
   const usedCells = orders.rows.flat().join(" & ");
   const isUnused = (cell) => hasDecimals(cell) && !usedCells.includes(cell);
@@ -275,7 +296,15 @@ const UNITS_ALONE = new RegExp(
   String.raw`(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(${LENGTH_UNIT}), ?(?:deg|rad|°)`,
   "gim",
 );
+const ANGLES_IN =
+  /\bangles?(?: (?:are|all|given|measured))*(?: in|:| \() ?(?:(rad)(?:ians?)?|deg(?:rees)?|°)/i;
 const UNIT_NAMES = { milli: "mm", centi: "cm", met: "m" };
+
+// Read the unit of angles that a text beside a table states.
+function readStatedAngles(context) {
+  const match = ANGLES_IN.exec(context);
+  return match && { angles: match[1] ? "rad" : "deg" };
+}
 
 // Read the unit of lengths that a text beside a table states; none if it states two.
 function readStatedLengths(context) {

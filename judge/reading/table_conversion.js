@@ -10,7 +10,7 @@ import { ArmError, formatMessage, formatNumber, formatRowNumbers } from "../sent
 /** @typedef {import("./table.js").TypedTable} TypedTable */
 
 const LEAST_MILLIMETRES = 10; // a length this large is no number of metres
-const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle above this is no number of radians
+export const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle above this is no number of radians
 const ANGLES = ["alpha", "theta"];
 const LENGTHS = ["a", "d"];
 
@@ -34,6 +34,7 @@ export function convertTable(table, kinds) {
   const bareAngles = listBareAngles(table).map(Math.abs);
   const isDegrees = table.angles === null && Math.max(...bareAngles) > MOST_RADIANS;
   if (isDegrees) refuseMixedAngles(bareAngles);
+  refuseLargeAngles(table, bareAngles);
   const length = LENGTH_UNITS[isMillimetres ? "mm" : (table.lengths ?? "m")];
   const angle = isDegrees || table.angles === "deg" ? RAD : 1;
   const isCraig = table.convention === "craig";
@@ -69,6 +70,17 @@ function refuseMixedAngles(angles) {
   if (!rightAngle) return;
   const fields = { one: formatNumber(Math.max(...angles), 4), other: formatNumber(rightAngle, 6) };
   throw new ArmError(formatMessage("two angles", fields), [{ field: "angles", value: "deg" }]);
+}
+
+// Refuse angles of more than a turn where radians were stated. In a guessed order of columns they
+// may be lengths.
+function refuseLargeAngles({ angles: unit, isOrderGuessed }, angles) {
+  const most = Math.max(...angles);
+  if (unit !== "rad" || isOrderGuessed || most <= MOST_RADIANS) return;
+  const angle = formatNumber(most, 6);
+  throw new ArmError(formatMessage("stated radians", { angle }), [
+    { field: "angles", value: "deg" },
+  ]);
 }
 
 // Return whether a number is pi/2 or pi, to two decimals or more.

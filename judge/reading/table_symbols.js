@@ -91,24 +91,39 @@ const LEAST_MILLIMETRES = 10;
 const MOST_METRES = 1;
 
 /**
- * Refuse a defined length that is in other units than the other lengths, as it seems.
- * @param {Definition[]} definitions that the table uses
- * @param {import("./table.js").TypedTable} table
+ * Drop the tables in which a defined length is in other units than the other lengths, as it seems;
+ * refuse the first table if that leaves none.
+ * @param {Definition[]} definitions that the tables use
+ * @param {import("./table.js").TypedTable[]} tables the orders of columns that are possible
  * @param {string} text as it was pasted
  */
-export function refuseUnclearUnits(definitions, { rows, tokens }, text) {
+export function dropUnclearUnits(definitions, tables, text) {
+  const unclear = tables.map((table) => findUnclearUnit(definitions, table));
+  if (unclear.every(Boolean)) refuseUnclearUnit(unclear[0], tables[0], text);
+  return tables.filter((_, k) => !unclear[k]);
+}
+
+/** @param {Definition[]} definitions @param {import("./table.js").TypedTable} table */
+function findUnclearUnit(definitions, { rows }) {
   const lengths = rows.flatMap(({ numbers, metres }) =>
     ["a", "d"].flatMap((name) => (metres.has(name) ? [] : [Math.abs(numbers[name])])),
   );
   const isLarge = (x) => x >= LEAST_MILLIMETRES;
   const isSmall = (x) => x > 0 && x < MOST_METRES;
   const [large, small] = [lengths.find(isLarge), lengths.find(isSmall)];
-  if (large === undefined || small === undefined) return;
-  const unclear =
+  if (large === undefined || small === undefined) return null;
+  const definition =
     definitions.find(({ length }) => isLarge(Math.abs(length))) ??
     definitions.find(({ length }) => isSmall(Math.abs(length)));
-  if (!unclear) return;
-  const line = text.slice(0, unclear.from).split("\n").length;
-  const fields = { name: unclear.name, quoted: quoteText(unclear.text), line, large, small };
+  return definition ? { definition, large, small } : null;
+}
+
+/**
+ * @param {{ definition: Definition, large: number, small: number }} unclear
+ * @param {import("./table.js").TypedTable} table @param {string} text
+ */
+function refuseUnclearUnit({ definition, large, small }, { tokens }, text) {
+  const line = text.slice(0, definition.from).split("\n").length;
+  const fields = { name: definition.name, quoted: quoteText(definition.text), line, large, small };
   throw new ArmError(formatMessage("unclear unit", fields), [], tokens, text);
 }
