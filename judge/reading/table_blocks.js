@@ -192,6 +192,7 @@ function listHeaders(typed) {
       (head, k, all) => !k || findEntry(head) !== "i" || findEntry(all[k - 1]) !== "i", // "Link, i"
     );
     const named = headers.map(findEntry).filter((word) => ENTRIES.includes(word));
+    if (headers.some(isNumber)) continue;
     if (new Set(named).size >= 3 && headers.length <= named.length + 4) return headers;
   }
   return null;

@@ -3,6 +3,7 @@
 
 import { plain } from "./formula.js";
 import { refuseLine } from "./table_symbols.js";
+import { LENGTH_UNIT } from "./units.js";
 
 /** @typedef {import("./spans.js").Span} Span */
 /** @typedef {import("./table.js").TypedTable} TypedTable */
@@ -27,6 +28,14 @@ const TRANSFORM = new RegExp(
   String.raw`\.\d{0,20}[1-9]|[1-9]\d{0,9} ?mm\b|(?:transl|SE3)\(.*[1-9]|` +
     String.raw`(?=[^.]{0,80}[1-9])(?:-?\d{1,20}[ ,]{1,9}){2}-?\d`,
 );
+// A base that stands elsewhere, lengths that are scaled, an entry that is doubted
+const MOVED = new RegExp(
+  String.raw`\b(?:base|floor|ground|world|tool|tcp)\b[^\n]{0,60}[1-9] ?(?:${LENGTH_UNIT})\b|` +
+    String.raw`\b(?:doubled|halved|not to scale)\b`,
+  "i",
+);
+const DOUBT_IN_ROW = /\b(?:or|oder|should|wrong|incorrect|falsch)\b/i;
+const DOUBT = /\b(?:row|line|joint|entry) \d.*\b(?:wrong|incorrect|falsch)\b/i;
 const FLIP = /\bflip ?= ?(?:True|true|1)\b/;
 const CORRECTION = /^\W*(?:correction|corrected|erratum)\b.*[=:].*\d/i;
 const COMMENT = /^\s*(?:%|#(?!\d)|\/\/)/;
@@ -48,11 +57,12 @@ export function refuseChanges(table, masked, text) {
 
 /** @param {string} line @param {boolean} isRow @param {TypedTable} table */
 function isChange(line, isRow, { rows }) {
-  if (FLIP.test(line) || CORRECTION.test(line)) return true;
+  if ([FLIP, CORRECTION, MOVED, DOUBT].some((pattern) => pattern.test(line))) return true;
   if (assignsField(line)) return true;
   const [, behindTool = ""] = TOOL.exec(line) ?? [];
   if (TRANSFORM.test(behindTool)) return true;
-  if (isRow) return OFFSET_IN_ROW.test(line) || SHIFTED_IN_ROW.test(plain(line));
+  if (isRow)
+    return DOUBT_IN_ROW.test(line) || OFFSET_IN_ROW.test(line) || SHIFTED_IN_ROW.test(plain(line));
   const text = plain(line);
   const match = SHIFTED.exec(text) ?? OFFSET.exec(text);
   if (!match) return false;

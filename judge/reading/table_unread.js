@@ -3,6 +3,7 @@
 
 import { isDate, isMisspelt } from "./owners.js";
 import { listLines } from "./spans.js";
+import { MOST_RADIANS } from "./table_conversion.js";
 
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -29,7 +30,10 @@ const MARK = "·"; // begins a word that the judge wrote, as for column headers
  */
 export function findUnreadCell(table, text, isEntry) {
   const { sources } = table.block;
-  const unclear = findLostSign(text, sources) ?? findUnclearComma(text, sources);
+  const unclear =
+    findLostSign(text, sources) ??
+    findUnclearComma(text, sources) ??
+    findManyRadians(text, sources);
   return unclear ?? findUnreadInLines(table, text, isEntry);
 }
 
@@ -104,6 +108,18 @@ function findUnclearComma(text, sources) {
   return (!hasDecimalComma && typed.find(isUnclear)) || null;
 }
 
+// Find an entry of more than a turn with the unit of radians, such as 90 rad.
+/** @param {string} text @param {Row[]} sources */
+function findManyRadians(text, sources) {
+  for (const { line, cells } of sources)
+    for (const cell of cells) {
+      const [, number] = RADIANS.exec(text.slice(cell.from, cell.to)) ?? [];
+      if (Number(number) > MOST_RADIANS) return { line, cell };
+    }
+  return null;
+}
+
+const RADIANS = /^[-+−]?\s*([\d.]+)\s*rad/;
 const UNCLEAR_COMMA = /^[-+−]?[1-9]\d{0,2},\d{3}(?![\d,])/;
 
 // Find the first unread cell behind the first entry of a row, or a second part of the row.
