@@ -74,6 +74,7 @@ function refuseMixedAngles(angles) {
 
 // Refuse angles of more than a turn where radians were stated. In a guessed order of columns they
 // may be lengths.
+/** @param {TypedTable} table @param {number[]} angles */
 function refuseLargeAngles({ angles: unit, isOrderGuessed }, angles) {
   const most = Math.max(...angles);
   if (unit !== "rad" || isOrderGuessed || most <= MOST_RADIANS) return;
