@@ -22,20 +22,24 @@ NAMES = re.findall(
 # Ids in the text of the pages of 0b8c1d9, without those that Python names and page scripts make.
 OLD_IDS = json.loads((ROOT / "tests" / "page_ids.json").read_text(encoding="utf-8"))
 
+SHEETS = [name for name in NAMES if name.startswith("answers/")]
+
 every_page = pytest.mark.parametrize("name", NAMES)
 
 
 class Page(HTMLParser):
-    """Parse a page's ids, links, loaded files, pictures and meta tags."""
+    """Parse a page's kinds of elements, ids, links, loaded files, pictures and meta tags."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
         self.ids, self.links, self.loads, self.pictures, self.meta = set(), [], [], [], {}
+        self.kinds = set()  # tag, class and names of attributes
         self.span_classes = []  # of the last <span> before this point
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
         attrs = dict(attrs)
+        self.kinds.add((tag, attrs.get("class"), *sorted(attrs)))
         self.ids |= {attrs[key] for key in ("id", "name") if attrs.get(key)}
         if tag == "a" and attrs.get("href"):
             self.links.append(attrs["href"])
@@ -156,6 +160,16 @@ def test_stylesheets_load_only_local_files():
 def test_page_offers_the_notebook_of_the_repository(path):
     (link,) = [url for url in page(HTML / f"{path.stem}.html").links if url.endswith(path.name)]
     assert (HTML / link).read_bytes() == path.read_bytes()
+
+
+@pytest.mark.parametrize("name", SHEETS[1:])
+def test_sheet_has_the_kinds_of_elements_of_the_first(name):
+    """Therefore axe looks at the first sheet alone (browser/test_pages.py)."""
+    first, sheet = (
+        Page(re.sub(r"(?s)<math\b.*?</math>", "", (HTML / f"{name}.html").read_text("utf-8")))
+        for name in (SHEETS[0], name)
+    )
+    assert sheet.kinds == first.kinds
 
 
 NOT_TEXT = re.compile(r"(?s)<(pre|script|style|code|math|svg)\b.*?</\1>|<[^>]*>")
