@@ -13,12 +13,11 @@ from tests.browser.reader import (
     SIZES,
     TWO_FRAMES,
     UNTOUCHED,
-    WINDOWS,
     Reader,
     load_with_storage,
 )
 from tests.searches import SEARCHES, STUDENT_SEARCHES
-from tests.test_book import HTML, NAMES
+from tests.test_book import HTML
 
 
 def test_page_requests_no_other_host(browser):
@@ -337,24 +336,6 @@ def test_page_without_scripts_follows_system(browser):
     assert ink == "rgb(228, 232, 237)", "the dark value of --ink in page/src/common.css"
     page.goto((HTML / "check_your_homework.html").as_uri())
     assert "It needs JavaScript and no network." in page.locator(".arm-judge").inner_text()
-    context.close()
-
-
-# Instructions that need a script. The explorer's page has only such instructions.
-ASKED = re.compile(
-    r"[^.\n]*\b(?:[Dd]rag(?! at)\w*|Point at|[Cc]lick\w*|sliders?|[Pp]ress (?:Play|Draw|Back|Find))\b[^.\n]*"
-)
-
-
-def test_page_without_scripts_fits_phone(browser):
-    context = browser.new_context(
-        java_script_enabled=False, offline=True, viewport=WINDOWS["small"]
-    )
-    page = context.new_page()
-    for name in NAMES:
-        page.goto((HTML / f"{name}.html").as_uri())
-        assert page.evaluate("document.documentElement.scrollWidth") == 320, name
-        assert name == "explorer" or ASKED.findall(page.inner_text("article")) == [], name
     context.close()
 
 

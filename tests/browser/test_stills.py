@@ -5,7 +5,7 @@ import re
 import pytest
 
 from tests.browser.reader import WINDOWS
-from tests.test_book import HTML
+from tests.test_book import HTML, NAMES
 
 LIVE = re.compile(r"_static/(explorer|judge)\.js$")
 PARTS = ".arm-explorer, .arm-judge"
@@ -60,18 +60,48 @@ def test_live_part_keeps_the_still_height(page, name):
     page.emulate_media(media="screen")
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_stills_are_visible_without_script(browser, name):
-    page = browser.new_page(java_script_enabled=False)
-    page.goto((HTML / f"{name}.html").as_uri())
-    for part in page.locator(".arm-explorer").all():
+@pytest.fixture(scope="module")
+def tab_without_scripts(browser):
+    context = browser.new_context(
+        java_script_enabled=False, offline=True, viewport=WINDOWS["small"]
+    )
+    yield context.new_page()
+    context.close()
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def page_without_scripts(tab_without_scripts, request):
+    """Open each page once for all tests without scripts."""
+    tab_without_scripts.goto((HTML / f"{request.param}.html").as_uri())
+    return tab_without_scripts
+
+
+def test_page_without_scripts_fits_phone(page_without_scripts):
+    assert page_without_scripts.evaluate("document.documentElement.scrollWidth") == 320
+
+
+# Instructions that need a script. The explorer's page has only such instructions.
+INSTRUCTIONS = re.compile(
+    r"[^.\n]*\b(?:[Dd]rag(?! at)\w*|Point at|[Cc]lick\w*|sliders?|[Pp]ress (?:Play|Draw|Back|Find))\b[^.\n]*"
+)
+
+
+@pytest.mark.parametrize(
+    "page_without_scripts", [name for name in NAMES if name != "explorer"], indirect=True
+)
+def test_page_without_scripts_gives_no_live_instructions(page_without_scripts):
+    assert INSTRUCTIONS.findall(page_without_scripts.inner_text("article")) == []
+
+
+@pytest.mark.parametrize("page_without_scripts", PAGES, indirect=True)
+def test_stills_are_visible_without_scripts(page_without_scripts):
+    for part in page_without_scripts.locator(".arm-explorer").all():
         assert part.locator(".still").is_visible()
         assert not part.locator("button, input").locator("visible=true").count()
-    for form in page.locator(".arm-judge").all():
+    for form in page_without_scripts.locator(".arm-judge").all():
         assert form.get_by_label("Your answer", exact=True).is_visible()
         assert form.locator(".verdict").inner_text()
         assert form.locator(".unscripted").is_visible()
-    page.close()
 
 
 def test_entries_before_the_script_are_kept(browser):
