@@ -1,6 +1,6 @@
-"""Drive Chromium, Firefox and WebKit by the same methods: open a page, ask, type, press, drag.
+"""Drive Firefox and WebKit by the same methods: open a page, ask, type, press, drag.
 
-Playwright drives Chromium, as in all other tests. It cannot drive Firefox and WebKitGTK as
+Playwright, which drives Chromium in all other tests, cannot drive Firefox and WebKitGTK as
 distributions have them. These speak WebDriver BiDi and WebDriver, protocols of the W3C with the same
 description of key and pointer actions.
 """
@@ -20,18 +20,6 @@ from tools.browser import NoBrowser
 
 WINDOW = {"width": 1200, "height": 900}
 KEYS = {"\n": "\ue007", "End": "\ue010", "ArrowRight": "\ue014"}
-
-
-class Chromium:
-    def __init__(self, page):
-        self.open, self.ask = page.goto, page.evaluate
-        self.type, self.press, self.mouse = page.keyboard.type, page.keyboard.press, page.mouse
-
-    def drag(self, start, end):
-        self.mouse.move(*start)
-        self.mouse.down()
-        self.mouse.move(*end, steps=5)
-        self.mouse.up()
 
 
 class _WebDriverBrowser:
@@ -107,14 +95,6 @@ class WebKit(_WebDriverBrowser):
 
     def act(self, hand):
         self.send("/actions", actions=[hand])
-
-
-@contextmanager
-def chromium(browser):
-    """Open a page in the browser of the other tests, since a process drives only one."""
-    page = browser.new_page(viewport=WINDOW, offline=True)
-    yield Chromium(page)
-    page.close()
 
 
 @contextmanager
