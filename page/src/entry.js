@@ -1,4 +1,4 @@
-// Text fields for one quantity, with the message about what is typed so far.
+// Makes text fields for a quantity, with a message about the text that is typed so far.
 
 import { readEntry, unfinished } from "../../judge/reading/entry.js";
 import { updateAttribute, h } from "./dom.js";

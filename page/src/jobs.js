@@ -1,4 +1,4 @@
-// Long computations in a worker, one worker for each job.
+// Runs long computations, each in a worker of its own.
 
 import { JOBS } from "./work.js";
 
@@ -6,7 +6,7 @@ import { JOBS } from "./work.js";
 // another.
 let workerUrl = "";
 
-// Start a job; returns a function that cancels it.
+// Start a job, and return a function that cancels it.
 function startJob(job, input, onResult) {
   const runHere = () => onResult(JOBS[job](input)); // fallback for pages that allow no worker
   try {

@@ -1,4 +1,4 @@
-// Names of axes over a picture. They avoid the links and each other.
+// Places the names of axes over a picture, away from the links and from each other.
 
 import { updateAttribute, h, setText } from "./dom.js";
 import { measureGap } from "./picking.js";

@@ -83,7 +83,8 @@ export function parseFragment(fragment, arms, views) {
 
 // Each parser returns a patch of the state, a fault, or both.
 
-// Joint values of refused rows are not those of the arm shown instead: no fault of their own.
+// Parse the joint values. If the rows were refused, a different arm is shown, so that a wrong count
+// of joint values is no further fault.
 function parseJoints(fields, arm, areRowsRefused) {
   const q = parseNumbers(fields.get("q"));
   if (isJointVector(arm, q)) return { patch: { q } };

@@ -78,16 +78,16 @@ export function getCirclePoint(top, { normal = "x", radius = 0.1, seconds = 1 },
   return { o: path.position(t), v: path.velocity(t) };
 }
 
-const NUDGE = 0.05; // rad or m; moves a joint out of a pose where no small motion helps
+const SEARCH_STEP = 0.05; // rad or m: moves a joint out of a singular pose
 
-// Return the best result of searches from a little beside q, joint by joint, or the given one. A
-// singular pose holds back a search that starts in it.
-export function searchAround(result, q, search) {
-  let best = result;
+// Return the best of a result and of searches that start beside q, a step of one joint away. A
+// search that starts in a singular pose may not move.
+export function searchAround(firstResult, q, search) {
+  let best = firstResult;
   for (const k of q.keys()) {
-    for (const nudge of [NUDGE, -NUDGE]) {
-      const other = search(replaceAt(q, k, q[k] + nudge));
-      if (other.error < 0.98 * best.error) best = other;
+    for (const step of [SEARCH_STEP, -SEARCH_STEP]) {
+      const result = search(replaceAt(q, k, q[k] + step));
+      if (result.error < 0.98 * best.error) best = result;
     }
   }
   return best;
@@ -154,7 +154,7 @@ export function findBranches(arm, q, tries = 300) {
   return { list, families, lockedJoint, target, hasOrientation };
 }
 
-// The branches of the arm's closed form, if its targets are those of the explorer; else none.
+// Find the branches by the arm's closed form, or none if the form needs other targets.
 function solveClosedForm(arm, target, hasOrientation) {
   const form = findClosedForm(arm);
   if (!form || needsPose(form) !== hasOrientation) return [];
@@ -164,7 +164,7 @@ function solveClosedForm(arm, target, hasOrientation) {
 // rad or m; small beside a turn, large beside the play of a double root
 const NULL_SPACE_STEP = 0.1;
 
-// Find the joints that can move while the tip stays: those of a null direction that leads to
+// Find the joints that can move while the tip stays. They have a null direction that leads to
 // another solution.
 function findFreeJoints(arm, q, target, lockedJoint = -1) {
   const rows = taskRows(arm);

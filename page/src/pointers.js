@@ -1,6 +1,6 @@
-// Pointers on the picture: a dragged link turns its joint, the arm follows a dragged tip, the ball
-// at the tip sets the force, and any other drag turns the view. Each drawn frame solves once,
-// however often the pointer moves.
+// Handles pointers on the picture. A dragged link turns its joint, the arm follows a dragged tip,
+// the ball at the tip sets the force, and any other drag turns the view. Each drawn frame solves
+// once, however often the pointer moves.
 
 import {
   cross,
@@ -80,7 +80,7 @@ export function enableGrabbing(picture, store, { grip, goTo }) {
  * @property {number[]} [from] point at the tip's depth where the drag of the tip began
  */
 
-/** The part that the pointer has grabbed, and the work of one frame of the drag. */
+/** Holds the part that the pointer has grabbed, and computes each frame of the drag. */
 class Grabber {
   /**
    * @param {import("./scene.js").ArmPicture} picture
@@ -246,7 +246,7 @@ class Grabber {
   }
 }
 
-// Return the row of the joint that a grabbed point turns: the last one before it that moves it.
+// Return the row of the last joint before a grabbed point that moves the point.
 function findTurningRow(arm, frames, { row, point }, least) {
   const moving = movingRows(arm).filter((index) => index <= row);
   const moves = (index) => {

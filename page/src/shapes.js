@@ -143,7 +143,7 @@ export function placeRod(mesh, start, end, radius) {
   mesh.scale.set(radius, length, radius);
 }
 
-export const LINK_RADIUS = 0.021; // of the first link, as a share of the arm's reach
+export const LINK_RADIUS = 0.021; // share of the arm's reach, for the first link
 
 /**
  * An arm made of capsules along d and a of each row, and of a barrel or box at each joint.

@@ -103,8 +103,8 @@ export const EMPTY = {
   chosenRun: 0,
   runStart: null,
 };
-// When one of these fields changes, the listed fields go back to EMPTY unless the event sets them.
 const PLAYBACK_FIELDS = ["wantedPath", "progress", "playing"];
+// If a field changes, its dependent fields go back to EMPTY, unless the event sets them.
 const DEPENDENT_FIELDS = {
   arm: Object.keys(EMPTY),
   circle: ["trace", ...PLAYBACK_FIELDS],

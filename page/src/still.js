@@ -1,4 +1,4 @@
-// A still line drawing of an arm in the page's text colour. It is shown until the script has
+// Draws an arm as still lines in the page's text colour. The drawing is shown until the script has
 // loaded, if the browser has no WebGL, and on paper.
 
 import { estimateReach } from "../../judge/geometry/arm.js";

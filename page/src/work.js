@@ -1,4 +1,4 @@
-// Long computations by name, for the worker and for pages without one.
+// Lists the long computations by name, for the worker and for pages that allow no worker.
 
 import { findBranches } from "./motion.js";
 import { simulateCircle, traceCircle } from "./homework_run.js";

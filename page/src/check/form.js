@@ -1,5 +1,5 @@
-// The fields of a question: labels, hints and controls. Fields with a good default are folded into
-// one line that states their values.
+// Makes the fields of a question, with labels, hints and controls. Fields with a good default are
+// folded into a line that states their values.
 
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h, setText } from "../dom.js";

@@ -51,7 +51,7 @@ export function makeMarkedText(onCorrect) {
   return { root, update };
 }
 
-// Say how a number is corrected; name the first unread one, which stops the verdict.
+// Describe how a number is corrected, and quote the first unread number, which stops the verdict.
 function describeHelp(marks, text) {
   const unread = marks.find(({ kind }) => kind === "unread");
   if (!unread) return marks.length ? HELP : "";
@@ -115,7 +115,7 @@ function makeLegend(marks) {
     );
 }
 
-/** The line below the text in which one number is corrected. */
+/** A line below the text for the correction of a number. */
 class NumberEditor {
   /** @param {(text: string) => void} onCorrect */
   constructor(onCorrect) {
@@ -165,7 +165,7 @@ class NumberEditor {
   }
 }
 
-// One button for each of several answers that differ; it puts the other ones behind #.
+// Make a button for each of several answers that differ. It puts the other answers behind #.
 function makeChoices(text, answers, onCorrect) {
   if (answers.length < 2) return [];
   const inside = ({ from, to }, line) => line >= from && line <= to;

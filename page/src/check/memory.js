@@ -6,7 +6,7 @@ const PREFIX = "judge:";
 const CLEARED = `${PREFIX}cleared`; // time of the last clearing; other tabs watch it
 const MAX_KEPT_LENGTH = 200_000; // characters; longer answers, such as files, are not kept
 
-/** Answers of one form; `scope` tells the forms of the book apart. */
+/** Stores the answers of a form. `scope` distinguishes the forms of the book. */
 export class AnswerMemory {
   /** @param {string} scope */
   constructor(scope) {
@@ -14,7 +14,7 @@ export class AnswerMemory {
   }
 
   /**
-   * Keep a question with its answer as the last one of this form. An empty answer is forgotten.
+   * Store a question with its answer as the last question of this form, or forget an empty answer.
    * @param {Question} question
    */
   save(question) {
@@ -65,7 +65,7 @@ export class AnswerMemory {
   }
 }
 
-/** Forget the answers of all forms of the book, and tell the other tabs. */
+/** Forget the answers of all forms of the book, and notify the other tabs. */
 export function clearAnswers() {
   useStorage((storage) => {
     const keys = Array.from({ length: storage.length }, (_, i) => storage.key(i));

@@ -1,4 +1,4 @@
-// How the joints of the student's table count, and the offer to use her joint angles in the next
+// Shows how the joints of the student's table count, and offers to use her joint angles in the next
 // questions.
 
 import { findOwnArm, parseRows } from "../../../judge/geometry/own_joints.js";

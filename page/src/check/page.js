@@ -329,8 +329,8 @@ export class AnswerCheck {
   }
 
   // Change the question, arm or unit. The page's own defaults are replaced, and the reader's
-  // entries stay; another question brings back the answer that was kept for it, if it was given in
-  // the same joint angles. The joint angles of a table are those of one arm.
+  // entries stay. A different question brings back its stored answer if that was typed in the same
+  // joint angles. The joint angles of a table belong to one arm.
   changeQuestion(patch) {
     const { ask, arm, unit } = { ...this.question, ...patch };
     const joints = arm === this.question.arm ? this.question.joints : "";
@@ -338,7 +338,8 @@ export class AnswerCheck {
     if (kept && (kept.joints ?? "") === joints && this.#restoreQuestion(kept)) return;
     const typed = Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
     const entries = Object.fromEntries(typed);
-    // A right answer stays with its question; another was perhaps pasted below the wrong one.
+    // A right answer stays with its question. Any other answer was perhaps pasted below the wrong
+    // question, so it is kept.
     if (ask !== this.question.ask && this.hasRightAnswer()) delete entries.answer;
     this.start = { ...makeStartingQuestion({ ask, arm, unit, joints }, this), ...this.given, arm };
     this.updateQuestion({ ...this.start, ...entries, ask, arm, unit, joints, frame: "0" });

@@ -1,4 +1,4 @@
-// The path of a checked trajectory beside the wanted one, seen at right angles to its wall.
+// Draws the path of a checked trajectory over the wanted path, seen at right angles to its wall.
 
 import { h, svg } from "../dom.js";
 import { linkFrames } from "../../../judge/geometry/kinematics.js";
@@ -24,7 +24,7 @@ export function showPath(place, { ask, plane }, { verdict, arm }) {
 }
 
 /**
- * Draw the actual path over the wanted one.
+ * Draw the actual path over the wanted path.
  * @param {number[][]} actual points in m
  * @param {number[][]} wanted
  * @param {string} plane the circle's base axes, as "zy"

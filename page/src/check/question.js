@@ -24,8 +24,8 @@ import { checkTable } from "./topics/table.js";
  */
 
 /**
- * The kinds of questions: title, fields besides arm and answer, checker, and the longest answer if
- * it may be longer than usual.
+ * The kinds of questions. Each has a title, its fields besides arm and answer, a checker, and the
+ * length of the longest answer if it may be longer than usual.
  * @type {Record<string, { title: string, fields: string[], checker: Checker, longest?: number }>}
  */
 export const QUESTIONS = {

@@ -1,4 +1,4 @@
-// The small figures; each has one control and one message.
+// Builds the small figures of the chapters. Each has one control and one message.
 
 import { h, makeIndexedSymbol, setText } from "../dom.js";
 import { runJob, makeLatestJob } from "../jobs.js";
@@ -26,7 +26,7 @@ const MATRIX_NOTE =
   "only the entries with its angle move; the last column goes round on a circle of radius a.";
 const formatPoint = (p) => p.map((v) => formatFixed(1000 * v, 0)).join(", ");
 
-// An arm to drag, by any link or by the tip.
+// Build an arm to drag, by any link or by the tip.
 function buildHandFigure(host, spec) {
   const message = (state, { frames }) => {
     const tip = `The tip is at (${formatPoint(frames.at(-1).o)}) mm.`;
@@ -35,7 +35,7 @@ function buildHandFigure(host, spec) {
   return makeLive(host, spec, { state: { frames: spec.frames ?? "ends" }, message }).dispose;
 }
 
-// The four motions of one table row: they carry the frame before it to its own.
+// Build the four motions of a table's row, which carry the frame before it to its own frame.
 function buildRowFigure(host, spec) {
   const number = spec.row ?? 1;
   let share = 4;
@@ -103,7 +103,7 @@ function buildMatrixFigure(host, spec) {
   return live.dispose;
 }
 
-// The Jacobian's columns: each is the tip's velocity when one joint moves alone.
+// Build the Jacobian's columns. Each is the tip's velocity when one joint moves alone.
 function buildColumnsFigure(host, spec) {
   let chosen = movingRows(spec.arm)[(spec.column ?? 1) - 1]; // its row
   const heat = makeHeatTable((row) => row !== null && choose(row));
@@ -228,9 +228,9 @@ function describeWinding(arm, { failedStep, windings }, radius) {
   return `${size}: ${round.length ? `${joinList(round)} wind once round` : swing}.`;
 }
 
-// The solution branches of a pose, one button for each.
+// Build a button for each solution branch of a pose.
 function buildBranchesFigure(host, spec) {
-  const list = h("div.row", { role: "radiogroup", "aria-label": "Ways" });
+  const list = h("div.row", { role: "radiogroup", "aria-label": "Solutions" });
   const live = makeLive(host, spec, {
     state: { view: "branches" },
     side: [list],
@@ -304,7 +304,7 @@ function getTriangleSides([shoulder, elbow, tip]) {
 }
 
 /**
- * The figures by name: `build(host, spec)` builds one and returns a function that removes it.
+ * The function that builds each figure. It returns a function that removes the figure.
  * @type {Record<string, (host: HTMLElement, spec: any) => () => void>}
  */
 export const FIGURES = {

@@ -1,4 +1,4 @@
-// The levers of one run of the homework.
+// Makes the controls of a run of the homework.
 
 import { h, makeSelect, makeRangeInput, setText } from "../dom.js";
 import { BOUNDS } from "../homework_run.js";
@@ -6,8 +6,8 @@ import { formatFixed } from "../text.js";
 import { describeRun, METHOD_NAMES, MISTAKE_NAMES } from "./homework_words.js";
 
 /**
- * The levers: the run's field, its label, whether the scale is logarithmic, how a value is
- * formatted, and how it is rounded.
+ * The controls. Each has the run's field, its label, whether its scale is logarithmic, and the
+ * functions that format and round a value.
  * @type {[string, string, boolean, (v: number) => string, (v: number) => number][]}
  */
 const LEVER_KINDS = [

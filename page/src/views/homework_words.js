@@ -24,9 +24,10 @@ export const MISTAKE_NAMES = {
   sign: "rates with the wrong sign",
   next: "velocity of the next step",
 };
+
 /**
- * Return the run that the homework asks of an arm; null if it asks for none, or if the reader's
- * table has another number of joints.
+ * Return the run that the homework asks of an arm. Null if it asks for none, or if the reader's
+ * table has a different number of joints.
  * @param {Arm} arm
  * @param {Arm} base the listed arm whose table was edited
  * @returns {import("../homework_run.js").Run | null}

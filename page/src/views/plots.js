@@ -1,5 +1,5 @@
-// One small plot for each joint along a path, with a cursor at the arm's position and a tint beyond
-// the limits.
+// Draws a small plot for each joint along a path, with a cursor at the arm's position and a tint
+// beyond the limits.
 
 import { updateAttribute, h, makeIndexedSymbol, makeSelect, svg, setText } from "../dom.js";
 import { computeTorquesAlong } from "../homework_run.js";
