@@ -299,7 +299,7 @@ const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
 function numbersBeside({ from, to, sources, lines }) {
   const rowsOfBlock = new Set(sources);
   const others = lines.all.filter(
-    (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row) && !lines.given.has(row),
+    (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row),
   );
   const words = sources.flatMap((row) => row.words.filter(({ text }) => hasDecimals(text)));
   return [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])]
@@ -342,8 +342,7 @@ const LONGEST_PART = 10; // times the wanted length: a longer list is no half-do
 // Return whether a block is so long that it holds no part of the answer.
 const isFarTooLong = (block, wants) =>
   wants.every(
-    ({ rows, columns }) =>
-      rows !== null && columns !== null && count(block) > LONGEST_PART * rows * columns,
+    ({ rows, columns }) => count(block) > LONGEST_PART * (rows ?? Infinity) * (columns ?? Infinity),
   );
 
 const sizeOf = ({ rows, columns }) => (columns === null ? "numbers" : describeSize(rows, columns));

@@ -37,7 +37,7 @@ function findFrame(lines, start) {
   const { parts, end } = listParts(lines, start);
   const [first, ...others] = parts;
   const haveSameRows = first.length > 1 && others.every((part) => part.length >= first.length);
-  const width = others.length && haveSameRows ? findIndexWidth(parts) : null;
+  const width = haveSameRows ? findIndexWidth(parts) : null;
   if (width === null) return null;
   const rows = first.map((line, row) => [
     line,
@@ -59,7 +59,7 @@ function listParts(lines, start) {
     while (end < lines.length && !isBlank(end)) end++;
     parts.push(lines.slice(next, end));
   } while (WRAPPED.test(parts.at(-1)[0]?.text ?? ""));
-  return { parts: parts.filter(({ length }) => length), end };
+  return { parts, end };
 }
 
 // Find the width of the index: the first column, which all parts repeat; null if they differ.

@@ -31,9 +31,7 @@ export function readLabels(words) {
  */
 export function readHeaderLabels({ headers, rows }) {
   const extra = headers.length - rows[0].length; // headers of the labels before the rows
-  return extra >= 0 && extra < 3
-    ? readLabels(headers.slice(extra).map((header) => [header]))
-    : null;
+  return extra < 0 ? null : readLabels(headers.slice(extra).map((header) => [header]));
 }
 
 /**
@@ -48,8 +46,7 @@ export function isTransposed(block, { by }) {
 }
 
 // Return whether the rows of a block are column vectors, [1; 2; 3], typed one after the other.
-const areColumnVectors = ({ rows, sources }) =>
-  rows.length > 1 && sources.every(({ isColumn }) => isColumn);
+const areColumnVectors = ({ sources }) => sources.every(({ isColumn }) => isColumn);
 
 // Return whether two column headers or more name joints.
 const namesJoints = (headers) =>
@@ -78,8 +75,8 @@ const NO_CELL = { text: "", from: 0, to: 0 };
  * Order values by names of joints that the text lists apart from them, as ROS does.
  * @param {Block & { taken: string[] }} block @param {Want} want @param {string} text
  */
-export function orderByListedNames(block, { by, turned, columns }, text) {
-  if (by !== "joint" || (!turned && columns === null) || block.taken.length) return block;
+export function orderByListedNames(block, { by }, text) {
+  if (by !== "joint" || block.taken.length) return block;
   const joints = findListedJoints(text, block.rows[0].length);
   if (!joints || joints.every((joint, k) => !k || joint > joints[k - 1])) return block;
   const order = sortIndices(joints);
