@@ -123,7 +123,7 @@ def _write_inertial(arm: Arm, i: int) -> str:
 
 
 def _write_entry(arm: Arm, entry: float | str) -> str:
-    """Write an angle such as pi/2 as that, and any other entry as a number."""
+    """Write an angle such as pi/2 as a formula, and any other entry as a number."""
     if isinstance(entry, str) and not entry.replace("pi", "").strip("-+0123456789*/ ."):
         return entry
     return repr(arm.number(entry)).removesuffix(".0")

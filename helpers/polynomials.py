@@ -68,8 +68,8 @@ def group_angles(arm: Arm, add_parallel: bool = True) -> list[GroupAngle]:
     """
     angles, since, formula, quarters = [], np.eye(3), sp.S.Zero, 0
     for i, (row, numeric) in enumerate(zip(arm.rows, arm.numeric, strict=True), 1):
-        # `since` is the constant rotation since the last joint: its axis and this one are parallel
-        # where the z axes are.
+        # `since` is the constant rotation since the last joint. The two joint axes are parallel if
+        # it leaves the z axis parallel.
         is_parallel = add_parallel and abs(since[2, 2]) > 1 - 1e-12
         starts_group = numeric.kind == "revolute" and not is_parallel
         if starts_group:

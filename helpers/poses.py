@@ -48,8 +48,8 @@ def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = F
     mended = flat.reshape(-1, 4, 4).copy()
     mended[bent, :3, :3] = rotations
     moved = np.linalg.norm((flat.reshape(-1, 4, 4) - mended)[bent, :3, :3], axis=(1, 2))
-    # Nine entries of a true rotation were rounded by half a unit each at most, and the nearest
-    # rotation is at least as near as the true one.
+    # Rounding moved each of nine entries by at most half a unit. The nearest rotation is at least
+    # as near as the rotation that was rounded.
     explained = moved <= [1.5 * 10.0**-n + 1e-9 if n else 0.0 for n in decimals]
     explained &= np.abs(flat[bent, 12:] - (0, 0, 0, 1)).max(axis=1) <= _LARGEST_ROTATION_ERROR
     if not explained.all():

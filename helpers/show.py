@@ -76,11 +76,11 @@ def _write_latex(value: object) -> str:
 
 
 def _entry_latex(entry: sp.Expr) -> str:
-    """Write an entry of a matrix in LaTeX, a long one in several lines."""
+    """Write an entry of a matrix in LaTeX, and a long entry in several lines."""
     first, *rest = break_lines(entry, _LINE_WIDTH)
     if not rest:
         return sp.latex(entry)
-    # Each line is a group, because Temml would read a bracket and the line break in it as one.
+    # Each line is a group, because Temml would join a line break with a bracket that follows it.
     below = "".join(rf" \\ {{\quad {line}}}" for line in rest)
     return rf"\begin{{array}}{{l}}{{{first}}}{below}\end{{array}}"
 

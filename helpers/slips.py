@@ -19,17 +19,17 @@ from helpers.kinematics import forward_kinematics
 
 __all__ = ["Census", "TableSlip", "census", "list_slips"]
 
-_SAME = 1e-9  # in m, or in entries of a rotation
+_SAME = 1e-9  # m, or a difference of a rotation's entries
 
 
 class TableSlip(NamedTuple):
-    """One mistake in a table.
+    """A mistake in a table.
 
     Attributes:
         row: Number of the row, counted from 1.
-        entry: "a", "alpha", "d" or "theta" where an entry has another value, "q" where the joint's
-            variable has another factor.
-        value: That value or factor.
+        entry: "a", "alpha", "d" or "theta" for a wrong value of an entry, "q" for a wrong factor of
+            the joint's variable.
+        value: The wrong value or factor.
     """
 
     row: int
@@ -39,7 +39,7 @@ class TableSlip(NamedTuple):
 
 @dataclass(frozen=True)
 class Census:
-    """The tables with one or two slips, and those that poses do not tell from the right one.
+    """Tables with one or two slips, and those that poses do not distinguish from the right table.
 
     Attributes:
         single_slips: Number of tables with one slip.

@@ -405,13 +405,13 @@ def _read_joint(element: ET.Element, angle_tolerance: float) -> _FileJoint:
 
 
 def _round_angles(angles: Array, tolerance: float) -> Array:
-    """Return the angles (rad), with those near a multiple of a right angle exactly that."""
+    """Replace angles (rad) near a multiple of a right angle by that multiple."""
     right = np.round(angles / (np.pi / 2)) * (np.pi / 2)
     return np.where(np.abs(angles - right) <= tolerance, right, angles)
 
 
 def _round_direction(direction: Array, tolerance: float) -> Array:
-    """Return a direction, as one of the frame's axes where it is within `tolerance` (rad) of it."""
+    """Replace a direction within `tolerance` (rad) of an axis of the frame by that axis."""
     main = np.abs(direction).argmax()
     rest = np.delete(direction, main)
     if not np.linalg.norm(rest) <= tolerance * abs(direction[main]):

@@ -41,10 +41,11 @@ Array = NDArray[np.float64]
 
 # A branch is listed if it takes the tip to the target within this, in m and rad.
 VALID = 1e-9
-# Newton's method begins at branches this near their target: where the structure is exact, only next
-# to a boundary; where it is met nearly, by about as much as the axes miss it.
+# Newton's method begins at branches this near their target, in m and rad. The first bound holds for
+# an exact structure, whose branches are rough only next to a boundary. The second holds for axes
+# that miss the structure by about as much.
 FINISHED_FROM, NEARLY_FINISHED_FROM = 1e-6, 1e-2
-# Values tried for a free joint, in rad, where its own leaves the other joints no solution.
+# Values tried for a free joint, in rad, if its given value leaves the other joints no solution.
 TRIED = 0.55 * np.arange(1, 12)
 
 
@@ -223,10 +224,10 @@ def _refine_branches(
 
 
 def _pose_error(arm: Arm, targets: Array, q: Array) -> Array:
-    """Return what is missing from the tip's pose to the target, (batch, branches, 3 or 6).
+    """Return the errors of the tip's pose, (batch, branches, 3 or 6).
 
-    Positions in m over the turn's sine in rad; 1 is added where the turn is more than 90 degrees,
-    since the sine of half a turn is 0 too.
+    Errors of the position in m stand over the sines of the turn. 1 is added to the sines if the
+    turn exceeds 90 degrees, since the sine of half a turn is 0 too.
     """
     T = forward_kinematics(arm, q)
     if targets.shape[-1] == 3 and targets.ndim == 2:

@@ -1,4 +1,4 @@
-"""Joint axes as lines in space, and what their joints do to points and directions.
+"""Represent joint axes as lines in space, and move points and directions by their joints.
 
 Arrays of vectors have shape (3, branches, batch): component by component, one column for each
 target. A constant vector has shape (3, 1, 1).

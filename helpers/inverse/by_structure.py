@@ -59,7 +59,7 @@ Mask = NDArray[np.bool_]
 
 @dataclass
 class Candidates:
-    """Joint motions that may solve each target, and what is known of them.
+    """Joint motions that may solve each target, with their choices of roots and free joints.
 
     Attributes:
         motions: for each joint, in the order of the structure's axes, (branches, batch), rad or m.

@@ -13,8 +13,10 @@ from helpers.inverse.axes import Array, JointAxis, across_axis, cross, dot, unit
 
 
 class Curve(NamedTuple):
-    """The points a joint gives one point: centre + X x + Y y, (x, y) = (cos q, sin q) of a
-    revolute joint, (q, q^2) of a prismatic one."""
+    """Points centre + X x + Y y to which a joint moves a point.
+
+    (x, y) is (cos q, sin q) for a revolute joint and (q, q^2) for a prismatic joint.
+    """
 
     centre: Array
     X: Array

@@ -227,7 +227,7 @@ def _solve_damped(J: Array, error: Array, damping: Array) -> Array:
 def _jacobian_and_error(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     """Return Jacobians (batch, rows, dof) and errors to the goal (batch, rows), m and then rad."""
     rows = run_batch(get_program(arm, _tip_and_jacobian), q.T)
-    # A copy, since a failed step is followed by another from here, after rows were asked for anew.
+    # J is a copy: the program reuses its rows, and a failed step is repeated from this J.
     pose, J = rows[:16].reshape(4, 4, -1), rows[16:].T.copy().reshape(-1, 6, arm.dof)
     tip = pose[:3, 3]
     if goal.shape[-2] == 1:

@@ -79,14 +79,19 @@ class Solutions:
 
     @property
     def by_name(self) -> dict[str, Array]:
-        """The branches that exist for one target, each by its name without the choices that make
-        no difference, as "back" where both elbows are one. Raises ArmError for many targets."""
+        """Branches that exist for one target, by their names.
+
+        A name leaves out a choice that makes no difference: it is "back" if both elbows coincide.
+
+        Raises:
+            ArmError: If there are several targets.
+        """
         if self.q.ndim != 2:
             raise ArmError(
                 f"{self.arm.name}: the targets are {self.q.shape[:-2]}; expected one target"
             )
         rows = zip(self.branches, self.q, self.valid, self.merged, strict=True)
-        return {_shorten_branch_name(name, one): q for name, q, valid, one in rows if valid}
+        return {_shorten_branch_name(name, merged): q for name, q, valid, merged in rows if valid}
 
     ways = deprecated_attribute("ways", "by_name")
 
@@ -102,7 +107,7 @@ class Solutions:
         )
 
     def _reason_of_failure(self) -> str:
-        """Say why one target has no solution."""
+        """Explain why a single target has no solution."""
         if self.tilt is not None and self.tilt > TILTED:
             return (
                 f"the target tilts the tool by {np.degrees(self.tilt):.4g}°, and the arm cannot"
@@ -312,7 +317,7 @@ def check_poses(arm: Arm, targets: ArrayLike | str) -> Array:
 
 
 def _warn_of_millimetres(arm: Arm, points: Array) -> None:
-    """Warn if a target is farther from the base than ten times what the arm can reach."""
+    """Warn if a target is farther from the base than ten times the arm's reach."""
     far = float(np.linalg.norm(points, axis=-1).max(initial=0.0))
     if far > 10 * _longest_reach(arm):
         warn_caller(

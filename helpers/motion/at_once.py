@@ -26,8 +26,8 @@ Array = NDArray[np.floating]
 
 _LONG_STEPS = 20
 _SWEEPS = 20
-_SMALL_MOVE = 1e-3  # in rad or m; J changes by about as much, so its inverse can be kept
-_BRANCH_TOLERANCE = 0.25  # how far a step may miss its prediction by the Jacobian, as a fraction
+_SMALL_MOVE = 1e-3  # in rad or m: J changes by about as much, so that its inverse is reused
+_BRANCH_TOLERANCE = 0.25  # largest share of a step that the Jacobian may fail to predict
 
 
 def all_steps(
@@ -92,7 +92,7 @@ def _solve_rule(
 def _solve_exact(
     arm: Arm, q: Array, samples: PathSamples, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
-    """Apply Newton's method at every step, and check that the branch is that of the loop."""
+    """Apply Newton's method at every step, and check that it stays on the loop's branch."""
     before = np.inf
     for sweep in range(_SWEEPS):
         error = tip_error(forward_kinematics(arm, q[1:]), samples.positions[1.0], samples.rotation)

@@ -59,7 +59,7 @@ class PlainInverse:
         return X
 
     def require_regular_near(self, J: Array, inverted: Array, inverse: Array) -> None:
-        """Check Jacobians by the known inverses of others near them, (steps, 6, 6) each.
+        """Check Jacobians by the inverses of Jacobians near them, (steps, 6, 6) each.
 
         No singular value of J is further from that of `inverted` than the norm of their difference.
 

@@ -28,7 +28,7 @@ Array = NDArray[np.floating]
 
 
 _ITERATIONS = 30
-_TOLERANCE = 1e-9  # in m and rad; damped rates come no nearer than the last digits
+_TOLERANCE = 1e-9  # in m and rad: damped rates cannot reach the last digits
 _REASONS = "the path leads out of reach or through a singular pose, or its steps are too long"
 
 
