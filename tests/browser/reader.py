@@ -10,34 +10,34 @@ WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
 
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Boxes are fitted when the reader comes near; for a printer, all at once.
-EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
+FIT_ALL_BOXES = "dispatchEvent(new Event('beforeprint'))"
 # Scrolls to an element as a link does. Playwright's own scroll ends elsewhere once far sections are laid out.
-THERE = "(place) => place.scrollIntoView()"
+SCROLL_INTO_VIEW = "(place) => place.scrollIntoView()"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
-BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
+LIST_AXE_FINDINGS = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))
     .map(v => `${v.id}: ` + v.nodes.slice(0, 3).map(n => n.html.slice(0, 160)).join(" | ")))"""
 
 
-# Skips the drawing calls of WebGL while `undrawn` is true, for tests that read only text and numbers. Without a graphics
+# Skips the drawing calls of WebGL while `skipsDrawing` is true, for tests that read only text and numbers. Without a graphics
 # card the processor draws each picture, which takes longer than the rest of the page.
-UNDRAWN = """window.undrawn = true;
+SKIP_DRAWING = """window.skipsDrawing = true;
 for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced", "drawRangeElements"]) {
     const own = WebGL2RenderingContext.prototype[name];
-    WebGL2RenderingContext.prototype[name] = function (...given) { if (!window.undrawn) own.apply(this, given); };
+    WebGL2RenderingContext.prototype[name] = function (...given) { if (!window.skipsDrawing) own.apply(this, given); };
 }"""
 
 # Adds up the layout shifts of the text and its figures without any input. The list of pages beside the text is left out,
 # since it unfolds during reading.
-UNTOUCHED = """window.moved = 0;
+ADD_UP_LAYOUT_SHIFTS = """window.layoutShift = 0;
 const beside = ({ node }) => node?.parentElement?.closest(".contents");
 new PerformanceObserver((list) => list.getEntries().forEach(({ value, sources }) => {
-    if (!sources.every(beside)) moved += value;
+    if (!sources.every(beside)) layoutShift += value;
 })).observe({ type: "layout-shift", buffered: true });"""
 
 
 # Stops the pointer event at (0, 0) that a headless browser sometimes sends to a new page.
-NOBODY = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.stopImmediatePropagation(), true);"""
+STOP_STRAY_POINTER = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.stopImmediatePropagation(), true);"""
 
 
 class Reader:
@@ -48,30 +48,32 @@ class Reader:
             viewport=SIZES[size], offline=allowed == "file:", **context
         )
         self.page, self.theme = self.context.new_page(), theme
-        self.troubles, self.asked = [], set()
-        self.page.add_init_script(NOBODY + f"localStorage.mode = localStorage.theme = '{theme}'")
-        self.page.on("pageerror", lambda error: self.troubles.append(f"error: {error}"))
-        self.page.on("console", self._said)
-        self.page.on("request", lambda r: self._asked(r.url, allowed))
-        self.page.on("requestfailed", self._failed)
+        self.problems, self.requested_urls = [], set()
+        self.page.add_init_script(
+            STOP_STRAY_POINTER + f"localStorage.mode = localStorage.theme = '{theme}'"
+        )
+        self.page.on("pageerror", lambda error: self.problems.append(f"error: {error}"))
+        self.page.on("console", self._record_message)
+        self.page.on("request", lambda r: self._record_request(r.url, allowed))
+        self.page.on("requestfailed", self._record_failure)
 
-    def _said(self, message):
+    def _record_message(self, message):
         drawn = "GPU stall due to ReadPixels" in message.text  # without a graphics card
         if message.type in ("error", "warning") and not drawn:
-            self.troubles.append(f"{message.type}: {message.text}")
+            self.problems.append(f"{message.type}: {message.text}")
 
-    def _failed(self, request):
+    def _record_failure(self, request):
         if request.failure != "net::ERR_ABORTED":  # given up by a reader who went on
-            self.troubles.append(f"failed: {request.url}")
+            self.problems.append(f"failed: {request.url}")
 
-    def _asked(self, url, allowed):
-        self.asked.add(url)
+    def _record_request(self, url, allowed):
+        self.requested_urls.add(url)
         if not url.startswith((allowed, "data:", "blob:")):
-            self.troubles.append(f"asked for {url}")
+            self.problems.append(f"requested {url}")
 
     def open(self, url):
         self.page.goto(url)
-        self.page.evaluate(EVERYTHING)
+        self.page.evaluate(FIT_ALL_BOXES)
         self.page.mouse.move(1, 1)
         return self.page
 

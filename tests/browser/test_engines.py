@@ -16,7 +16,7 @@ from tools.browser import NoBrowser
 INSTRUMENT = "document.querySelector('.arm-explorer:not([data-figure])')"
 ROOT = f"{INSTRUMENT}.shadowRoot"
 STATE = f"{INSTRUMENT}.explorer.store.state"
-FRIEND = "#arm=Elbow arm&q=0.6,-1.1&view=table&rows=R,0.4,0,0,0;R,0.3,0,0,0"
+SHARED_LINK = "#arm=Elbow arm&q=0.6,-1.1&view=table&rows=R,0.4,0,0,0;R,0.3,0,0,0"
 
 
 @pytest.fixture(scope="module", params=[engines.firefox, engines.webkit], ids=["firefox", "webkit"])
@@ -24,12 +24,12 @@ def reader(request):
     wait_until_built()
     try:
         with request.param() as engine:
-            yield Reader(engine)
+            yield EngineReader(engine)
     except NoBrowser as error:
         pytest.skip(str(error))
 
 
-class Reader:
+class EngineReader:
     """Find, click and fill parts of a page in either engine."""
 
     def __init__(self, engine):
@@ -145,7 +145,7 @@ def test_search_lists_results(reader):
 
 
 def test_shared_link_opens_its_arm(reader):
-    reader.explorer(FRIEND)
+    reader.explorer(SHARED_LINK)
     assert reader.ask(f"[{STATE}.arm.name, {STATE}.q]") == ["Your arm", [0.6, -1.1]]
     assert "Yours has 2 joints" in reader.ask(f"{ROOT}.textContent")
 

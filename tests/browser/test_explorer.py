@@ -8,14 +8,14 @@ from playwright.sync_api import expect
 
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import PANDA, STANFORD, UR10E
-from tests.browser.reader import SIZES, THERE, UNDRAWN, UNTOUCHED, Reader
+from tests.browser.reader import ADD_UP_LAYOUT_SHIFTS, SCROLL_INTO_VIEW, SIZES, SKIP_DRAWING, Reader
 from tests.test_book import HTML
 
 MINUS = "−"
 INSTRUMENT = ".arm-explorer:not([data-figure])"
 
 
-FRAMES = (
+WAIT_FOR_FRAMES = (
     "(n) => new Promise((done) => (function on() { n-- ? requestAnimationFrame(on) : done(); })())"
 )
 STORE = "document.querySelector('.arm-explorer').explorer.store"
@@ -26,7 +26,7 @@ def until(page, holds):
     for _ in range(150):
         if holds():
             return
-        page.evaluate(FRAMES, 6)
+        page.evaluate(WAIT_FOR_FRAMES, 6)
     raise AssertionError("the condition did not hold within 900 frames")
 
 
@@ -60,11 +60,11 @@ def at_rest(page, locator):
 
 
 # Replaces the explorer by its stub, and mounts the stub again as the page does for a link with this fragment.
-KEPT = f"""document.addEventListener("DOMContentLoaded", () => {{
-    window.asItCame = document.querySelector("{INSTRUMENT}")?.cloneNode(true);
+KEEP_STUB = f"""document.addEventListener("DOMContentLoaded", () => {{
+    window.originalStub = document.querySelector("{INSTRUMENT}")?.cloneNode(true);
 }});"""
-AFRESH = f"""(fragment) => {{
-    const old = document.querySelector("{INSTRUMENT}"), stub = asItCame.cloneNode(true);
+MOUNT_STUB_AGAIN = f"""(fragment) => {{
+    const old = document.querySelector("{INSTRUMENT}"), stub = originalStub.cloneNode(true);
     stub.querySelector("script").replaceWith(old.querySelector("script"));
     old.explorer.dispose();
     old.replaceWith(stub);
@@ -88,7 +88,7 @@ class Visit(Reader):
     ):
         super().__init__(browser, theme, size, "file:", **context)
         self.visits, self.opened = 0, None
-        self.page.add_init_script(KEPT + script)
+        self.page.add_init_script(KEEP_STUB + script)
         self.enter(fragment, name)
 
     def enter(self, fragment="", name="explorer", drawn=False):
@@ -98,11 +98,11 @@ class Visit(Reader):
         if not again:
             self.visits += 1  # in the address, since a fragment alone would open no new page
             self.page.goto(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
-        self.page.evaluate("(drawn) => { window.undrawn = !drawn; }", drawn)
+        self.page.evaluate("(drawn) => { window.skipsDrawing = !drawn; }", drawn)
         if again:
-            self.page.evaluate(AFRESH, fragment)
+            self.page.evaluate(MOUNT_STUB_AGAIN, fragment)
         self.page.mouse.move(1, 1)
-        self.page.locator(INSTRUMENT).evaluate(THERE)
+        self.page.locator(INSTRUMENT).evaluate(SCROLL_INTO_VIEW)
         self.page.wait_for_function(f"document.querySelector({INSTRUMENT!r})?.explorer")
         if drawn:
             self.page.locator(".stage .labels:not([hidden])").wait_for()
@@ -134,7 +134,7 @@ class Visit(Reader):
 
 
 # Removes the small figure of the explorer's page: it has labels like the explorer's and comes alive during the tests.
-USUAL = f"""{UNDRAWN}
+PREPARE_SHARED_PAGE = f"""{SKIP_DRAWING}
 Object.defineProperty(window, "devicePixelRatio", {{ value: 0.5 }});
 document.addEventListener("DOMContentLoaded", () => {{
     if (location.pathname.endsWith("/explorer.html")) document.querySelectorAll("[data-figure]").forEach((f) => f.remove());
@@ -142,40 +142,40 @@ document.addEventListener("DOMContentLoaded", () => {{
 
 
 @pytest.fixture(scope="module")
-def usual_page(browser):
+def shared_page(browser):
     """Share one page in light colours on a wide screen.
 
     The processor draws the pictures, so only tests that look at them have them drawn, with half the
     pixels in each direction.
     """
-    here = Visit(browser, script=USUAL)
+    here = Visit(browser, script=PREPARE_SHARED_PAGE)
     yield here
     here.context.close()
 
 
 @pytest.fixture
-def visit(browser, usual_page):
+def visit(browser, shared_page):
     visits = []
 
     def enter(fragment="", name="explorer", drawn=False, **kwargs):
-        if usual_page in visits:
-            kwargs["script"] = USUAL
+        if shared_page in visits:
+            kwargs["script"] = PREPARE_SHARED_PAGE
         if kwargs:
             visits.append(Visit(browser, fragment, name=name, **kwargs))
         else:
-            usual_page.enter(fragment, name, drawn)
-            visits.append(usual_page)
+            shared_page.enter(fragment, name, drawn)
+            visits.append(shared_page)
         return visits[-1]
 
     yield enter
-    troubles = [trouble for one in visits for trouble in one.troubles]
-    usual_page.troubles.clear()
-    for one in visits:
-        if one is not usual_page:
-            one.context.close()
-    if troubles:
-        usual_page.leave()
-    assert troubles == []
+    problems = [problem for each_visit in visits for problem in each_visit.problems]
+    shared_page.problems.clear()
+    for each_visit in visits:
+        if each_visit is not shared_page:
+            each_visit.context.close()
+    if problems:
+        shared_page.leave()
+    assert problems == []
 
 
 # For each link, without any input: its arm, its tab, the first fields of the joints, and text that the tab shows.
@@ -200,7 +200,7 @@ LINKS = [
     ("#arm=Panda&q=1,2", "Panda", "DH table", HOME_OF_PANDA, "Panda has 7 joint values"),
 ]  # fmt: skip
 
-SEEN = """() => {
+LIST_SHOWN_STATE = """() => {
     const { shadowRoot } = document.querySelector(".arm-explorer"), one = (name) => shadowRoot.querySelector(name);
     const pressed = [...shadowRoot.querySelectorAll("header button")].find((b) => b.textContent === "Frames");
     const fields = [...shadowRoot.querySelectorAll(".view input")].map((e) => e.value).join(" ");
@@ -210,7 +210,7 @@ SEEN = """() => {
         joints: [...shadowRoot.querySelectorAll(".joint .value")].map((e) => e.value),
         words: `${one(".notice").textContent} ${one(".view").textContent} ${fields} `
             + (pressed.ariaPressed === "true" ? "" : "unpressed Frames"),
-        moved,
+        layoutShift,
     };
 }"""
 
@@ -219,7 +219,7 @@ SEEN = """() => {
 def untouched(browser):
     """Share a page for tests without input, in a system font: a late web font would move a line."""
     page = browser.new_page(viewport=SIZES["wide"], offline=True)
-    page.add_init_script(UNDRAWN + UNTOUCHED)
+    page.add_init_script(SKIP_DRAWING + ADD_UP_LAYOUT_SHIFTS)
     page.route("**/*.woff2", lambda route: route.abort())
     yield page
     page.context.close()
@@ -235,13 +235,13 @@ def test_link_state_shows_without_interaction(untouched, size, link, arm, tab, j
     untouched.goto("about:blank")
     untouched.goto(f"{(HTML / 'explorer.html').as_uri()}{link}")
     untouched.locator("section.explorer .view > div").wait_for()
-    untouched.wait_for_function(f"({SEEN})().words.includes('{words}')")
-    untouched.evaluate(FRAMES, 6)
-    seen = untouched.evaluate(SEEN)
+    untouched.wait_for_function(f"({LIST_SHOWN_STATE})().words.includes('{words}')")
+    untouched.evaluate(WAIT_FOR_FRAMES, 6)
+    seen = untouched.evaluate(LIST_SHOWN_STATE)
     assert seen["arm"] == arm.replace(" (homework)", ", homework’s lengths")
     assert seen["tab"] == tab
     assert seen["joints"][: len(joints)] == joints
-    assert seen["moved"] < 0.01, "the page’s own arm stood there, with other joints"
+    assert seen["layoutShift"] < 0.01, "the page’s own arm stood there, with other joints"
     picture = untouched.locator("section.explorer .stage").bounding_box()
     assert picture["y"] + picture["height"] / 2 < SIZES[size]["height"], "the first thing there"
 
@@ -458,7 +458,7 @@ def test_branches_are_chosen_in_picture_and_list(visit):
     box = canvas.bounding_box()
     ghosts, before = canvas.evaluate(POINTED), None
     while ghosts != before:  # until the picture has come to rest
-        here.page.evaluate(FRAMES, 6)
+        here.page.evaluate(WAIT_FOR_FRAMES, 6)
         ghosts, before = canvas.evaluate(POINTED), ghosts
     share = len(ghosts) * 32**2 / (box["width"] * box["height"])
     assert 0.01 < share < 0.3, "the ghosts, and nothing around them"
@@ -509,7 +509,7 @@ def test_live_figures_share_one_webgl_context(visit):
     assert len(figures) >= 3
     assert not figures[-1].locator("canvas").count()
     for figure in figures:
-        figure.evaluate(THERE)
+        figure.evaluate(SCROLL_INTO_VIEW)
         figure.locator("canvas").wait_for()
     assert page.evaluate("ArmExplorer.getUsage().figures") == len(figures) + 1
 
@@ -564,7 +564,7 @@ def test_chapter_4_pushed_pen_overloads_joint_6(visit):
     assert page.locator(".plots figure").count() == 7
 
 
-NAMELESS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']")]
+LIST_NAMELESS_CONTROLS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']")]
     .filter(c => !(c.getAttribute("aria-label") || c.textContent.trim() || c.labels?.length))
     .map(c => c.outerHTML.slice(0, 120))"""
 
@@ -578,7 +578,7 @@ def test_every_tab_fits_and_names_its_controls(visit, theme, size):
         here.tab(name)
         assert here.page.evaluate("document.documentElement.scrollWidth") <= SIZES[size]["width"]
         assert card.evaluate("e => e.scrollWidth <= e.clientWidth + 1")
-        assert card.evaluate(NAMELESS) == []
+        assert card.evaluate(LIST_NAMELESS_CONTROLS) == []
     other = "dark" if theme == "light" else "light"
     here.page.evaluate(f"document.documentElement.dataset.theme = '{other}'")
     expect(card).to_have_attribute("data-theme", other)
@@ -781,13 +781,17 @@ def test_memory_does_not_grow(visit):
         "Context Lost",
         "CONTEXT_LOST",
     )  # what Chromium says of it
-    here.troubles[:] = [one for one in here.troubles if not any(words in one for words in lost)]
+    here.problems[:] = [one for one in here.problems if not any(words in one for words in lost)]
 
 
 def test_vertical_swipe_ignores_sliders(visit):
     """On a phone: large targets, a picture that stays, sliders that a vertical swipe leaves alone."""
     here = visit(
-        "#arm=Panda&view=table", size="phone", script=USUAL, has_touch=True, is_mobile=True
+        "#arm=Panda&view=table",
+        size="phone",
+        script=PREPARE_SHARED_PAGE,
+        has_touch=True,
+        is_mobile=True,
     )
     page = here.page
     small = page.evaluate(

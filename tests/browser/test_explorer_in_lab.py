@@ -14,7 +14,7 @@ import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 from playwright.sync_api import expect
 
-from tests.browser.reader import UNDRAWN
+from tests.browser.reader import SKIP_DRAWING
 
 CELLS = (
     "from helpers.explorer import ArmExplorer\n"
@@ -89,7 +89,7 @@ def _until_connected(address):
 
 def test_sliders_and_python_share_one_arm(browser, lab):
     page = browser.new_page(viewport={"width": 1300, "height": 1400})
-    page.add_init_script(UNDRAWN)
+    page.add_init_script(SKIP_DRAWING)
     page.set_default_timeout(180_000)  # a busy machine takes its time to start a kernel
     page.goto(f"{lab}/lab/tree/explorer.ipynb")
     page.locator(".jp-Notebook .jp-CodeCell").nth(3).wait_for()

@@ -6,12 +6,12 @@ import pytest
 
 from helpers.explorer import judge
 from tests.browser.reader import (
+    ADD_UP_LAYOUT_SHIFTS,
     AXE,
-    BAD,
-    EVERYTHING,
-    THERE,
-    UNDRAWN,
-    UNTOUCHED,
+    FIT_ALL_BOXES,
+    LIST_AXE_FINDINGS,
+    SCROLL_INTO_VIEW,
+    SKIP_DRAWING,
     load_with_storage,
 )
 from tests.cases import questions_about, typed_fields
@@ -25,7 +25,7 @@ ELBOW = """-0.2841 -0.3039 -0.0778
 0.0000 -0.8776 -0.8776
 1.0000 0.0000 0.0000"""  # at (0.5, 0.7, -0.4), by hand
 
-OUTSIDE = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *, .marked pre *)")]
+LIST_OVERFLOWING_PARTS = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *, .marked pre *)")]
   .filter((part) => part.getBoundingClientRect().right > innerWidth).map((part) => part.outerHTML.slice(0, 80))"""
 
 # Counts the lines that some words take in a box of width 0, where no line has room for two.
@@ -54,10 +54,10 @@ def window(request, browser):
     context = browser.new_context(
         viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
     )
-    context.add_init_script(UNDRAWN)
+    context.add_init_script(SKIP_DRAWING)
     page = context.new_page()
-    page.troubles, page.size, page.visits = [], page.viewport_size, 0
-    page.on("pageerror", lambda error: page.troubles.append(str(error)))
+    page.problems, page.size, page.visits = [], page.viewport_size, 0
+    page.on("pageerror", lambda error: page.problems.append(str(error)))
     yield page
     context.close()
 
@@ -69,8 +69,8 @@ def page(window):
     window.locator(".arm-judge:not(:has(> .unscripted)) .verdict").wait_for()
     yield window
     window.evaluate("localStorage.clear()")
-    troubles, window.troubles = window.troubles, []
-    assert troubles == []
+    problems, window.problems = window.problems, []
+    assert problems == []
 
 
 def enter(page, fragment=""):
@@ -88,7 +88,7 @@ def ask(page, answer, q="0.5, 0.7, -0.4"):
 def list_serious_findings(page, part=".arm-judge"):
     """List the serious findings of axe in a part of the page."""
     page.add_script_tag(path=AXE)
-    return page.locator(part).first.evaluate(BAD)
+    return page.locator(part).first.evaluate(LIST_AXE_FINDINGS)
 
 
 def verdict(page, words):
@@ -227,7 +227,7 @@ def test_formulas_are_read_while_typed(page):
     cell = read.locator("td", has_text="= 0.2866")
     assert cell.locator("sub").all_text_contents() == ["3", "23"]  # of a_3 and c_23
     page.set_viewport_size({"width": 320, "height": 700})
-    assert page.evaluate(OUTSIDE) == []
+    assert page.evaluate(LIST_OVERFLOWING_PARTS) == []
     assert list_serious_findings(page) == []
     page.get_by_role("button", name="Copy link").click()
     page.get_by_text("The link").first.wait_for()
@@ -280,11 +280,11 @@ def test_typed_markup_is_not_executed(page):
 
 @both
 def test_form_fits_and_passes_axe(page):
-    assert page.evaluate(OUTSIDE) == []
+    assert page.evaluate(LIST_OVERFLOWING_PARTS) == []
     assert (
         page.get_by_role("region", name="How your answer is read").evaluate("e => e.tabIndex") == 0
     )
-    page.evaluate(EVERYTHING)
+    page.evaluate(FIT_ALL_BOXES)
     assert list_serious_findings(page, "html") == []
 
 
@@ -301,7 +301,7 @@ def chapter(browser):
     """Open a chapter on a phone, without its formulas."""
     context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page = context.new_page()
-    page.add_init_script(UNDRAWN)
+    page.add_init_script(SKIP_DRAWING)
 
     def open_page(name):
         page.goto((HTML / f"{name}.html").as_uri())
@@ -314,7 +314,7 @@ def chapter(browser):
 def scroll_to(place):
     """Scroll until a small judge is live; parts that become live on the way move the page."""
     for _ in range(300):
-        place.evaluate(THERE)
+        place.evaluate(SCROLL_INTO_VIEW)
         if not place.locator(".unscripted").count():
             return place
         place.page.wait_for_timeout(100)
@@ -333,7 +333,7 @@ def test_typing_goes_on_when_the_script_arrives(chapter):
 
     page.route("**/judge.js", late)
     chapter("03_circle_tracing")
-    place.evaluate(THERE)
+    place.evaluate(SCROLL_INTO_VIEW)
     place.locator(".unscripted").wait_for(state="detached")
     page.keyboard.insert_text("1 2 3")
     assert answer.input_value() == "1 2 3"
@@ -351,7 +351,7 @@ def test_number_fields_wait_for_the_script(chapter):
 
     page.route("**/judge.js", late)
     chapter("04_static_torque")
-    place.evaluate(THERE)
+    place.evaluate(SCROLL_INTO_VIEW)
     torque.wait_for()
     assert hidden == [True]
 
@@ -409,7 +409,7 @@ def test_answer_field_is_on_first_screen(page):
     page.set_viewport_size(
         {"width": page.size["width"], "height": 844 if page.size["width"] < 800 else 800}
     )
-    page.add_init_script(UNTOUCHED)
+    page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
     page.route("**/*.woff2", lambda route: route.abort())  # letters that come late move a line
     enter(page)
     page.get_by_role("button", name="Copy link").wait_for()  # the live form is there
@@ -417,7 +417,7 @@ def test_answer_field_is_on_first_screen(page):
     field = page.get_by_label("Your answer", exact=True).bounding_box()
     assert field["y"] + 100 < page.viewport_size["height"]
     assert page.evaluate("scrollY") == 0
-    assert page.evaluate("moved") < 0.001
+    assert page.evaluate("layoutShift") < 0.001
 
 
 @phone
@@ -456,12 +456,12 @@ def test_untouched_form_shows_no_error(page):
     assert page.get_by_label("Pose q").input_value() == "0, π/4, −π/2"
 
 
-ASKED = """asked => new Promise((done) => {
+OPEN_FRAGMENT = """fragment => new Promise((done) => {
   addEventListener("hashchange", done, { once: true });
-  if (location.hash === `#${asked}`) done();
-  location.hash = asked;
+  if (location.hash === `#${fragment}`) done();
+  location.hash = fragment;
 })"""
-TONES = """box => ["right", "so far", "rounded", "wrong"].map((grade) => {
+LIST_GRADE_COLOURS = """box => ["right", "so far", "rounded", "wrong"].map((grade) => {
   box.className = `verdict ${grade}`;
   return getComputedStyle(box).borderLeftColor;
 })"""
@@ -472,16 +472,16 @@ def test_common_answers_are_explained_on_phone(page):
     for case in questions_about("brought")[
         ::5
     ]:  # their words are tested once, by tests/test_judge.py
-        page.evaluate(ASKED, urlencode({**typed_fields(case), "answer": ""}))
+        page.evaluate(OPEN_FRAGMENT, urlencode({**typed_fields(case), "answer": ""}))
         page.get_by_label("Your answer", exact=True).fill(case["answer"])
         for words in case.get("said", ["Type or paste your answer."]):
             # Only Python lists the values that are left out; the page shows them in the typed text.
             verdict(page, "are right" if words.startswith("set aside") else words)
-        assert page.evaluate(OUTSIDE) == [], case
+        assert page.evaluate(LIST_OVERFLOWING_PARTS) == [], case
     one_way = judge.EXAMPLES[3] | {"answer": "0.5000  0.7000 -0.4002"}
-    page.evaluate(ASKED, urlencode(one_way))
+    page.evaluate(OPEN_FRAGMENT, urlencode(one_way))
     box = page.locator(".arm-judge .verdict.so")
-    right, so_far, rounded, wrong = box.evaluate(TONES)
+    right, so_far, rounded, wrong = box.evaluate(LIST_GRADE_COLOURS)
     assert so_far == rounded
     assert len({right, so_far, wrong}) == 3
 
@@ -568,15 +568,15 @@ REFUSED = """Object.defineProperty(window, "localStorage", {
 def test_form_works_where_storage_is_refused(browser):
     page = browser.new_page()
     page.add_init_script(REFUSED)
-    troubles = []
-    page.on("pageerror", lambda error: troubles.append(str(error)))
+    problems = []
+    page.on("pageerror", lambda error: problems.append(str(error)))
     page.goto(PAGE.as_uri())
     page.locator(".arm-judge:not(:has(> .unscripted)) .verdict").wait_for()
     ask(page, WRONG)
     verdict(page, "check vz")
     page.get_by_role("button", name="Clear what I typed").click()
     verdict(page, "An example, with a mistake in it.")
-    assert troubles == []
+    assert problems == []
     page.close()
 
 
@@ -631,7 +631,7 @@ def test_numbers_are_filled_in_one_by_one_on_phone(page):
     page.get_by_label("τ 3", exact=True).wait_for(state="hidden")
     page.get_by_text("Joint values one by one").click()
     assert page.get_by_label("q 1", exact=True).input_value() == "0"
-    assert page.evaluate(OUTSIDE) == []
+    assert page.evaluate(LIST_OVERFLOWING_PARTS) == []
     assert list_serious_findings(page) == []
 
 
@@ -650,7 +650,7 @@ def test_pasted_text_shows_meaning_of_each_number(page):
     page.keyboard.press("ArrowLeft")
     marked.get_by_text("0.5925: entry of vz, joint 2, read as 0.5925", exact=True).wait_for()
     assert marked.locator("pre").inner_text().strip() == f"q = 0.5 0.7 -0.4\nJ =\n{WRONG}"
-    assert page.evaluate(OUTSIDE) == []
+    assert page.evaluate(LIST_OVERFLOWING_PARTS) == []
     assert list_serious_findings(page) == []
 
 

@@ -7,25 +7,25 @@ import pytest
 
 from tests.browser.reader import (
     AXE,
-    BAD,
-    EVERYTHING,
+    FIT_ALL_BOXES,
+    LIST_AXE_FINDINGS,
+    SCROLL_INTO_VIEW,
     SIZES,
-    THERE,
+    SKIP_DRAWING,
     TWO_FRAMES,
-    UNDRAWN,
     WINDOWS,
     Reader,
 )
 from tests.test_book import HTML, NAMES, SHEETS
 
-BROKEN = """async () => {
+LIST_BROKEN_PICTURES = """async () => {
     const pictures = [...document.images];
     pictures.forEach(picture => (picture.loading = "eager")); // those far down too, and those of the other colours
     const loaded = await Promise.allSettled(pictures.map(picture => picture.decode()));
     return pictures.filter((picture, k) => loaded[k].status === "rejected" || !picture.naturalWidth).map(p => p.src);
 }"""
 # Lists text and elements that overflow the page outside of a box that scrolls visibly and takes focus.
-CUT = """() => {
+LIST_CUT_CONTENT = """() => {
     const article = document.querySelector("article"), edge = article.getBoundingClientRect().right + 1, found = [];
     const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .arm-explorer, .arm-judge, .headerlink");
     const letters = document.createTreeWalker(article, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT), range = document.createRange();
@@ -52,7 +52,7 @@ CUT = """() => {
     }
     return found.map((one) => one.slice(0, 100));
 }"""
-TYPE = """() => {
+MEASURE_TYPE = """() => {
     const letters = (e) => { // how many of the average letters fit
         const pen = document.createElement("canvas").getContext("2d"), how = getComputedStyle(e);
         pen.font = `${how.fontSize} ${how.fontFamily}`;
@@ -64,7 +64,7 @@ TYPE = """() => {
     return [paragraphs.map(letters), [...document.querySelectorAll("pre")].map(size)];
 }"""
 # The letters have come.
-LOADED = "() => document.fonts.status === 'loaded'"
+FONTS_ARE_LOADED = "() => document.fonts.status === 'loaded'"
 
 
 @pytest.fixture(scope="module")
@@ -85,18 +85,18 @@ def visit(readers, request):
     dark = [*NAMES, "search"].index(request.param) % 2
     reader = readers[dark]
     reader.page.set_viewport_size(SIZES["phone" if dark else "wide"])
-    reader.troubles, reader.asked = [], set()
+    reader.problems, reader.requested_urls = [], set()
     page = reader.open((HTML / f"{request.param}.html").as_uri())
     page.evaluate("document.querySelectorAll('details').forEach(d => d.open = true)")
-    page.evaluate(EVERYTHING)
-    page.wait_for_function(LOADED, polling=50)
+    page.evaluate(FIT_ALL_BOXES)
+    page.wait_for_function(FONTS_ARE_LOADED, polling=50)
     return reader
 
 
 def test_page_loads_completely(visit):
     assert visit.page.locator("html").get_attribute("data-theme") == visit.theme
-    assert visit.page.evaluate(BROKEN) == []
-    assert visit.troubles == []
+    assert visit.page.evaluate(LIST_BROKEN_PICTURES) == []
+    assert visit.problems == []
 
 
 def resized(page, size):
@@ -104,7 +104,7 @@ def resized(page, size):
     if page.viewport_size == WINDOWS[size]:
         return
     page.set_viewport_size(WINDOWS[size])
-    page.evaluate(EVERYTHING)
+    page.evaluate(FIT_ALL_BOXES)
 
 
 @pytest.mark.parametrize("size", WINDOWS)
@@ -112,16 +112,16 @@ def test_page_fits_screen_or_scrolls(visit, size):
     """Lines have 66 to 75 characters on a wide screen, and code has 14 pixels everywhere."""
     resized(visit.page, size)
     assert visit.page.evaluate("document.documentElement.scrollWidth") == WINDOWS[size]["width"]
-    assert visit.page.evaluate(CUT) == []
-    lines, code = visit.page.evaluate(TYPE)
+    assert visit.page.evaluate(LIST_CUT_CONTENT) == []
+    lines, code = visit.page.evaluate(MEASURE_TYPE)
     assert all(size >= 13.99 for size in code)
     assert size != "wide" or all(66 <= letters <= 75 for letters in lines), lines
 
 
 # Runs in one call, since between two calls the page may mark boxes that are too wide again.
-UNMARKED = f"""(box) => {{
+LIST_CUT_CONTENT_WITHOUT_MARKS = f"""(box) => {{
     box.classList.remove("scrolls", "more-right");
-    const found = ({CUT})();
+    const found = ({LIST_CUT_CONTENT})();
     box.classList.add("scrolls", "more-right");
     return found;
 }}"""
@@ -140,17 +140,17 @@ UNMARKED = f"""(box) => {{
 def test_fit_check_detects_cut_content(visit, what):
     """Without its marks a box that is too wide fails the test above."""
     resized(visit.page, "small")
-    assert visit.page.locator(f"{what}.more-right").first.evaluate(UNMARKED)
+    assert visit.page.locator(f"{what}.more-right").first.evaluate(LIST_CUT_CONTENT_WITHOUT_MARKS)
 
 
-CALM = """() => [document.head, ...[...document.querySelectorAll("*")].map(e => e.shadowRoot)].forEach(place => {
+STOP_ANIMATIONS = """() => [document.head, ...[...document.querySelectorAll("*")].map(e => e.shadowRoot)].forEach(place => {
     if (!place) return;
     const style = place.appendChild(document.createElement("style"));
     style.textContent = "* { animation: none !important; transition: none !important }";
 })"""
 # The time of axe grows with the number of elements. Formulas take no focus, and of parts that one
 # template makes the first ones show what all are like.
-THINNED = """() => {
+REMOVE_REPEATED_PARTS = """() => {
     const kept = {
         math: 0, pre: 5, "dl.py": 20, ":is(.sections, .ahead) li": 20, "tbody tr:nth-child(n + 7)": 0,
         ".admonition": 8, "div.cell:not(:has(img, .arm-explorer, .arm-judge))": 20,
@@ -158,7 +158,7 @@ THINNED = """() => {
     for (const [selector, count] of Object.entries(kept))
         for (const part of [...document.querySelectorAll(selector)].slice(count)) part.remove();
 }"""
-ONLY_COLOURS = (
+CHECK_ONLY_CONTRAST = (
     "axe.configure({disableOtherRules: true, rules: [{id: 'color-contrast', enabled: true}]})"
 )
 
@@ -166,18 +166,18 @@ ONLY_COLOURS = (
 def list_serious_findings(page):
     """List the serious findings of axe in both themes."""
     page.set_viewport_size(SIZES["wide"])
-    page.evaluate(CALM)
+    page.evaluate(STOP_ANIMATIONS)
     focusable = page.locator("math").locator("a[href], button, input, [tabindex]").count()
     assert focusable == 0, "what is only drawn takes no focus"
-    page.evaluate(THINNED)
+    page.evaluate(REMOVE_REPEATED_PARTS)
     page.add_script_tag(path=AXE)
-    found = page.evaluate(BAD)
+    found = page.evaluate(LIST_AXE_FINDINGS)
     page.evaluate(
         "(d => d.theme = d.theme === 'dark' ? 'light' : 'dark')(document.documentElement.dataset)"
     )
-    page.evaluate(ONLY_COLOURS)
+    page.evaluate(CHECK_ONLY_CONTRAST)
     page.evaluate(TWO_FRAMES)
-    return found + page.evaluate(BAD)
+    return found + page.evaluate(LIST_AXE_FINDINGS)
 
 
 # All answer sheets have the kinds of elements of the first, as test_book.py tests.
@@ -205,9 +205,11 @@ def test_axe_detects_planted_faults(browser, name, pale):
 
 
 def test_page_weighs_under_three_megabytes(visit):
-    visit.page.evaluate(UNDRAWN)
+    visit.page.evaluate(SKIP_DRAWING)
     for stub in visit.page.locator(".arm-explorer").all():
-        stub.evaluate(THERE)
+        stub.evaluate(SCROLL_INTO_VIEW)
         stub.locator("canvas").wait_for()
-    files = {Path(unquote(urlparse(url).path)) for url in visit.asked if url.startswith("file:")}
+    files = {
+        Path(unquote(urlparse(url).path)) for url in visit.requested_urls if url.startswith("file:")
+    }
     assert sum(file.stat().st_size for file in files) <= 3_000_000

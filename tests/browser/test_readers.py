@@ -9,10 +9,10 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 import pytest
 
 from tests.browser.reader import (
-    EVERYTHING,
+    ADD_UP_LAYOUT_SHIFTS,
+    FIT_ALL_BOXES,
     SIZES,
     TWO_FRAMES,
-    UNTOUCHED,
     Reader,
     load_with_storage,
 )
@@ -29,12 +29,12 @@ def test_page_requests_no_other_host(browser):
     reader = Reader(browser, "light", "wide", address)
     page = reader.open(f"{address}/04_static_torque.html")
     page.wait_for_load_state("networkidle")
-    assert reader.troubles == []
+    assert reader.problems == []
     reader.context.close()
     server.shutdown()
 
 
-class LateFaces(SimpleHTTPRequestHandler):
+class SlowFontServer(SimpleHTTPRequestHandler):
     """A server that sends fonts half a second late."""
 
     def do_GET(self):
@@ -48,16 +48,16 @@ class LateFaces(SimpleHTTPRequestHandler):
 
 def test_late_text_faces_move_nothing(browser):
 
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(LateFaces, directory=HTML))
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(SlowFontServer, directory=HTML))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     for size in SIZES.values():
         page = browser.new_context(viewport=size).new_page()
-        page.add_init_script(UNTOUCHED)
+        page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
         for name in ("errata", "glossary"):
             page.goto(f"http://127.0.0.1:{server.server_port}/{name}.html")
             page.wait_for_function("document.fonts.status === 'loaded'")
             page.evaluate(TWO_FRAMES)
-            assert page.evaluate("window.moved") <= 0.01, (name, size)
+            assert page.evaluate("window.layoutShift") <= 0.01, (name, size)
         page.context.close()
     server.shutdown()
 
@@ -81,11 +81,11 @@ def test_linked_equation_is_shown_beside_its_link(browser):
     load_with_storage(page, "code", lambda: page.goto(other_page))
     page.get_by_role("button", name="Show all code").click()
     assert page.locator(".cell_input").locator("visible=true").count()
-    assert reader.troubles == []
+    assert reader.problems == []
     reader.context.close()
 
 
-class SlowBar(SimpleHTTPRequestHandler):
+class SlowBarServer(SimpleHTTPRequestHandler):
     """A server that sends the parts of a page's bar a tenth of a second apart."""
 
     def do_GET(self):
@@ -102,43 +102,43 @@ class SlowBar(SimpleHTTPRequestHandler):
 
 @pytest.mark.parametrize("size", ["wide", "phone"])
 def test_bar_that_arrives_slowly_does_not_move(browser, size):
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(SlowBar, directory=HTML))
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(SlowBarServer, directory=HTML))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     address = f"http://127.0.0.1:{server.server_port}"
     reader = Reader(browser, "light", size, address)
-    reader.page.add_init_script(UNTOUCHED)
+    reader.page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
     reader.page.goto(f"{address}/check_your_homework.html")
     assert reader.page.locator(".bar-links").is_visible()
-    assert reader.page.evaluate("window.moved") < 0.001
+    assert reader.page.evaluate("window.layoutShift") < 0.001
     reader.context.close()
     server.shutdown()
 
 
 # True once the text is painted in the book's typeface.
-READ = """performance.getEntriesByName('first-contentful-paint').length &&
+TEXT_IS_PAINTED = """performance.getEntriesByName('first-contentful-paint').length &&
     ["1em Source Serif", "600 1em Source Serif"].every((face) => document.fonts.check(face))"""
 
 
 def test_late_math_font_hardly_moves_lines(browser):
     reader = Reader(browser, "light", "phone", "file:", device_scale_factor=1.75, is_mobile=True)
-    reader.page.add_init_script(UNTOUCHED)
+    reader.page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
 
     def late(route):
-        reader.page.wait_for_function(READ)
+        reader.page.wait_for_function(TEXT_IS_PAINTED)
         reader.page.evaluate(TWO_FRAMES)
-        reader.page.evaluate("window.moved = 0")  # leave out shifts by the text's typeface
+        reader.page.evaluate("window.layoutShift = 0")  # leave out shifts by the text's typeface
         route.continue_()
 
     reader.page.route("**/stix/*.woff2", late)
     for name in ("03_circle_tracing", "glossary"):
         reader.page.goto((HTML / f"{name}.html").as_uri())
         reader.page.wait_for_function("document.fonts.check('1em STIX Two Math')")
-        assert reader.page.evaluate("window.moved") < 0.12, name  # the glossary 0.11
+        assert reader.page.evaluate("window.layoutShift") < 0.12, name  # the glossary 0.11
     reader.context.close()
 
 
 # On the screen, and wider than its place without saying so.
-UNSAID = """() => [...document.querySelectorAll(".display, div.table, pre")].filter((box) => {
+LIST_UNMARKED_WIDE_BOXES = """() => [...document.querySelectorAll(".display, div.table, pre")].filter((box) => {
     const { top, bottom } = box.getBoundingClientRect();
     return box.checkVisibility() && bottom > 0 && top < innerHeight && box.scrollWidth > box.clientWidth + 1 && !box.matches(".scrolls");
 })"""
@@ -155,8 +155,8 @@ def test_boxes_are_ready_when_scrolled_to(browser):
         page.evaluate(
             f"document.querySelectorAll('article > section > section')[{k}].scrollIntoView()"
         )
-        page.wait_for_function(f"!({UNSAID})().length", polling=50)
-    assert reader.troubles == []
+        page.wait_for_function(f"!({LIST_UNMARKED_WIDE_BOXES})().length", polling=50)
+    assert reader.problems == []
     reader.context.close()
 
 
@@ -177,15 +177,15 @@ def test_scrollbar_is_true_after_the_first_move(browser):
     """The layout of far sections moves nothing in the window."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.page
-    page.add_init_script(UNTOUCHED)
+    page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
     page.goto((HTML / "02_jacobian.html").as_uri())
     page.evaluate("scrollTo(0, 3000)")
     page.wait_for_function("document.documentElement.dataset.fresh === undefined")
     height = page.evaluate("document.body.scrollHeight")
-    page.evaluate(f"({EVERYTHING}); scrollTo(0, 1e6)")
+    page.evaluate(f"({FIT_ALL_BOXES}); scrollTo(0, 1e6)")
     page.evaluate(TWO_FRAMES)
     assert abs(page.evaluate("document.body.scrollHeight") - height) < 0.02 * height
-    assert page.evaluate("window.moved") < 0.001
+    assert page.evaluate("window.layoutShift") < 0.001
     reader.context.close()
 
 
@@ -199,7 +199,7 @@ def test_end_key_scrolls_to_page_end(browser):
 
 
 # For each search, the places of the first page that are shown.
-FIRST_PLACES = """async (searches) => {
+LIST_FIRST_RESULTS = """async (searches) => {
     await indexing;
     return Object.fromEntries(searches.map((typed) => {
         const [first] = searchBook(typed);
@@ -213,7 +213,7 @@ def test_searches_bring_the_right_page_first(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "search.html").as_uri() + "?q=parallel")
     page.wait_for_selector("#search-results mark")  # of the address
-    places = page.evaluate(FIRST_PLACES, [*SEARCHES, *STUDENT_SEARCHES])
+    places = page.evaluate(LIST_FIRST_RESULTS, [*SEARCHES, *STUDENT_SEARCHES])
     for searches in (SEARCHES, STUDENT_SEARCHES):
         missed = {
             typed: places[typed]
@@ -232,14 +232,14 @@ def test_searches_bring_the_right_page_first(browser):
     field.fill("zzzz")
     page.get_by_text("Nothing in the book has these words.").wait_for()
     assert page.locator("#search-summary a").count() == 3
-    assert reader.troubles == []
+    assert reader.problems == []
     reader.context.close()
 
 
 def test_search_opens_by_key_and_arrows_choose(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "glossary.html").as_uri())
-    assert "search-entries.js" not in "".join(reader.asked), "nobody has searched yet"
+    assert "search-entries.js" not in "".join(reader.requested_urls), "nobody has searched yet"
     page.keyboard.press("/")
     page.keyboard.type("singular")
     results = page.locator(".results")
@@ -256,7 +256,7 @@ def test_search_opens_by_key_and_arrows_choose(browser):
     assert first.evaluate("(link) => link === document.activeElement")
     page.keyboard.press("Enter")
     page.wait_for_url("**/02_jacobian.html")
-    assert reader.troubles == []
+    assert reader.problems == []
     reader.context.close()
 
 
@@ -282,7 +282,7 @@ def test_contents_show_current_and_read_pages(browser):
     reader.context.close()
 
 
-GROUND = "getComputedStyle(document.body).backgroundColor"
+BACKGROUND = "getComputedStyle(document.body).backgroundColor"
 
 
 def find_figure_theme(page):
@@ -295,24 +295,24 @@ def test_theme_follows_system_until_chosen(browser):
     context = browser.new_context(offline=True, color_scheme="dark")
     page = context.new_page()
     page.goto((HTML / "robot_data.html").as_uri())
-    dark = page.evaluate(GROUND)
+    dark = page.evaluate(BACKGROUND)
     assert find_figure_theme(page) == "dark"
     page.emulate_media(color_scheme="light")
-    page.wait_for_function(f"{GROUND} !== '{dark}'")
-    light = page.evaluate(GROUND)
+    page.wait_for_function(f"{BACKGROUND} !== '{dark}'")
+    light = page.evaluate(BACKGROUND)
     assert find_figure_theme(page) == "light"
     button = page.locator("button.colours")
     for name in ("light", "dark"):
         button.click()
         assert button.get_attribute("aria-label") == f"Colours: {name}"
-    assert page.evaluate(GROUND) == dark, "chosen, whatever the system prefers"
+    assert page.evaluate(BACKGROUND) == dark, "chosen, whatever the system prefers"
     for _ in range(20):  # Chromium stores the choice with a delay
         page.goto((HTML / "glossary.html").as_uri())
-        if page.evaluate(GROUND) == dark:
+        if page.evaluate(BACKGROUND) == dark:
             break
-    assert page.evaluate(GROUND) == dark, "remembered on the next page"
+    assert page.evaluate(BACKGROUND) == dark, "remembered on the next page"
     button.click()
-    assert page.evaluate(GROUND) == light, "as the system again"
+    assert page.evaluate(BACKGROUND) == light, "as the system again"
     context.close()
 
 

@@ -13,9 +13,9 @@ PAGES = [  # by name, since the book is built after tests are collected
     *("intro", "explorer", "check_your_homework", "own_arm", "01_dh_tables", "02_jacobian"),
     *("03_circle_tracing", "04_static_torque", "05_inverse_kinematics"),
 ]
-HEIGHTS = f"""() => [...document.querySelectorAll("{PARTS}")].map(
+MEASURE_HEIGHTS = f"""() => [...document.querySelectorAll("{PARTS}")].map(
     (part) => Math.round(part.getBoundingClientRect().height))"""
-WOKEN = f"""async () => {{
+WAKE_PARTS = f"""async () => {{
     for (const part of document.querySelectorAll("{PARTS}")) {{
         part.scrollIntoView();
         await new Promise((done) => setTimeout(done, 50));
@@ -25,7 +25,7 @@ WOKEN = f"""async () => {{
     while (asleep()) await new Promise(requestAnimationFrame);
 }}"""
 # For each figure, whether its still picture is visible.
-SEEN = """() => [...document.querySelectorAll(".arm-explorer")].map(({ shadowRoot }) =>
+LIST_STILL_VISIBILITY = """() => [...document.querySelectorAll(".arm-explorer")].map(({ shadowRoot }) =>
     shadowRoot.querySelector(".still").checkVisibility({ visibilityProperty: true }))"""
 
 
@@ -42,21 +42,21 @@ def test_live_part_keeps_the_still_height(page, name):
     address = (HTML / f"{name}.html").as_uri()
     page.route(LIVE, lambda route: route.abort())
     page.goto(address)
-    before, pictures = {}, page.evaluate(SEEN)
+    before, pictures = {}, page.evaluate(LIST_STILL_VISIBILITY)
     assert all(pictures), "a picture is there at once"
     for size, window in WINDOWS.items():
         page.set_viewport_size(window)
-        before[size] = page.evaluate(HEIGHTS)
+        before[size] = page.evaluate(MEASURE_HEIGHTS)
     page.unroute(LIVE)
     page.goto(address)
-    page.evaluate(WOKEN)
+    page.evaluate(WAKE_PARTS)
     for size, window in WINDOWS.items():
         page.set_viewport_size(window)
-        after = page.evaluate(HEIGHTS)
+        after = page.evaluate(MEASURE_HEIGHTS)
         moved = [abs(p - q) for p, q in zip(before[size], after, strict=True)]
         assert max(moved) <= 1, (size, before[size], after)
     page.emulate_media(media="print")
-    assert all(page.evaluate(SEEN)), "on paper the still one"
+    assert all(page.evaluate(LIST_STILL_VISIBILITY)), "on paper the still one"
     page.emulate_media(media="screen")
 
 
