@@ -1,4 +1,4 @@
-// A block: rows of one length, and the words beside them.
+// Defines a block, which is rows of one length and the words beside them.
 
 import { readRowLabels } from "./labels.js";
 

@@ -1,5 +1,5 @@
-// The characters of a pasted text in plain form: one minus, one blank, one quote; what draws or
-// typesets a matrix becomes brackets, & and the end of a row. Line ends stay.
+// Makes the characters of a pasted text plain: one minus, one blank, one quote. Characters that
+// draw or typeset a matrix become brackets, & and row ends. Line ends stay.
 
 export const ROW_END = "\u241e"; // a row's end, as LaTeX's \\ and Word's @ write it
 export const CONTINUED = "\v"; // a blank: MATLAB's line continues in the next one

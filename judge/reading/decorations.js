@@ -1,5 +1,5 @@
-// Decorations of a number: emphasis, a box, a colour, an approximate sign, an uncertainty, the mark
-// of a footnote, a comment. They are taken off; the number keeps its position in the pasted text.
+// Takes decorations off a number: emphasis, a box, a colour, an approximate sign, an uncertainty,
+// the mark of a footnote, a comment. The number keeps its position in the pasted text.
 
 import { foldCharacters } from "./characters.js";
 import { withoutRepeatedUnits } from "./repetitions.js";

@@ -1,5 +1,5 @@
-// SymPy prints a fraction with a bar, and a root with a line above, over several lines. Each is
-// written as a formula on one line, or the print is refused.
+// Writes formulas that SymPy drew over several lines on one line each: a fraction with a bar, a
+// root with a line above. Any other drawn formula is refused.
 
 import { listLines } from "./spans.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";

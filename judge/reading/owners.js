@@ -1,5 +1,5 @@
-// Owners: what each number of a pasted text was taken for. A number that nothing claims, within the
-// answer's lines or beside them, is unread, and then nothing is graded.
+// Gives each number of a pasted text its owner, which is what the number was taken for. A number on
+// the answer's lines or beside them that no step claims is unread, and then nothing is graded.
 
 import { isUnit } from "./cells.js";
 import { isJointCount } from "./counts.js";
@@ -26,7 +26,7 @@ export const OTHER_LIST = "another list";
 const DIGITS = /[0-9０-９٠-٩]+(?:[.．٫][0-9０-９٠-٩]*)?(?:[eE][-+−]?\d+)?|\.\d+(?:[eE][-+−]?\d+)?/g;
 const LINE_END = /\r\n?|[\n\v\f]/g;
 
-/** The numbers of a text, to be claimed once each. */
+/** The numbers of a text. Each is claimed once. */
 export class Tokens {
   /** @param {string} text */
   constructor(text) {
@@ -126,7 +126,7 @@ const isLineNumber = (text, token) =>
   token.to - token.from < 4 &&
   /^[ \t]*[|:.)\t]/.test(text.slice(token.to, token.to + 4));
 
-// The rows without a label, of a block whose other rows are named after those of a Jacobian.
+// Find the rows without a label in a block whose other rows are named after those of a Jacobian.
 function unlabelledRows({ labels }) {
   if (labels.length > MOST_LABELLED) return new Set();
   const isNamed = labels.map((words) => findLabel(words)?.kind === "row");
@@ -134,7 +134,7 @@ function unlabelledRows({ labels }) {
   return new Set(isNamed.includes(true) ? unlabelled : []);
 }
 
-// The cells whose labels name a lower joint than the label of the cell before.
+// Find the cells whose labels name no higher joint than the label of the cell before.
 function findMisplacedCells({ rows, sources }) {
   const labels = new Map();
   for (const row of sources)
@@ -160,7 +160,7 @@ function lacksFactor(text, { to }, starts) {
   return match !== null && !starts.has(to + match[1].length);
 }
 
-// A label or a column's header; nothing where it may be an entry with a mistake in its spelling.
+// Claim the numbers of a label or a column's header, unless it may be a misspelt entry.
 const claimWord = (tokens, cell, owner) => {
   if (!isMisspelt(cell.text)) tokens.claim(cell, owner);
 };
@@ -171,7 +171,7 @@ const DATES = [
   /^\[?\d{9,}\.\d|^(?:\d+m)?[\d.]+ ?m?s$|\d\.{2,3}[-+−]?[\d.]/,
 ];
 export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
-// Digits with a letter for one, 7l2 and O.5, or with a mark behind them, 0!
+// Digits with a letter among them, as 7l2 and O.5, or with a mark behind them, as 0!
 const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
 const TWO_SIGNS = /\d(?:π|pi| )*(?:±|\\pm|\+\/-)|(?:π|pi) ?(?:±|\\pm|\+\/-)/; // π ± 0.1
 
@@ -230,8 +230,8 @@ function claimRest(tokens, block, beside) {
   }
 }
 
-// The words: numbers that cannot be read, in the block, beside it or in a row of its length, names
-// and sentences.
+// Claim the numbers in words. In the block, beside it or in a row of its length a misspelt number
+// is unread; all others are parts of names and sentences.
 function claimWords(tokens, block, beside, others) {
   const { from, to, lines } = block;
   const isBrokenRow = findBrokenRows(block, others, tokens);
@@ -246,8 +246,8 @@ function claimWords(tokens, block, beside, others) {
   }
 }
 
-// A function that tells whether a line apart from the block holds, read or not, as many numbers as
-// one of its rows.
+// Return a function that tests whether a line apart from the block holds as many numbers, read or
+// not, as a row of the block.
 function findBrokenRows({ rows, sources, lines }, others, tokens) {
   const width = rows[0].length;
   if (width < LEAST_ROW) return () => false;
@@ -264,7 +264,8 @@ function findBrokenRows({ rows, sources, lines }, others, tokens) {
 const hasWord = ({ words }) => words.some(({ text }) => /\p{L}{2}/u.test(text));
 const withDecimals = ({ cells }) => cells.some(({ text }) => hasDecimals(text));
 
-// Numbers on the block's lines: of another name, a time or an index for each row, or unread.
+// Return the owner of numbers on the block's lines. They are context below a name of their own, a
+// label if they are a time or an index for each row, or else unread if they may be entries.
 function ownerInside(row, { leads, perRow, alone }) {
   if (row.name || hasWord(row)) return "context";
   if (leads && perRow && row.cells.length === 1) return "label";
@@ -277,7 +278,8 @@ function holdsValues({ cells }) {
   return numbers.length > 1 && !isJointCount(numbers);
 }
 
-// Numbers apart from the block: a row that was torn off it, or another list.
+// Return the owner of numbers apart from the block. They are unread if they may be a row that was
+// torn off the block, else context.
 function ownerOutside(row, block, beside) {
   const isRow = holdsValues(row) || (withDecimals(row) && widthOf(block) < 3);
   const torn = beside.has(row.line) && isRow && !row.name;
@@ -286,8 +288,8 @@ function ownerOutside(row, block, beside) {
 
 const widthOf = ({ sources }) => Math.max(...sources.map(({ cells }) => cells.length));
 
-// Return whether a row anywhere in the text is as long as the rows of a block of several, holds
-// values, repeats none of them and is not called something else: then it may be one of them.
+// Return whether a row anywhere in the text may be a row of the block. It is as long as the block's
+// rows, holds values, repeats none of the rows, and is not called something else.
 function mayBePart(row, { rows, sources }) {
   const { length } = row.cells;
   const isAsLong = length === rows[0].length || length === widthOf({ sources });
@@ -299,7 +301,7 @@ function mayBePart(row, { rows, sources }) {
 
 const textsOf = (cells) => cells.map(({ text }) => text).join();
 
-const LEAST_ROW = 3; // numbers of a row that is told from other numbers by its length
+const LEAST_ROW = 3; // numbers of a row that its length distinguishes from other numbers
 
 // Return whether a row has no name, or the name of a source but for its number.
 function isCalledAlike({ name }, sources) {
@@ -346,14 +348,14 @@ const dropArmName = (what) => what.slice(what.lastIndexOf(": ") + 1).trim();
 
 const PLAIN_NUMBER = /^[-+−–]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+−–]?\d+)?$/i;
 
-// The word in which a number stands, up to blanks and what parts cells.
+// Return the word around a number, up to blanks and separators of cells.
 function wordAround(text, { from, to }) {
   const before = /[^\s|&;[\],]*$/.exec(text.slice(Math.max(0, from - 20), from))[0];
   const behind = /^[^\s|&;[\],]*/.exec(text.slice(to, to + 20))[0];
   return before + text.slice(from, to) + behind;
 }
 
-// The joint or the row of the line's label, in brackets.
+// Return the joint or the row that the line's label names, in brackets.
 function whereOf(text, { from }) {
   const start = Math.max(text.lastIndexOf("\n", from), from - 60) + 1;
   const words = text

@@ -1,5 +1,5 @@
-// Values that a text repeats in radians and in degrees, as "0.500 rad (28.65°)" does. One value
-// stands for both if they are equal to their typed digits. Otherwise the judge asks.
+// Finds values that a text repeats in radians and in degrees, as "0.500 rad (28.65°)" does. One
+// value replaces both if they are equal to their typed digits. Otherwise the judge asks.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";

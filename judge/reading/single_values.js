@@ -1,4 +1,4 @@
-// Blocks of single values, each with a name, with two indices, or on a line of its own.
+// Makes blocks of single values that have names, have two indices, or stand on a line each.
 
 import { applyFactor } from "./block.js";
 import { findValueLabel } from "./labels.js";

@@ -1,5 +1,5 @@
-// A text that is made plain step by step while each of its characters keeps the place in the pasted
-// text that it stands for.
+// Makes a text plain step by step, while each of its characters keeps the span of the pasted text
+// that it stands for.
 
 /** A stretch of the pasted text. @typedef {{ from: number, to: number }} Span */
 

@@ -1,6 +1,6 @@
-// A Denavit-Hartenberg table as people type it: rows in any order of columns, parallel lists,
-// dictionaries, Link(...) lines, link matrices. What the text leaves open is guessed, and each
-// guess is reported.
+// Reads a Denavit-Hartenberg table as people type it: rows in any order of columns, parallel lists,
+// dictionaries, Link(...) lines, link matrices. The reader guesses what the text leaves open, and
+// reports each guess.
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
 import { linesOf } from "./characters.js";

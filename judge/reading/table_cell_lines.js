@@ -1,4 +1,5 @@
-// A table copied out of Word or a PDF has each cell on a line of its own, column headers first.
+// Joins the cells of a table that was copied out of Word or a PDF with each cell on a line of its
+// own, column headers first.
 
 import { listLines } from "./spans.js";
 import { findEntry } from "./table_columns.js";

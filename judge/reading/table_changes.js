@@ -1,5 +1,5 @@
-// Text beside a table that changes it: an offset of a joint, an entry that is assigned once more, a
-// tool. It is not applied, so it stops the verdict.
+// Finds text beside a table that changes it, such as an offset of a joint, a second assignment of
+// an entry, or a tool. The judge does not apply such a change, so it stops the verdict.
 
 import { plain } from "./formula.js";
 import { refuseLine } from "./table_symbols.js";

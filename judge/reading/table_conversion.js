@@ -1,5 +1,5 @@
-// A table as it was typed, converted to standard rows in m and rad. Units and conventions that
-// nobody stated are guessed from the numbers, and each guess is reported.
+// Converts a typed table to standard rows in m and rad. Units and conventions that the text does
+// not state are guessed from the numbers, and each guess is reported.
 
 import { RAD } from "../geometry/angles.js";
 import { ENTRIES } from "./table_rows.js";

@@ -1,5 +1,5 @@
-// Lengths that a text defines beside its table, such as l_1 = 0.5 m. A symbol with two values stops
-// the verdict.
+// Lists lengths that a text defines beside its table, such as l_1 = 0.5 m. A symbol with two values
+// stops the verdict.
 
 import { foldCharacters } from "./characters.js";
 import { withoutComments } from "./decorations.js";

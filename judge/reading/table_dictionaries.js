@@ -1,4 +1,5 @@
-// Tables of dictionaries, {'a': 0, 'alpha': pi/2, ...}, and of lines of pairs, a = 0, alpha = pi/2.
+// Reads tables of dictionaries, {'a': 0, 'alpha': pi/2}, and of lines of pairs, a = 0, alpha =
+// pi/2.
 
 import { number } from "./formula.js";
 import { listLines } from "./spans.js";

@@ -1,4 +1,4 @@
-// Tables of calls of the Robotics Toolbox: Link(...), RevoluteDH(...) and their kin.
+// Reads tables of calls of the Robotics Toolbox, such as Link(...) and RevoluteDH(...).
 
 import { number } from "./formula.js";
 import { listEntries, makeEntry, makeUntyped } from "./table_named_entries.js";

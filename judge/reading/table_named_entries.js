@@ -1,4 +1,4 @@
-// Entries of tables whose entries have names, and the brackets in which they stand.
+// Lists entries that have names, and the brackets in which they stand.
 
 /** @typedef {import("./spans.js").Span} Span */
 /**

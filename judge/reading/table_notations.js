@@ -1,4 +1,4 @@
-// Tables whose entries have names: Link(...) lines and their kin, dictionaries, pairs such as
+// Reads tables whose entries have names: calls such as Link(...), dictionaries, pairs such as
 // a_1 = 0, and lists such as a = [...]. Each becomes rows of entries below column headers.
 
 import { listLines } from "./spans.js";

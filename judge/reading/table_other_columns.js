@@ -1,4 +1,4 @@
-// Columns of a pasted table that are no part of it, as a maker's masses beside the four entries.
+// Cuts out columns of a pasted table that are no part of it, such as a maker's masses.
 
 import { isNumber } from "./formula.js";
 import { Tokens } from "./owners.js";

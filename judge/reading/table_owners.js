@@ -1,5 +1,5 @@
-// Owners of the numbers of a table: the number of an entry gets its row and its column, from the
-// same data as the reading of that entry.
+// Gives the numbers of a table their owners. The number of an entry gets its row and column from
+// the same data from which the entry was read.
 
 import { Tokens } from "./owners.js";
 import { EXCHANGED, nameTableColumns } from "./table_columns.js";

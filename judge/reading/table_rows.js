@@ -1,4 +1,4 @@
-// One row of a table: its numbers, and the joint that moves in it.
+// Reads a row of a table, which is its numbers and the joint that moves in it.
 
 import { RAD } from "../geometry/angles.js";
 import { parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";

@@ -1,5 +1,5 @@
-// The symbols of a table get their values from the text around it. A line that seems to give a
-// symbol its value and cannot be read stops the verdict, and so do values in unclear units.
+// Checks the values that the text around a table gives to its symbols. A line that seems to give a
+// value and cannot be read stops the verdict, and so do values in unclear units.
 
 import { plain, simple } from "./formula.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";

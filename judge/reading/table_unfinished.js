@@ -1,5 +1,5 @@
-// The last rows of a table that is not finished: marks such as ? and TODO stand in their cells, or
-// nothing beside the joint's variable.
+// Masks the last rows of an unfinished table. Their cells hold marks such as ? and TODO, or nothing
+// beside the joint's variable.
 
 import { PLACEHOLDER } from "./unfilled.js";
 
