@@ -4,7 +4,13 @@
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
 import { bareName, chooseColumn, chooseJointColumns } from "./columns.js";
-import { isJointCount, dropCountCells, dropCountHeader, dropLabels } from "./counts.js";
+import {
+  beginsWithCount,
+  dropCountCells,
+  dropCountHeader,
+  dropLabels,
+  isJointCount,
+} from "./counts.js";
 import {
   labelNumberedLines,
   withoutComments,
@@ -15,11 +21,18 @@ import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
 import { findLabel } from "./labels.js";
-import { isTransposed, orderByLabels, orderByListedNames, transpose } from "./ordering.js";
+import {
+  isTransposed,
+  namesJoints,
+  orderByLabels,
+  orderByListedNames,
+  transpose,
+} from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { findComputation } from "./surroundings.js";
+import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
 /** Numbers were read, but none of them in the shape that is asked for. */
@@ -57,6 +70,8 @@ export function findAnswer(text, question) {
   const typed = foldCharacters(new SpannedText(text));
   const pasted = joinFrameParts(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
+  const unfilled = findUnfilledLabel(live?.text ?? pasted.text);
+  if (unfilled) throw makeUnfilledError(unfilled.quoted, question);
   const texts = live ? [live, pasted] : [pasted];
   let refusal = null; // that of the text without comments, if nothing fits in either
   for (const version of texts) {
@@ -82,6 +97,7 @@ function findIn(pasted, text, question) {
   const answer = findFirstFit(partings, partingsWithGiven, question);
   if (!answer) throw makeRefusal(text, question, partings);
   const { block, want } = answer;
+  refuseOtherNames(block, question);
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
@@ -97,6 +113,25 @@ function findIn(pasted, text, question) {
     pasted,
   );
   return { ...block, rows, taken, unusedLines, tokens };
+}
+
+// Make an error for an entry that has no number yet.
+function makeUnfilledError(text, { what, wanted, wants }) {
+  const fields = { what, line: quoteText(text.trim()), wanted: wanted ?? sizeOf(wants[0]) };
+  return new NoFitError(formatMessage("unfilled", fields));
+}
+
+// Refuse values with other names if other numbers of the text have the answer's name.
+function refuseOtherNames({ name, sources, labels, headers, lines }, { what, names = NONE }) {
+  const isAnswer = (each) => names.test(bareName(each));
+  const words = [...headers, ...labels.flat()].map(({ text }) => text);
+  const areNamed = sources.every((row) => /\p{L}/u.test(row.name));
+  if (!areNamed || [name, ...sources.map((row) => row.name), ...words].some(isAnswer)) return;
+  const isUnread = (row) => isAnswer(row.name) && row.cells.some(({ text }) => hasDecimals(text));
+  const unread = lines.all.find((row) => isUnread(row) && !lines.given.has(row));
+  if (!unread) return;
+  const fields = { what, name: unread.name, line: unread.line + 1 };
+  throw new NoFitError(formatMessage("other name", fields));
 }
 
 // Return the first and the last line of a block. Parts of a drawn fraction stand on lines beside.
@@ -149,7 +184,7 @@ function makeQuotingError(key, text, { from }, { what }) {
 // the largest is the answer.
 function listFits(blocks, want, { wants, names = NONE }) {
   const short = want.rows === null ? blocks : blocks.filter((b) => count(b) <= LONGEST_LIST);
-  const candidates = want.rows === 1 ? short.flatMap(listRowsAlone) : short;
+  const candidates = want.rows === 1 ? short.flatMap((b) => listRowsAlone(b, want)) : short;
   const fits = candidates.flatMap((block) => fitBlock(block, want, wants, names));
   if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
   const named = fits.filter(({ name }) => names.test(bareName(name)));
@@ -231,6 +266,7 @@ function fitBlock(block, want, wants, names) {
   const fits = ({ rows, headers }) =>
     (want.rows === null || rows.length === want.rows) &&
     (want.columns === null || rows[0].length === want.columns) &&
+    (want.by || want.columns < 2 || !namesJoints(headers)) &&
     (want.by !== "joint" || namesColumns(headers, rows[0].length));
   const transposedFit = transposedBlocks.find(fits);
   const blocks = transposedFit
@@ -242,16 +278,22 @@ function fitBlock(block, want, wants, names) {
   });
 }
 
-// Make a block of each row, for questions about one row.
-function listRowsAlone(block) {
-  if (block.rows.length < 2) return [block];
+// Make a block of each row, for questions about one row. A number that counts the row becomes its
+// label. A counted row for each wanted number is a column.
+function listRowsAlone(block, { columns }) {
   const isOwn = block.sources.length === block.rows.length;
+  const isCounted = block.sources.map((row) => beginsWithCount(row, block.lines.all));
+  if (isOwn && block.rows.length === columns && isCounted.every(Boolean)) return [block];
   const alone = (row, i) => {
     const source = block.sources[i];
     const name = block.labels[i].at(-1)?.text ?? block.name;
     const place = isOwn ? { sources: [source], from: source.line, to: source.last } : { name };
-    return { ...block, rows: [row], labels: [block.labels[i]], ...place };
+    const labelled = isCounted[i]
+      ? { rows: [row.slice(1)], labels: [[...block.labels[i], row[0]]] }
+      : { rows: [row], labels: [block.labels[i]] };
+    return { ...block, ...labelled, ...place };
   };
+  if (block.rows.length < 2) return isOwn && isCounted[0] ? [alone(block.rows[0], 0)] : [block];
   return [block, ...block.rows.map(alone)];
 }
 
@@ -328,6 +370,8 @@ function refuseOdd(text, { what, wanted = "numbers" }) {
 function makeRefusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings) {
   refuseOdd(text, { what, wanted });
   const blocks = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
+  const unfilled = findUnfilledLine(text);
+  if (unfilled) return makeUnfilledError(unfilled, { what, wants, wanted });
   if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));
   refuseUnread(text, tokensOf(text, sorted[0]), what); // may have broken the block

@@ -4,6 +4,7 @@ import { hasDecimals, number } from "./formula.js";
 import { readLabels } from "./ordering.js";
 
 /** @typedef {import("./blocks.js").Block} Block */
+/** @typedef {import("./lines.js").Row} Row */
 
 const textsOf = (cells) => cells.map(({ text }) => text);
 
@@ -28,6 +29,20 @@ export const dropCountHeader = (block) =>
     .some(({ text }) => hasDecimals(text))
     ? dropLabelRow(block)
     : [];
+
+/**
+ * Return whether a row begins with its number: it holds decimals besides, and the row on the next
+ * line or the one before begins with the next number or the one before.
+ * @param {Row} row @param {Row[]} rows of the text
+ */
+export function beginsWithCount({ cells: [first, ...rest], line }, rows) {
+  if (!/^\d{1,4}$/.test(first.text) || !rest.some(({ text }) => hasDecimals(text))) return false;
+  return rows.some(
+    (other) =>
+      Math.abs(other.line - line) === 1 &&
+      Number(other.cells[0].text) === Number(first.text) + other.line - line,
+  );
+}
 
 /**
  * Drop the counts of a single column, as of a table pasted with a cell on each line. A count stands

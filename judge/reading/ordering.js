@@ -48,8 +48,11 @@ export function isTransposed(block, { by }) {
 // Return whether the rows of a block are column vectors, [1; 2; 3], typed one after the other.
 const areColumnVectors = ({ sources }) => sources.every(({ isColumn }) => isColumn);
 
-// Return whether two column headers or more name joints.
-const namesJoints = (headers) =>
+/**
+ * Return whether two column headers or more name joints.
+ * @param {import("./lines.js").Cell[]} headers
+ */
+export const namesJoints = (headers) =>
   headers.filter((header) => findLabel([header])?.kind === "joint").length > 1;
 
 const TRANSPOSE_MARK = /(?:\.T|\^T|ᵀ|')$/; // behind the name of a transposed matrix

@@ -1,4 +1,4 @@
-// Cuts off the end of an answer that was not filled in yet.
+// Finds entries that were not filled in yet, such as "q_6 = ?".
 
 /** The marks of any case that stand in place of a number which is not known yet. */
 export const PLACEHOLDER = [
@@ -7,17 +7,20 @@ export const PLACEHOLDER = [
 ].join("|");
 const ONLY_PLACEHOLDER = new RegExp(`^(?:${PLACEHOLDER})$`, "i");
 const LABEL = /^[\p{L}\p{M}_^{}\\$()\s]{0,40}\d{0,3}[})$\s]{0,9}[=:]/u;
+// Placeholders at the end of a list, before its brackets.
+const LAST_CELLS = new RegExp(`(?:[ \\t,;|&](?:${PLACEHOLDER})){1,9}(?=[\\])}|$ \\t]{0,20}$)`, "i");
 
 /**
- * Cut off the last lines of a text if they have a "?", a dash or nothing in place of their numbers,
- * such as "q_6 = ?".
+ * Cut off the end of a text that has a "?", a dash or nothing in place of its numbers.
  * @param {any} answer a text; anything else is returned as it is
  */
 export function dropUnfilledEnd(answer) {
   if (typeof answer !== "string") return answer;
   const lines = answer.split("\n");
   while (lines.length > 1 && isUnfilled(lines.at(-1))) lines.pop();
-  return lines.join("\n");
+  const filled = lines.join("\n");
+  const gap = findUnfilledLabel(filled);
+  return filled.slice(0, gap?.isLast ? gap.index : filled.length).replace(LAST_CELLS, "");
 }
 
 // Return whether a line holds a label and placeholders only.
@@ -26,3 +29,37 @@ const isUnfilled = (line) =>
     .replace(LABEL, "")
     .split(/[\s,;|&$]+/)
     .every((word) => !word || ONLY_PLACEHOLDER.test(word));
+
+// A name with the number of its joint, and a placeholder or the beginning of a number.
+const ASSIGNED = new RegExp(
+  String.raw`(?<![\p{L}\p{M}\d_])(\p{L}[\p{L}\p{M}_{}]{0,12}[\d₀-₉]{1,2}\}?) ?[=:] ?` +
+    String.raw`(?:(${PLACEHOLDER})(?![\w.(√])|[-+−]?[\d.(√\\])`,
+  "giu",
+);
+
+/**
+ * Find the first name with a placeholder and without a number, beside names of its kind that have
+ * numbers and go before: τ2 of "τ1 = 18.2, τ2 = ?". Null if there is none.
+ * @param {string} text
+ */
+export function findUnfilledLabel(text) {
+  const stem = (name) => name.replace(/[\d₀-₉{}_]/gu, "").toLowerCase();
+  const all = [...text.matchAll(ASSIGNED)];
+  const filled = new Set(all.flatMap(([, name, placeholder]) => (placeholder ? [] : [name])));
+  const stems = new Set([...filled].map(stem));
+  const gap = all.findIndex(
+    ([, name, placeholder]) => placeholder && !filled.has(name) && stems.has(stem(name)),
+  );
+  if (gap < 0) return null;
+  const { 0: quoted, index } = all[gap];
+  return { quoted, index, isLast: all.slice(gap).every(([, , placeholder]) => placeholder) };
+}
+
+/**
+ * Quote the first line with a lone "?" in place of a number; null if there is none.
+ * @param {string} text
+ */
+export const findUnfilledLine = (text) =>
+  text.split("\n").find((line) => /\d/.test(line) && LONE_MARK.test(line)) ?? null;
+
+const LONE_MARK = /(?:^|[\s,;|&[(=:])(?:\?+|…)(?=$|[\s,;|&\])])/;
