@@ -33,7 +33,7 @@ const isUnfilled = (line) =>
 // A name with the number of its joint, and a placeholder or the beginning of a number.
 const ASSIGNED = new RegExp(
   String.raw`(?<![\p{L}\p{M}\d_])(\p{L}[\p{L}\p{M}_{}]{0,12}[\d₀-₉]{1,2}\}?) ?[=:] ?` +
-    String.raw`(?:(${PLACEHOLDER})(?![\w.(√])|[-+−]?[\d.(√\\])`,
+    String.raw`(?:(${PLACEHOLDER})(?=$|[\s,;|&)}\]])|[-+−]?[\d.(√\\])`,
   "giu",
 );
 
