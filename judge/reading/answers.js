@@ -116,8 +116,9 @@ function findIn(pasted, text, question) {
 }
 
 // Make an error for an entry that has no number yet.
-function makeUnfilledError(text, { what, wanted, wants }) {
-  const fields = { what, line: quoteText(text.trim()), wanted: wanted ?? sizeOf(wants[0]) };
+/** @param {string} text @param {Question} question */
+function makeUnfilledError(text, { what, wants, wanted = sizeOf(wants[0]) }) {
+  const fields = { what, line: quoteText(text.trim()), wanted };
   return new NoFitError(formatMessage("unfilled", fields));
 }
 
@@ -367,11 +368,12 @@ function refuseOdd(text, { what, wanted = "numbers" }) {
 }
 
 // Make an error that says which numbers are there and which are wanted.
-function makeRefusal(text, { what, wants, wanted = sizeOf(wants[0]) }, partings) {
+function makeRefusal(text, question, partings) {
+  const { what, wants, wanted = sizeOf(wants[0]) } = question;
   refuseOdd(text, { what, wanted });
   const blocks = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
   const unfilled = findUnfilledLine(text);
-  if (unfilled) return makeUnfilledError(unfilled, { what, wants, wanted });
+  if (unfilled) return makeUnfilledError(unfilled, question);
   if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));
   refuseUnread(text, tokensOf(text, sorted[0]), what); // may have broken the block
