@@ -29,7 +29,7 @@ import {
   transpose,
 } from "./ordering.js";
 import { refuseUnread, tokensOf } from "./owners.js";
-import { isCalledOld, namesOtherQuantity } from "./row_names.js";
+import { findUnreadAnswer, isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { findComputation } from "./surroundings.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
@@ -123,13 +123,8 @@ function makeUnfilledError(text, { what, wants, wanted = sizeOf(wants[0]) }) {
 }
 
 // Refuse values with other names if other numbers of the text have the answer's name.
-function refuseOtherNames({ name, sources, labels, headers, lines }, { what, names = NONE }) {
-  const isAnswer = (each) => names.test(bareName(each));
-  const words = [...headers, ...labels.flat()].map(({ text }) => text);
-  const areNamed = sources.every((row) => /\p{L}/u.test(row.name));
-  if (!areNamed || [name, ...sources.map((row) => row.name), ...words].some(isAnswer)) return;
-  const isUnread = (row) => isAnswer(row.name) && row.cells.some(({ text }) => hasDecimals(text));
-  const unread = lines.all.find((row) => isUnread(row) && !lines.given.has(row));
+function refuseOtherNames(block, { what, names = NONE }) {
+  const unread = findUnreadAnswer(block, (name) => names.test(bareName(name)));
   if (!unread) return;
   const fields = { what, name: unread.name, line: unread.line + 1 };
   throw new NoFitError(formatMessage("other name", fields));

@@ -1,5 +1,6 @@
 // Compares the names of rows, and finds other quantities and old answers by the words before rows.
 
+import { hasDecimals } from "./formula.js";
 import { findLabel } from "./labels.js";
 
 /** @typedef {import("./lines.js").Row} Row */
@@ -30,6 +31,19 @@ const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)
  */
 export const isCalledOld = ({ name, words }) =>
   OLD.test([...words.map(({ text }) => text), name].join(" "));
+
+/**
+ * Find a row with decimals that has the answer's name, beside a block whose rows all have other
+ * names.
+ * @param {import("./block.js").Block} block @param {(name: string) => boolean} isAnswer
+ */
+export function findUnreadAnswer({ name, sources, labels, headers, lines }, isAnswer) {
+  const words = [...headers, ...labels.flat()].map(({ text }) => text);
+  const isNamed = ({ name: own }) => /\p{L}/u.test(own) && !isAnswer(own);
+  if (!sources.every(isNamed) || [name, ...words].some(isAnswer)) return null;
+  const isUnread = (row) => isAnswer(row.name) && row.cells.some(({ text }) => hasDecimals(text));
+  return lines.all.find((row) => isUnread(row) && !lines.given.has(row)) ?? null;
+}
 
 /**
  * Return whether two single values may be entries of one column. On one line both or neither have a
