@@ -125,7 +125,7 @@ class Grabber {
     if (!hit) return null;
     const { frames } = derived;
     const grabbed = { row: hit.row, local: toFrame(frames[hit.row + 1], hit.point) };
-    if (state.hold?.pinned) return { kind: "elbow", ...grabbed };
+    if (state.tipHold?.pinned) return { kind: "elbow", ...grabbed };
     const row = findTurningRow(state.arm, frames, hit, 0.02 * picture.size);
     return row === null ? null : { kind: "link", highlightedRow: row, ...grabbed };
   }
@@ -190,11 +190,11 @@ class Grabber {
     this.store.dispatch({ type: "moveJoints", q: next, gesture });
   }
 
-  dragElbow({ arm, q, hold }) {
+  dragElbow({ arm, q, tipHold }) {
     const { row, local, pixel: to, gesture } = this.drag;
     const grab = { row, local, to, pixel: (point) => this.figure.projectToPixel(point) };
-    const { q: next, free } = swingElbow(arm, q, grab, hold.pinned, { turns: hold.turns });
-    this.store.dispatch({ type: "moveJoints", q: next, hold: { ...hold, free }, gesture });
+    const { q: next, free } = swingElbow(arm, q, grab, tipHold.pinned, { turns: tipHold.turns });
+    this.store.dispatch({ type: "moveJoints", q: next, tipHold: { ...tipHold, free }, gesture });
   }
 
   // Move the tip towards the pointer. Returns false while it is on its way.
@@ -238,8 +238,8 @@ class Grabber {
       this.goTo(store.state.branches.list[press.part.branch].q);
     if (drag) {
       if (cancelStep(this.step)) this.dragOneFrame(); // include the pointer's last motion
-      const hold = store.state.hold?.pinned ? store.state.hold : null;
-      store.dispatch({ type: "setFields", dragging: false, highlightedRow: null, hold });
+      const tipHold = store.state.tipHold?.pinned ? store.state.tipHold : null;
+      store.dispatch({ type: "setFields", dragging: false, highlightedRow: null, tipHold });
     }
     [this.drag, this.press] = [null, null];
     this.figure.canvas.classList.remove("held");
@@ -268,8 +268,8 @@ function followTip(store, { arm, q, keepOrientation }, target, { rest, gesture }
   const why = done ? findStopReasons(arm, next, target.o) : { stops: [], short: 0 };
   const columns = jacobianColumns(arm, linkFrames(arm, next));
   const fading = findFadingDirections(columns, keepOrientation, movableLinearRows(arm));
-  const hold = { kind: "tip", target: target.o, moving: !done, fading, ...why };
-  store.dispatch({ type: "moveJoints", q: next, hold, gesture });
+  const tipHold = { kind: "tip", target: target.o, moving: !done, fading, ...why };
+  store.dispatch({ type: "moveJoints", q: next, tipHold, gesture });
   return done;
 }
 

@@ -130,8 +130,8 @@ export class ArmPicture {
     this.drawPath(state);
     this.drawGhosts(state, derived);
     this.drawReference(state);
-    this.drawBarrier(frames.at(-1).o, state.hold);
-    this.drawFading(frames.at(-1).o, state.hold?.fading ?? []);
+    this.drawBarrier(frames.at(-1).o, state.tipHold);
+    this.drawFading(frames.at(-1).o, state.tipHold?.fading ?? []);
     this.drawMark(state.mark);
     if (isFirst || (isNewArm && this.tipView.needsFitAfter(previousArm))) this.fitView();
     this.figure.requestDrawing();
@@ -292,11 +292,11 @@ export class ArmPicture {
     if (mark) this.fitView();
   }
 
-  drawBarrier(tip, hold) {
-    const distance = hold?.target ? norm(minus(hold.target, tip)) : 0;
-    const isStopped = distance > 0.004 * this.size && !hold.moving;
+  drawBarrier(tip, tipHold) {
+    const distance = tipHold?.target ? norm(minus(tipHold.target, tip)) : 0;
+    const isStopped = distance > 0.004 * this.size && !tipHold.moving;
     this.barrier.visible = isStopped;
-    if (isStopped) this.barrier.placeBetween(tip, hold.target);
+    if (isStopped) this.barrier.placeBetween(tip, tipHold.target);
   }
 
   // Fit the whole arm and the tips of its frames into the view.

@@ -46,7 +46,7 @@ import { countRank } from "./statements.js";
  * @property {boolean} hasOrientation false if only the position of the tip is solved for
  */
 /**
- * @typedef {object} Hold how the reader holds the tip: dragged towards a target, or pinned
+ * @typedef {object} TipHold how the reader holds the tip: dragged towards a target, or pinned
  * @property {"tip"} [kind] set while the tip is dragged
  * @property {number[]} [target] point that a dragged tip follows
  * @property {boolean} [moving] whether a dragged tip is still on its way
@@ -81,7 +81,7 @@ import { countRank } from "./statements.js";
  * @property {number | null} highlightedBranch index of the branch under the pointer
  * @property {number | null} highlightedRow row of the table under the pointer
  * @property {boolean} dragging whether a pointer drags something in the picture
- * @property {Hold | null} hold
+ * @property {TipHold | null} tipHold
  * @property {number[] | null} mark point of a link to compare the tip with
  * @property {boolean} keepOrientation whether a dragged tip keeps its orientation
  * @property {object[]} past undo steps
@@ -97,7 +97,7 @@ export const EMPTY = {
   branches: null,
   highlightedBranch: null,
   highlightedRow: null,
-  hold: null,
+  tipHold: null,
   mark: null,
   runs: [],
   chosenRun: 0,
@@ -123,8 +123,8 @@ const EVENT_HANDLERS = {
   selectArm: (state, { arm, q, reference = arm }) => selectArm(state, arm, q, reference),
   editTable: (state, { rows, q, rowBefore }) => editTable(state, rows, q, rowBefore),
   replaceTable: (state, { rows }) => replaceTable(state, rows),
-  moveJoints: (state, { q, hold = null }) =>
-    isJointVector(state.arm, q) ? { q, hold, playing: false } : null,
+  moveJoints: (state, { q, tipHold = null }) =>
+    isJointVector(state.arm, q) ? { q, tipHold, playing: false } : null,
   glide: (state, { q }) => (isJointVector(state.arm, q) ? { q } : null),
   seek: (state, { progress }) => moveAlongTrace(state, progress),
   setPlaying: (state, { on }) => (on && !state.trace ? null : { playing: on }),

@@ -118,12 +118,12 @@ export function describeStop({ stops = [], short = 0 }) {
 }
 
 // Describe what stops a dragged tip, or will stop it soon.
-export function describeDragLimit(hold) {
-  if (!hold?.target) return "";
-  const stop = hold.moving ? "" : describeStop(hold);
-  if (stop || !hold.fading?.length) return stop;
-  const arrows = hold.fading.length > 1 ? "the arrows" : "the arrow";
-  const isSingular = hold.fading.every(({ share }) => share < 1e-3);
+export function describeDragLimit(tipHold) {
+  if (!tipHold?.target) return "";
+  const stop = tipHold.moving ? "" : describeStop(tipHold);
+  if (stop || !tipHold.fading?.length) return stop;
+  const arrows = tipHold.fading.length > 1 ? "the arrows" : "the arrow";
+  const isSingular = tipHold.fading.every(({ share }) => share < 1e-3);
   return isSingular
     ? `Singular: the tip cannot move along ${arrows}.`
     : `Nearly singular along ${arrows}.`;

@@ -19,12 +19,12 @@ export function buildSwingFigure(host, spec) {
   });
   const { store } = live;
   const pinnedPose = store.derived.frames.at(-1);
-  store.dispatch({ type: "setFields", hold: { pinned: pinnedPose, turns: true, free: 1 } });
+  store.dispatch({ type: "setFields", tipHold: { pinned: pinnedPose, turns: true, free: 1 } });
   const path = swingBothWays(store.state.arm, store.state.q, pinnedPose);
   const middle = path.findIndex((q) => q === store.state.q);
   const put = (v) => {
     const q = path[Math.max(0, Math.min(path.length - 1, Math.round(v)))];
-    store.dispatch({ type: "moveJoints", q, hold: store.state.hold, gesture: "swing" });
+    store.dispatch({ type: "moveJoints", q, tipHold: store.state.tipHold, gesture: "swing" });
   };
   const text = (v) => formatWholeDegrees(path[Math.round(v)]?.[2] - path[middle][2]);
   const { signal } = live;

@@ -40,12 +40,12 @@ export function makeStage(store, tools) {
   const { goTo, id, announce = () => {}, signal, isGrabbable = true, hasTipBar = true } = tools;
   const handleKey = (event) => {
     if (!live.picture || !moveTipByKey(live.picture, store, event)) return;
-    announce(() => describeDragLimit(store.state.hold));
+    announce(() => describeDragLimit(store.state.tipHold));
   };
   const parts = makeStageParts(id, makeTipBar(store, hasTipBar), handleKey);
-  const { paper, grip, hold } = parts;
+  const { paper, grip, tipButtons } = parts;
   const root = h("div.stage", { tabindex: 0, role: "application", "aria-label": HELP });
-  root.append(...Object.values({ ...parts, hold: hold.root }));
+  root.append(...Object.values({ ...parts, tipButtons: tipButtons.root }));
   const drawStill = () => drawStillPicture(paper, store);
   drawStill();
   const live = makeLivePicture(root, parts, tools.firstFrame ?? 0, drawStill);
@@ -74,12 +74,12 @@ export function makeStage(store, tools) {
 }
 
 // Update the handle of the tip, the buttons and the message about a stopped tip.
-function updateParts({ hold, grip, why }, state, isGrabbable) {
-  hold.update(state);
+function updateParts({ tipButtons, grip, why }, state, isGrabbable) {
+  tipButtons.update(state);
   // Without a force, the torque view's ball stands at the tip and needs the place.
   const isTipFree = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
   grip.hidden = !isGrabbable || !movingRows(state.arm).length || !isTipFree;
-  const message = describeDragLimit(state.hold);
+  const message = describeDragLimit(state.tipHold);
   setText(why, message);
   why.hidden = !message;
 }
@@ -101,7 +101,7 @@ function drawStillPicture(paper, { state, derived }) {
   paper.replaceChildren(makeStillPicture(state, derived, describeStill(state)), h("slot"));
 }
 
-const makeStageParts = (id, hold, onkeydown) => ({
+const makeStageParts = (id, tipButtons, onkeydown) => ({
   paper: h("div.paper"),
   labels: h("div.labels", { "aria-hidden": "true", hidden: true }),
   legend: makeAxisLegend(),
@@ -112,7 +112,7 @@ const makeStageParts = (id, hold, onkeydown) => ({
     title: "Drag the tip: the joints follow. Arrow keys move it too.",
   }),
   help: h("span.hidden", { id: `${id}-grip` }, GRIP_HELP),
-  hold,
+  tipButtons,
   why: h("p.why", { "aria-hidden": "true" }),
   lost: h("p.lost", { hidden: true }, LOST),
 });
@@ -134,7 +134,7 @@ function describeStill({ arm, q, unit }) {
 
 // Make the live picture, or return null if there is no WebGL.
 function makePicture(root, parts, { firstFrame, onUnavailable }) {
-  const { labels, grip, hold, lost } = parts;
+  const { labels, grip, tipButtons, lost } = parts;
   try {
     const picture = new ArmPicture(root, labels, {
       firstFrame,
@@ -144,7 +144,7 @@ function makePicture(root, parts, { firstFrame, onUnavailable }) {
       onDrawn: () => root.classList.add("drawn"),
     });
     // 40 px are the disc and the label at the arm's foot.
-    picture.figure.getFootHeight = () => hold.root.offsetHeight + 40;
+    picture.figure.getFootHeight = () => tipButtons.root.offsetHeight + 40;
     return picture;
   } catch {
     showWithoutWebGL(root, parts);
@@ -153,11 +153,11 @@ function makePicture(root, parts, { firstFrame, onUnavailable }) {
 }
 
 // Turn the stage into a plain drawing.
-function showWithoutWebGL(root, { hold, lost }) {
+function showWithoutWebGL(root, { tipButtons, lost }) {
   root.setAttribute("role", "group");
   root.setAttribute("aria-label", "Picture of the arm");
   root.removeAttribute("tabindex");
-  hold.root.hidden = true;
+  tipButtons.root.hidden = true;
   setText(lost, FLAT);
   lost.hidden = !document.defaultView; // a page that is being built knows nothing of its browser
 }
@@ -185,16 +185,16 @@ function makeTipBar(store, shown) {
     const attributes = { "aria-label": label, onclick };
     return h("button.swing", attributes, sense < 0 ? "↺" : "↻");
   });
-  const root = h("div.hold", { role: "group", "aria-label": "The tip" }, keep, pin, swing);
+  const root = h("div.tip-buttons", { role: "group", "aria-label": "The tip" }, keep, pin, swing);
   root.hidden = !shown;
 
-  function update({ keepOrientation, hold, arm }) {
-    const pinned = Boolean(hold?.pinned);
+  function update({ keepOrientation, tipHold, arm }) {
+    const pinned = Boolean(tipHold?.pinned);
     updateAttribute(keep, "aria-pressed", String(keepOrientation));
     keep.hidden = !canTurnFreely(arm);
     updateAttribute(pin, "aria-pressed", String(pinned));
-    setText(pin, pinned ? describePin(hold) : "Pin the tip");
-    swing.forEach((button) => (button.hidden = !pinned || !hold.free));
+    setText(pin, pinned ? describePin(tipHold) : "Pin the tip");
+    swing.forEach((button) => (button.hidden = !pinned || !tipHold.free));
   }
   return { root, update };
 }
@@ -207,7 +207,7 @@ function togglePin(store) {
   const turns =
     movingRows(state.arm).length > 6 || (state.keepOrientation && canTurnFreely(state.arm));
   const pinned = { pinned: derived.frames.at(-1), turns, free: countFreedom(store, turns) };
-  store.dispatch({ type: "setFields", hold: state.hold?.pinned ? null : pinned });
+  store.dispatch({ type: "setFields", tipHold: state.tipHold?.pinned ? null : pinned });
 }
 
 const describePin = ({ free, turns }) => {
@@ -222,13 +222,13 @@ const countFreedom = (store, turns) => nullSpace(getPinnedColumns(store, turns))
 
 // Move one step through the null space, as dragging the elbow does.
 function swingElbowBy(store, sense) {
-  const { arm, q, hold } = store.state;
-  if (!hold?.pinned) return;
-  const [direction] = nullSpace(getPinnedColumns(store, hold.turns));
+  const { arm, q, tipHold } = store.state;
+  if (!tipHold?.pinned) return;
+  const [direction] = nullSpace(getPinnedColumns(store, tipHold.turns));
   if (!direction) return;
   const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
   const sign = sense * Math.sign(lead);
   const moved = q.map((v, k) => v + sign * SWING_STEP * direction[k]);
-  const solution = solvePose(arm, moved, hold.pinned, { rows: listPinnedRows(hold.turns) });
-  store.dispatch({ type: "moveJoints", q: solution.q, hold, gesture: "swing" });
+  const solution = solvePose(arm, moved, tipHold.pinned, { rows: listPinnedRows(tipHold.turns) });
+  store.dispatch({ type: "moveJoints", q: solution.q, tipHold, gesture: "swing" });
 }

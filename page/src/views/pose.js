@@ -58,7 +58,7 @@ function makeGoalFields(store, announce) {
     if (!whole) return;
     if (value !== undefined) {
       moveTip(store, replaceAt(tip(), i, value));
-      setText(error, describeStop(store.state.hold ?? { stops: [], short: 0 }));
+      setText(error, describeStop(store.state.tipHold ?? { stops: [], short: 0 }));
     }
     updateAttribute(input, "aria-invalid", "false");
     input.value = formatFixed(tip()[i], 4);
