@@ -151,6 +151,20 @@ def test_python_rooms_import_only_rooms_below():
     assert upward == set()
 
 
+def test_no_room_imports_tests_or_the_book():
+    imports = {
+        (name, imported)
+        for name, path in find_python_modules().items()
+        for imported, _ in find_imports(ast.parse(path.read_text("utf-8")))
+    }
+    assert {pair for pair in imports if pair[1].partition(".")[0] in ("tests", "book")} == set()
+
+
+def test_page_imports_only_the_page_and_the_judge():
+    for name, targets in read_javascript_imports().items():
+        assert {target.partition("/")[0] for target in targets} <= {"judge", "page"}, name
+
+
 def test_only_known_late_imports_would_close_a_circle():
     at_start, late = read_python_imports()
     upward = {(name, target) for name, target in late if is_reachable(at_start, target, name)}
