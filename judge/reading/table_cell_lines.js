@@ -11,7 +11,6 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const ANY_UNIT = `deg|degrees|°|rad|${LENGTH_UNIT}`;
 const UNIT = new RegExp(String.raw`^[([](?:${ANY_UNIT})[)\]]$`); // on a line below its header
-const OTHER_HEADER = /^(?:joint )?(?:type|kind)$/i;
 const ROW_NAME = /^(?:[\p{L}#]+[ _]?)?\d{1,2}(?:[.)]| ?[-–→] ?\d{1,2})?$/u; // Link 1, 1., 0-1
 
 /**
@@ -36,8 +35,7 @@ export function joinCellLines(text, isEntry) {
     const next = lines[start + k + 1];
     const end = line.from + line.text.trimEnd().length;
     characters.fill(" ", end, next.from);
-    const isUnit = UNIT.test(next.text.trim());
-    characters[line.to] = rowEnds.has(line) ? "\n" : isUnit ? " " : "|";
+    characters[line.to] = rowEnds.has(line) ? "\n" : "|";
   });
   return characters.join("");
 }
@@ -51,7 +49,7 @@ function countHeaderLines(lines) {
     const header = text.trim();
     const name = findEntry(header);
     const isOffset = name === "d" && /offset/i.test(header);
-    if (!UNIT.test(header) && !OTHER_HEADER.test(header)) {
+    if (!UNIT.test(header)) {
       if (name === undefined || /[|&\t;=]/.test(header)) break;
       if (names.has(name) && !isOffset) break;
       names.add(name);

@@ -80,7 +80,7 @@ export class NoLink extends ArmError {
 function requireLinkMatrix(i, A, numbers) {
   const off = findMisfit(A, numbers);
   if (!off) return;
-  const turned = A.map((row, k) => row.map((x, n) => (k < 3 && n < 3 ? A[n][k] : x)));
+  const turned = A.map((row, k) => row.map((x, n) => (n < 3 ? A[n][k] : x)));
   const key = findMisfit(turned, computeEntries(turned)) ? "no link matrix" : "table.transposed";
   throw new NoLink(key, { i, row: off[0], column: off[1] });
 }

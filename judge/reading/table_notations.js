@@ -47,7 +47,7 @@ export function readNamedTable(typedText) {
   );
   const cells = rows.map((entries) => entries.map((entry) => entry.text));
   const named = { cells, headers, assumptions, sources, parts, unread: findUnread() };
-  return { ...named, ...(convention && { convention }), ...listUnused(text, parts, sources) };
+  return { ...named, convention, ...listUnused(text, parts, sources) };
 }
 
 /**
@@ -102,7 +102,7 @@ function readLists(text, brackets) {
         counts[0],
       ),
   };
-  return columns.size === 3 && !columns.has("theta") ? addTheta(table, columns.get("d")) : table;
+  return !columns.has("theta") ? addTheta(table, columns.get("d")) : table;
 }
 
 // Refuse two lists of one column whose entries differ.

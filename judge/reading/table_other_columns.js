@@ -32,7 +32,6 @@ export function dropOtherColumns(text) {
       const words = headers.map(findEntry);
       if (!ENTRIES.every((entry) => words.includes(entry))) continue;
       const isKept = (i) => words[i] !== undefined || !headers[i] || KEPT.test(headers[i]);
-      if (headers.every((_, i) => isKept(i))) return { rest: new SpannedText(text), others: [] };
       const cells = lines.map((each) => splitLine(each, separator));
       const isRow = (j) => j >= k && cells[j].length === headers.length;
       const parts = lines.flatMap((each, j) => [

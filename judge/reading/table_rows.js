@@ -13,7 +13,7 @@ export const ENTRIES = ["a", "alpha", "d", "theta"];
 const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 
 // A cell for a joint's variable without its name: q, theta, ?, *.
-export const VARIABLE = /^(?:var(?:iab(?:le|el|ile))?|переменная|[-*?qd]|th(?:eta)?)\*?$/i;
+export const VARIABLE = /^(?:var(?:iab(?:le|el))?|[-*?qd]|th(?:eta)?)\*?$/i;
 
 const LOCKED = /\s*\((?:locked|fixed)[^()]*\)\s*$/i;
 

@@ -14,9 +14,8 @@ const LIST_ENTRY = /(?<=\b[A-Za-z]{1,5}) ?[[(](\d{1,2})[\])]/g;
 // A number with its unit, but not the 3 of 3R.
 const NUMERAL = /(?<![\w.])\.?\d[\d.,]*(?:e[-+]?\d+)?(?=(?: ?(?:mm?|cm|deg))?(?![A-Za-z\d]))/gi;
 // A number that counts something.
-const COUNTED = "joint|row|link|frame|line|step|fig(?:ure)?\\.?|table|homework|part|page|question";
+const COUNTED = "joint|row|link|frame|fig(?:ure)?\\.?|table|part";
 const COUNT = new RegExp(String.raw`^\s*[[(]?\d{1,2}[\]).:|\t]|(?:${COUNTED})s? ?\d+`, "gi");
-const FACTOR = /^ ?\*? ?(?:cos|sin|[cs]_?\d)|(?:cos|sin)$/i; // beside a symbol in a formula
 const MATRIX_ROW = /^[01]$/; // all numbers of a link matrix's row
 
 /**
@@ -68,8 +67,8 @@ function findValuedSymbol(line, searched) {
   const hasValue = hasValues(text);
   const match = [...text.matchAll(NAME)].find(({ 0: typed, index }) => {
     const name = simple(typed);
-    const [before, behind] = [text.slice(0, index), text.slice(index + typed.length)];
-    if (!searched.has(name) || FACTOR.test(behind) || FACTOR.test(before)) return false;
+    const behind = text.slice(index + typed.length);
+    if (!searched.has(name)) return false;
     if (ASSIGNED.test(behind)) return !MATRIX.test(behind) && (hasValue || /\d/.test(behind));
     return hasValue && name.length > 1; // "a" is a word, too
   });
