@@ -169,9 +169,9 @@ function treeOf(typed, units) {
  * @param {string} [unit] the unit of bare numbers: deg or rad for an angle
  * @returns {{ value: number, error?: undefined } | { error: string, value?: undefined }}
  */
-export function readEntry(typed, kind, unit) {
+export function readEntry(typed, kind, unit = "") {
   const { units, bare: usual, most, of, such } = /** @type {any} */ (QUANTITIES[kind]);
-  const bare = unit && unit in units ? unit : (usual ?? "rad");
+  const bare = unit in units ? unit : (usual ?? "rad");
   const shown = `“${typed.trim().slice(0, 40)}${typed.trim().length > 40 ? "…" : ""}”`;
   if (!typed.trim()) return { error: "is empty; write 0 for none" };
   if (typed.length > LONGEST)
