@@ -117,7 +117,7 @@ function findIn(pasted, text, question) {
 
 // Make an error for an entry that has no number yet.
 /** @param {string} text @param {Question} question */
-function makeUnfilledError(text, { what, wants, wanted = sizeOf(wants[0]) }) {
+function makeUnfilledError(text, { what, wants, wanted = describeWant(wants[0]) }) {
   const fields = { what, line: quoteText(text.trim()), wanted };
   return new NoFitError(formatMessage("unfilled", fields));
 }
@@ -324,7 +324,7 @@ export function listUnusedLines(text, block, live = null) {
     const end = kept[from + i].trimEnd().length;
     return kept[from + i] === line ? [] : [line.slice(end).trim()].filter(Boolean);
   });
-  return [...linesWithText.map((line) => line.trim()), ...comments, ...numbersBeside(block)];
+  return [...linesWithText.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
 }
 
 const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
@@ -334,7 +334,7 @@ const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
  * one for each row, as a time is.
  * @param {Block} block
  */
-function numbersBeside({ from, to, sources, lines }) {
+function listNumbersBeside({ from, to, sources, lines }) {
   const rowsOfBlock = new Set(sources);
   const others = lines.all.filter(
     (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row),
@@ -364,7 +364,7 @@ function refuseOdd(text, { what, wanted = "numbers" }) {
 
 // Make an error that says which numbers are there and which are wanted.
 function makeRefusal(text, question, partings) {
-  const { what, wants, wanted = sizeOf(wants[0]) } = question;
+  const { what, wants, wanted = describeWant(wants[0]) } = question;
   refuseOdd(text, { what, wanted });
   const blocks = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
   const unfilled = findUnfilledLine(text);
@@ -386,7 +386,8 @@ const isFarTooLong = (block, wants) =>
     ({ rows, columns }) => count(block) > LONGEST_PART * (rows ?? Infinity) * (columns ?? Infinity),
   );
 
-const sizeOf = ({ rows, columns }) => (columns === null ? "numbers" : describeSize(rows, columns));
+const describeWant = ({ rows, columns }) =>
+  columns === null ? "numbers" : describeSize(rows, columns);
 
 // Describe a block's size; any number of rows if `rows` is null.
 function describeSize(rows, columns) {

@@ -69,11 +69,12 @@ export class Tokens {
 export function tokensOf(text, block) {
   const tokens = new Tokens(text);
   const starts = new Set(block.rows.flat().map(({ from }) => from));
-  const strayRows = unlabelledRows(block);
+  const strayRows = findUnlabelledRows(block);
   const misplaced = findMisplacedCells(block);
   block.rows.forEach((cells, row) =>
     cells.forEach((cell, column) => {
-      const unread = strayRows.has(row) || misplaced.has(cell) || lacksFactor(text, cell, starts);
+      const unread =
+        strayRows.has(row) || misplaced.has(cell) || hasUnreadFactor(text, cell, starts);
       const index = row * cells.length + column;
       for (const stretch of cell.stretches ?? [cell])
         tokens.claim(stretch, unread ? "unread" : "entry", { row, column, index });
@@ -83,7 +84,7 @@ export function tokensOf(text, block) {
   for (const { cells } of block.sources)
     for (const cell of cells) tokens.claim(cell, "label", { reason: "another column" });
   for (const { cells } of block.lines.given) for (const cell of cells) tokens.claim(cell, "given");
-  claimRest(tokens, block, linesBeside(text, block));
+  claimOtherRows(tokens, block, findLinesBeside(text, block));
   for (const token of tokens.list)
     if (!token.owner)
       Object.assign(
@@ -92,7 +93,7 @@ export function tokensOf(text, block) {
           ? { owner: "label" }
           : { owner: "context", reason: "markup or comment" },
       );
-  for (const halves of listCommaNumbers(text, tokens.list)) {
+  for (const halves of listSplitNumbers(text, tokens.list)) {
     const entries = halves.filter(({ owner }) => owner === "entry");
     if (entries.length === 1) for (const half of halves) half.owner = "unread";
   }
@@ -107,7 +108,7 @@ const leadsLine = (text, { from }) =>
 // List the numbers that a comma may hold together, 115,2111 or 24,246.81, as their two halves. In
 // "1,0,-1.571" commas part, and at a line's start the first half may be the row's index.
 /** @param {string} text @param {Token[]} tokens */
-function listCommaNumbers(text, tokens) {
+function listSplitNumbers(text, tokens) {
   return tokens.flatMap((half, k) => {
     const rest = tokens[k + 1];
     if (text[half.to] !== "," || rest?.from !== half.to + 1) return [];
@@ -127,7 +128,7 @@ const isLineNumber = (text, token) =>
   /^[ \t]*[|:.)\t]/.test(text.slice(token.to, token.to + 4));
 
 // Find the rows without a label in a block whose other rows are named after those of a Jacobian.
-function unlabelledRows({ labels }) {
+function findUnlabelledRows({ labels }) {
   if (labels.length > MOST_LABELLED) return new Set();
   const isNamed = labels.map((words) => findLabel(words)?.kind === "row");
   const unlabelled = isNamed.flatMap((named, row) => (named ? [] : [row]));
@@ -155,7 +156,7 @@ const FACTOR_BEHIND = /^([ \t]?(?:[*·×][ \t]?)?)(?:π|pi\b)/;
 
 // Return whether a factor π stands behind an entry that was read without it. The factor may begin
 // the next entry.
-function lacksFactor(text, { to }, starts) {
+function hasUnreadFactor(text, { to }, starts) {
   const match = FACTOR_BEHIND.exec(text.slice(to, to + 12));
   return match !== null && !starts.has(to + match[1].length);
 }
@@ -187,7 +188,7 @@ const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && 
  * Return the lines next to a block, over empty ones, that may be rows.
  * @param {string} text @param {Block} block @returns {Set<number>}
  */
-function linesBeside(text, { from, to }) {
+function findLinesBeside(text, { from, to }) {
   const lines = text.split(LINE_END);
   const isBlank = (k) => lines[k] !== undefined && !/[\p{L}\d]/u.test(lines[k]);
   let [above, below] = [from - 1, to + 1];
@@ -207,7 +208,7 @@ function mayBeRow(line) {
 const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+\S?(?:\s|$)/;
 
 // The words and rows that are no part of the block.
-function claimRest(tokens, block, beside) {
+function claimOtherRows(tokens, block, beside) {
   const { from, to, sources, lines } = block;
   const rowsOfBlock = new Set(sources);
   const starts = new Map(
@@ -220,12 +221,12 @@ function claimRest(tokens, block, beside) {
   const perRow = inside.length % sources.length === 0;
   for (const row of others) {
     const owner = isNear(row.line)
-      ? ownerInside(row, {
+      ? chooseOwnerInside(row, {
           leads: row.cells[0].from < starts.get(row.line),
           perRow,
           alone: !starts.has(row.line),
         })
-      : ownerOutside(row, block, beside);
+      : chooseOwnerOutside(row, block, beside);
     for (const cell of row.cells) tokens.claim(cell, owner, { reason: OTHER_LIST });
   }
 }
@@ -262,26 +263,26 @@ function findBrokenRows({ rows, sources, lines }, others, tokens) {
 }
 
 const hasWord = ({ words }) => words.some(({ text }) => /\p{L}{2}/u.test(text));
-const withDecimals = ({ cells }) => cells.some(({ text }) => hasDecimals(text));
+const hasDecimalCell = ({ cells }) => cells.some(({ text }) => hasDecimals(text));
 
 // Return the owner of numbers on the block's lines. They are context below a name of their own, a
 // label if they are a time or an index for each row, or else unread if they may be entries.
-function ownerInside(row, { leads, perRow, alone }) {
+function chooseOwnerInside(row, { leads, perRow, alone }) {
   if (row.name || hasWord(row)) return "context";
   if (leads && perRow && row.cells.length === 1) return "label";
-  return !withDecimals(row) && (alone || row.cells.length === 1) ? "context" : "unread";
+  return !hasDecimalCell(row) && (alone || row.cells.length === 1) ? "context" : "unread";
 }
 
 // Return whether a row holds two numbers or more that do not count joints, as 1, 2, 3 do.
-function holdsValues({ cells }) {
+function hasValues({ cells }) {
   const numbers = cells.filter(({ text }) => Number.isFinite(Number(text)));
   return numbers.length > 1 && !isJointCount(numbers);
 }
 
 // Return the owner of numbers apart from the block. They are unread if they may be a row that was
 // torn off the block, else context.
-function ownerOutside(row, block, beside) {
-  const isRow = holdsValues(row) || (withDecimals(row) && widthOf(block) < 3);
+function chooseOwnerOutside(row, block, beside) {
+  const isRow = hasValues(row) || (hasDecimalCell(row) && widthOf(block) < 3);
   const torn = beside.has(row.line) && isRow && !row.name;
   return torn || mayBePart(row, block) ? "unread" : "context";
 }
@@ -294,8 +295,8 @@ function mayBePart(row, { rows, sources }) {
   const { length } = row.cells;
   const isAsLong = length === rows[0].length || length === widthOf({ sources });
   if (rows.length < 2 || length < LEAST_ROW || !isAsLong) return false;
-  if (!withDecimals(row) && !holdsValues(row)) return false;
-  if (rows.some((own) => textsOf(own) === textsOf(row.cells))) return false;
+  if (!hasDecimalCell(row) && !hasValues(row)) return false;
+  if (rows.some((cells) => textsOf(cells) === textsOf(row.cells))) return false;
   return isCalledAlike(row, sources) && !namesOtherQuantity(row) && !isCalledOld(row);
 }
 
@@ -318,8 +319,8 @@ export function refuseUnread(text, tokens, what) {
   if (!token) return;
   const rest = tokens[tokens.indexOf(token) + 1];
   const isHalf = rest?.owner === "unread" && text[token.to] === "," && rest.from === token.to + 1;
-  const word = wordAround(text, { from: token.from, to: isHalf ? rest.to : token.to });
-  const where = whereOf(text, token);
+  const word = findWordAround(text, { from: token.from, to: isHalf ? rest.to : token.to });
+  const where = describeLabel(text, token);
   const fields = {
     what: dropArmName(what),
     word: quoteText(word),
@@ -349,14 +350,14 @@ const dropArmName = (what) => what.slice(what.lastIndexOf(": ") + 1).trim();
 const PLAIN_NUMBER = /^[-+−–]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+−–]?\d+)?$/i;
 
 // Return the word around a number, up to blanks and separators of cells.
-function wordAround(text, { from, to }) {
+function findWordAround(text, { from, to }) {
   const before = /[^\s|&;[\],]*$/.exec(text.slice(Math.max(0, from - 20), from))[0];
   const behind = /^[^\s|&;[\],]*/.exec(text.slice(to, to + 20))[0];
   return before + text.slice(from, to) + behind;
 }
 
 // Return the joint or the row that the line's label names, in brackets.
-function whereOf(text, { from }) {
+function describeLabel(text, { from }) {
   const start = Math.max(text.lastIndexOf("\n", from), from - 60) + 1;
   const words = text
     .slice(start, from)
