@@ -115,8 +115,9 @@ const findTokens = ({ tokens, typed }, mine) => tokens ?? typed?.tokens ?? mine?
 function findRightArm({ topic, grade, typed }, judge, mine, args) {
   const [arm, ...rest] = args;
   if (grade !== WRONG || topic === "table") return null;
-  const options = judge.length - 2; // their index in `rest`
-  rest[options] = { ...rest[options], isGradeOnly: true }; // to explain mistakes takes longest
+  const optionsIndex = judge.length - 2; // in `rest`
+  // The search for mistakes takes longest.
+  rest[optionsIndex] = { ...rest[optionsIndex], isGradeOnly: true };
   const isRightFor = (member) =>
     [RIGHT, ROUNDED].includes(tryOrNull(() => judge(mine, member, ...rest))?.grade);
   const other = (arm.family ?? []).find(isRightFor);

@@ -1,5 +1,5 @@
-// Lists the wrong paths that usual mistakes make of the right path. Their numbers come from
-// homeworks, and none is fitted to an answer.
+// Lists the wrong paths that usual mistakes make of the right path. Factors and axes come from
+// homeworks. None is fitted to an answer.
 
 import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
 import { joinList, formatNumber } from "../sentences.js";
