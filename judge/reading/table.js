@@ -20,7 +20,12 @@ import {
   listUsedDefinitions,
   refuseTwoLengths,
 } from "./table_definitions.js";
-import { dropUnclearUnits, maskSpans, refuseUnreadValues } from "./table_symbols.js";
+import {
+  dropUnclearUnits,
+  maskSpans,
+  refuseMixedUnits,
+  refuseUnreadValues,
+} from "./table_symbols.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
@@ -106,6 +111,7 @@ export function readTables(pastedText, options = {}, values = []) {
 function useDefinitions(table, definitions, undefinedNames, text) {
   const { unusedLines, tokens, typedCells, cellSpans } = table;
   refuseTwoTables(table, text);
+  refuseMixedUnits(table, text);
   const used = listUsedDefinitions(definitions, typedCells, tokens);
   refuseTwoLengths(used, tokens, text);
   const symbols = new Set(typedCells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));

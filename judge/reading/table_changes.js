@@ -34,7 +34,7 @@ const MOVED = new RegExp(
     String.raw`\b(?:doubled|halved|not to scale)\b`,
   "i",
 );
-const DOUBT_IN_ROW = /\b(?:or|oder|should|wrong|incorrect|falsch)\b/i;
+const DOUBT_IN_ROW = /\b(?:or|oder|should|wrong|incorrect|falsch)\b|^\W*(?:sum|total)\b/i;
 const DOUBT = /\b(?:row|line|joint|entry) \d.*\b(?:wrong|incorrect|falsch)\b/i;
 const FLIP = /\bflip ?= ?(?:True|true|1)\b/;
 const CORRECTION = /^\W*(?:correction|corrected|erratum)\b.*[=:].*\d/i;

@@ -2,6 +2,9 @@
 // value and cannot be read stops the verdict, and so do values in unclear units.
 
 import { plain, simple } from "./formula.js";
+import { refuseUnreadCell } from "./owners.js";
+import { ENTRIES } from "./table_rows.js";
+import { LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @typedef {import("./owners.js").Token} Token */
@@ -125,4 +128,21 @@ function refuseUnclearUnit({ definition, large, small }, { tokens }, text) {
   const line = text.slice(0, definition.from).split("\n").length;
   const fields = { name: definition.name, quoted: quoteText(definition.text), line, large, small };
   throw new ArmError(formatMessage("unclear unit", fields), [], tokens, text);
+}
+
+const UNIT_BEHIND = new RegExp(String.raw`^ ?(?:(${LENGTH_UNIT})|rad|deg|°)(?![\p{L}\p{N}])`, "u");
+
+/**
+ * Refuse an angle with a unit of lengths, and a length with a unit of angles.
+ * @param {import("./table.js").TypedTable} table @param {string} text as it was pasted
+ */
+export function refuseMixedUnits({ tokens, isOrderGuessed }, text) {
+  for (const token of isOrderGuessed ? [] : tokens) {
+    const [unit, lengthUnit] = UNIT_BEHIND.exec(text.slice(token.to, token.to + 9)) ?? [];
+    if (unit === undefined || token.owner !== "entry") continue;
+    const isLength = ["a", "d"].includes(ENTRIES[token.column]);
+    if (isLength === (lengthUnit !== undefined)) continue;
+    const cell = { from: token.from, to: token.to + unit.length };
+    refuseUnreadCell(text, tokens, cell, formatMessage("your table"));
+  }
 }
