@@ -1,6 +1,8 @@
-"""What the digits of an answer promise, over random arms: every entry is held to its own last
-place, and a cause is stated only if with it every entry is right. Numbers and slips come from the
-corpus's own kinematics, which share no line with `judge/`.
+"""Test how the digits of an answer count, for random arms.
+
+Every entry is judged by its own last decimal, and a cause is stated only if it makes every entry
+right. Expected numbers and mistakes come from the corpus's own kinematics, which shares no line with
+`judge/`.
 """
 
 import numpy as np
@@ -28,84 +30,90 @@ def write_rows(rows, digits):
     )
 
 
-class Asked:
+class RandomQuestion:
     """A random arm at a pose: its Jacobian or its torques, and the checker that judges them."""
 
     def __init__(self, about, seed, decimals=3):
         self.rng = np.random.default_rng(seed)
-        self.m = some_machine(self.rng)
-        self.q, arm = pose(self.m, self.rng, decimals), make_arm(self.m)
+        self.machine = some_machine(self.rng)
+        self.q, arm = pose(self.machine, self.rng, decimals), make_arm(self.machine)
         if about == "jacobian":
-            self.right = self.m.jacobian(self.q)
+            self.expected = self.machine.jacobian(self.q)
             self.judge = lambda text: checks.compare_jacobian(text, arm, self.q)
-            self.fewest = 4
+            self.fewest_decimals = 4
         else:
-            self.links = loads.bodies(self.m, self.rng)
-            held = arm if self.m.name == "PANDA" else add_masses(self.m, self.links)
-            weight = loads.weight(self.m, self.links, self.q)
-            self.right = weight - loads.force(self.m, PUSH, self.q)
-            self.judge = lambda text: checks.compare_torques(text, held, self.q, PUSH)
-            self.fewest = 3
+            self.links = loads.bodies(self.machine, self.rng)
+            loaded_arm = (
+                arm if self.machine.name == "PANDA" else add_masses(self.machine, self.links)
+            )
+            weight = loads.weight(self.machine, self.links, self.q)
+            self.expected = weight - loads.force(self.machine, PUSH, self.q)
+            self.judge = lambda text: checks.compare_torques(text, loaded_arm, self.q, PUSH)
+            self.fewest_decimals = 3
 
-    def digits(self):
-        return self.rng.integers(self.fewest, self.fewest + 3, np.shape(self.right))
+    def draw_decimals(self):
+        return self.rng.integers(
+            self.fewest_decimals, self.fewest_decimals + 3, np.shape(self.expected)
+        )
 
 
-BOTH = pytest.mark.parametrize("about", ["jacobian", "torques"])
+each_question = pytest.mark.parametrize("about", ["jacobian", "torques"])
 
 
-# With d_1 and d_4 exchanged joint 1 of the UR10e carries -1.72377 instead of -1.72306 N m, and the
-# others what they do carry. Both are cut to -1.723, so the answer is right so far.
+# With d_1 and d_4 exchanged, joint 1 of the UR10e carries -1.72377 instead of -1.72306 N m; the
+# torques of the other joints stay. Cut to -1.723 both are equal, so the answer is right so far.
 CUT_LIKE_A_MISTAKE = {("torques", 18)}
 
 
-@BOTH
+@each_question
 @pytest.mark.parametrize("seed", SEEDS)
 def test_rounded_or_cut_entries_are_right(about, seed):
-    asked = Asked(about, seed)
-    digits = asked.digits()
-    assert asked.judge(write_rows(asked.right, digits)).grade == "right"
+    question = RandomQuestion(about, seed)
+    digits = question.draw_decimals()
+    assert question.judge(write_rows(question.expected, digits)).grade == "right"
     unit = 10.0**-digits
-    cut = write_rows(np.trunc(asked.right / unit) * unit, digits)
-    report = asked.judge(cut)
+    cut = write_rows(np.trunc(question.expected / unit) * unit, digits)
+    report = question.judge(cut)
     expected = "so far" if (about, seed) in CUT_LIKE_A_MISTAKE else "right"
     assert report.grade == expected, cut
     assert report.causes == (), cut
 
 
-@BOTH
+@each_question
 @pytest.mark.parametrize("seed", SEEDS)
 def test_unit_off_in_last_place_is_no_mistake(about, seed):
     """The largest entry moves away from zero, which no cut does; q is exact."""
-    asked = Asked(about, seed, 15)
-    digits = asked.digits()
-    place = np.unravel_index(np.abs(asked.right).argmax(), np.shape(asked.right))
-    mine = np.array(asked.right)
-    mine[place] = round(mine[place], digits[place])
-    mine[place] += np.sign(mine[place]) * 10.0 ** -digits[place]
-    report = asked.judge(write_rows(mine, digits))
+    question = RandomQuestion(about, seed, 15)
+    digits = question.draw_decimals()
+    place = np.unravel_index(np.abs(question.expected).argmax(), np.shape(question.expected))
+    typed = np.array(question.expected)
+    typed[place] = round(typed[place], digits[place])
+    typed[place] += np.sign(typed[place]) * 10.0 ** -digits[place]
+    report = question.judge(write_rows(typed, digits))
     assert (report.grade, report.causes) == ("rounded", ()), report
 
 
-@BOTH
+@each_question
 @pytest.mark.parametrize("seed", SEEDS[:8])
 def test_rounding_of_each_joint_is_allowed_for(about, seed):
     """Joint 1 has nine decimals and the others three, which set the tolerance."""
-    asked = Asked(about, seed, 15)
-    asked.q = " ".join(f"{x:.{9 if k == 0 else 3}f}" for k, x in enumerate(asked.q))
-    assert asked.judge(write_rows(asked.right, 5)).grade == "right"
+    question = RandomQuestion(about, seed, 15)
+    question.q = " ".join(f"{x:.{9 if k == 0 else 3}f}" for k, x in enumerate(question.q))
+    assert question.judge(write_rows(question.expected, 5)).grade == "right"
 
 
-@BOTH
+@each_question
 @pytest.mark.parametrize("seed", SEEDS)
 def test_random_error_gets_no_cause_but_its_place(about, seed):
-    asked = Asked(about, seed)
-    digits = asked.rng.integers(asked.fewest - 1, asked.fewest + 2)
-    mine = np.array(asked.right)
-    place = tuple(int(asked.rng.integers(n)) for n in mine.shape)
-    mine[place] += asked.rng.choice([-1, 1]) * asked.rng.uniform(0.1, 1) * np.abs(mine).max()
-    report = asked.judge(write_rows(mine, digits))
-    joint = asked.m.joints[place[-1]] + 1
+    question = RandomQuestion(about, seed)
+    digits = question.rng.integers(question.fewest_decimals - 1, question.fewest_decimals + 2)
+    typed = np.array(question.expected)
+    place = tuple(int(question.rng.integers(n)) for n in typed.shape)
+    typed[place] += (
+        question.rng.choice([-1, 1]) * question.rng.uniform(0.1, 1) * np.abs(typed).max()
+    )
+    report = question.judge(write_rows(typed, digits))
+    joint = question.machine.joints[place[-1]] + 1
     assert (report.grade, report.causes) == ("wrong", ()), report
     where = f"column {place[-1] + 1}" if about == "jacobian" else f"joint {joint}"
     assert [finding.where for finding in report.findings] == [where]
@@ -114,18 +122,22 @@ def test_random_error_gets_no_cause_but_its_place(about, seed):
 @pytest.mark.parametrize("seed", [10, 17, 24, 27])
 def test_random_error_of_whole_newton_metres_gets_no_cause(seed):
     """Of so many pairs of slips some would fit them: four of forty, did evidence not count."""
-    asked = Asked("torques", seed)
-    mine = np.array(asked.right)
-    place = int(asked.rng.integers(len(mine)))
-    mine[place] += asked.rng.choice([-1, 1]) * asked.rng.uniform(0.1, 1) * np.abs(mine).max()
-    assert not asked.judge(write_rows(mine, 0)).causes
+    question = RandomQuestion("torques", seed)
+    typed = np.array(question.expected)
+    place = int(question.rng.integers(len(typed)))
+    typed[place] += (
+        question.rng.choice([-1, 1]) * question.rng.uniform(0.1, 1) * np.abs(typed).max()
+    )
+    assert not question.judge(write_rows(typed, 0)).causes
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_random_errors_of_two_columns_get_no_cause(seed):
-    asked = Asked("jacobian", seed)
-    mine = asked.right + np.where(asked.rng.random(asked.right.shape) < 0.1, 0.377, 0)
-    assert not asked.judge(write_rows(mine, 3)).causes
+    question = RandomQuestion("jacobian", seed)
+    typed = question.expected + np.where(
+        question.rng.random(question.expected.shape) < 0.1, 0.377, 0
+    )
+    assert not question.judge(write_rows(typed, 3)).causes
 
 
 def test_whole_numbers_of_the_start_are_not_right():
@@ -214,8 +226,8 @@ def test_angular_columns_of_z_0_are_named(name):
 def test_deleted_row_of_a_locked_joint_is_named():
     m = KNOWN["PANDA.lock(3)"]
     q = pose(m, np.random.default_rng(1))
-    mine = m.with_rows([row for row in m.rows if row[0] != "F"]).jacobian(q)
-    assert checks.compare_jacobian(write_rows(mine, 4), make_arm(m), q).causes == (
+    typed = m.with_rows([row for row in m.rows if row[0] != "F"]).jacobian(q)
+    assert checks.compare_jacobian(write_rows(typed, 4), make_arm(m), q).causes == (
         "table.locked row",
     )
 
@@ -310,7 +322,7 @@ def test_nothing_is_set_aside_without_locked_joint():
         ("np.float64(-0.7663)", -0.7663, 1e-4),
         ("(-0.7663)", -0.7663, 1e-4),
         ("0.612 * 0.5714", 0.612 * 0.5714, 0.5714e-3 + 0.612e-4),
-        ("0.5*cos(0.3)", 0.5 * np.cos(0.3), 0),  # so coarse among others, a number is exact
+        ("0.5*cos(0.3)", 0.5 * np.cos(0.3), 0),  # 0.5 counts as exact beside finer numbers
         ("pi/2", np.pi / 2, 0),
         ("3/7", 3 / 7, 0),
     ],
