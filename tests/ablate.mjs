@@ -9,9 +9,9 @@ const ROOT = new URL("..", import.meta.url).pathname;
 const EXPLORER = ["entry", "paste", "corrections", "units"]; // tests of tests/explorer that read texts
 const [, , QUESTIONS, PATHS, SECONDS = "3"] = process.argv; // processor time for a change, then it is not decided
 const changes = []; // Patches of a single decision each: { where, what, texts }, with the texts that it may change
-const sites = []; // for each call that the copy contains, its place and its changes
+const sites = []; // position and changes of each call that the copy contains
 let active = null; // the change that is switched on
-let textIndex = -1; // of the text that is judged without a change
+let textIndex = -1; // index of the text that is judged without a change
 
 const addChange = (site, what, more) => changes[changes.push({ where: site.where, what, texts: new Set(), ...more }) - 1];
 const note = (change) => textIndex >= 0 && change.texts.add(textIndex);

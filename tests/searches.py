@@ -59,7 +59,7 @@ SEARCHES = {
     "product of exponentials": r"conventions: From a table",
 }
 
-# As students type: from the titles of questions on public sites and the tasks of the homework.
+# Students' searches: from titles of questions on public sites and the tasks of the homework.
 STUDENT_SEARCHES = {
     # tables
     "dh parameters": r"01_dh_tables: ",

@@ -19,7 +19,7 @@ from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from tests.node import ask_node, needs_node
 
 HALF = np.pi / 2
-ARMS = int(os.environ.get("RANDOM_ARMS", "30"))  # of each structure; 1 000 once a week in CI
+ARMS = int(os.environ.get("RANDOM_ARMS", "30"))  # arms per structure; CI takes 1 000 once a week
 POSES = 10
 # Joints, parallel neighbours (rows with alpha 0 or 180 degrees), neighbours that meet (rows with
 # a = 0), and the joint after which three axes meet.

@@ -34,7 +34,7 @@ class Page(HTMLParser):
         super().__init__()
         self.ids, self.links, self.loads, self.pictures, self.meta = set(), [], [], [], {}
         self.kinds = set()  # tag, class and names of attributes
-        self.span_classes = []  # of the last <span> before this point
+        self.span_classes = []  # classes of the last <span> before this point
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):

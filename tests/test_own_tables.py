@@ -111,7 +111,7 @@ def test_first_row_as_in_craigs_convention_warns():
         warnings.simplefilter("error")
         assert "Craig" in Arm.from_table(CRAIG, convention="craig").source
         Arm.from_table(CRAIG, convention="standard")
-        # A cylindrical arm: turn and lift along one axis, then the reach across it.
+        # A cylindrical arm turns about one axis, lifts along it and reaches across it.
         Arm.from_table("a alpha d theta\n0 0 0.4 q1\n0 -90 d2 0\n0 0 d3 0")
 
 

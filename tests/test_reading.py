@@ -384,7 +384,7 @@ def test_numbers_of_stored_tables_have_owners():
             continue
         count += 1
         assert not list_wrong_marks(table), case["answer"]
-    assert count > 70  # of 94; the rest is refused or uses symbols of its arm
+    assert count > 70  # the other of the 94 tables are refused or use symbols of their arm
 
 
 # JavaScript does not count a pattern's steps, so its time is measured: a text four times as long

@@ -43,7 +43,7 @@ ARMS = {page.name: page.arms[-1] for page in answers.PAGES}
 SHEETS = {
     name: AnswerSheet(arm) for name, arm in {**ARMS, "skewed": SKEWED, "numbers": NUMBERED}.items()
 }
-PARALLEL = ["z_{7} = z_{6}", "z_{4} = z_{3}"]  # of the Panda, and of the skewed arm's slide
+PARALLEL = ["z_{7} = z_{6}", "z_{4} = z_{3}"]  # axes of the Panda, and of the skewed arm's slide
 every_arm = pytest.mark.parametrize("sheet", SHEETS.values(), ids=SHEETS)
 
 

@@ -17,7 +17,7 @@ from sphinx.application import Sphinx
 from helpers.explorer.stub import RUN_HINT
 
 ROOT = Path(__file__).parents[1]
-LIGHT_THEME = ' data-theme="light"'  # of a card that is built without a browser
+LIGHT_THEME = ' data-theme="light"'  # marks a card that is built without a browser
 PAPER = Path(__file__).with_name("paper.js")
 EXPLORER_START = re.compile(r'<div class="arm-explorer[^>]*>')
 FIGURE_KIND = re.compile(r'data-figure="(\w+)"')

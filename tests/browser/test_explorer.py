@@ -96,7 +96,7 @@ class Visit(Reader):
         self.page.emulate_media(media="screen", reduced_motion="no-preference")
         again, self.opened = name == self.opened, name
         if not again:
-            self.visits += 1  # in the address, since a fragment alone would open no new page
+            self.visits += 1  # a number in the address, since a fragment alone opens no new page
             self.page.goto(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
         self.page.evaluate("(drawn) => { window.skipsDrawing = !drawn; }", drawn)
         if again:

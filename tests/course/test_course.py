@@ -372,7 +372,7 @@ def test_grading_again_reports_changes(here, capsys):
     grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     path = Path("out/ab/mark.json")
     record = json.loads(path.read_bytes())
-    record["marks"][0]["credit"] = 0.5  # as an older version of the judge stored it
+    record["marks"][0]["credit"] = 0.5  # a credit stored by an older version of the judge
     path.write_text(json.dumps(record), encoding="utf-8")
     assert "is now" not in run_command("grade hw --out out --jobs 1", capsys)
     output = run_command("grade hw --out out --jobs 1 --again", capsys)

@@ -101,7 +101,7 @@ test("each number of a table is entry or label", () => {
   assert.deepEqual(wrong, [["0.35", "entry", true, "entry of row 3, a, read as 0.35 m, wrong"]]);
 });
 
-test("numbers of a table typed by columns belong to rows", () => {
+test("numbers of a transposed table name rows of joints", () => {
   const marks = describeTable("theta | q1 | q2 | q3\nd | 0.5 | 0 | 0\na | 0 | 0.4 | 0.3\nalpha | 90 | 0 | 0");
   const twist = marks.find(([text]) => text === "90");
   const length = marks.find(([text]) => text === "0.3");

@@ -10,7 +10,7 @@ test("a table without headers has the shown order and unit", () => {
     const entries = rows.map(({ kind, a, alpha, d, theta }) => [kind, a, alpha / size, d, theta / size]);
     assert.deepEqual(entries, [["revolute", 0.2, 1.5, 0.3, 0], ["prismatic", 0.4, 0, 0, 1.5]]);
   }
-  const [{ a, d }] = readPastedTable("0.5 30 1 -90", "deg").rows; // which a different order fits as well
+  const [{ a, d }] = readPastedTable("0.5 30 1 -90", "deg").rows; // this row fits a different column order too
   assert.deepEqual([a, d], [0.5, 1]);
 });
 
