@@ -1,8 +1,8 @@
 """Test how the digits of an answer count, for random arms.
 
 Every entry is judged by its own last decimal, and a cause is stated only if it makes every entry
-right. Expected numbers and mistakes come from the corpus's own kinematics, which shares no line with
-`judge/`.
+right. Expected numbers and mistakes come from the corpus's own kinematics, which shares no line
+with `judge/`.
 """
 
 import numpy as np
