@@ -174,13 +174,10 @@ const DATES = [
 export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 // Digits with a letter among them, as 7l2 and O.5, or with a mark behind them, as 0!
 const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
-const TWO_SIGNS = /\d(?:π|pi| )*(?:±|\\pm|\+\/-)|(?:π|pi) ?(?:±|\\pm|\+\/-)/; // π ± 0.1
 
 // Return whether a word holds a number with decimals that was no entry, or an odd number.
 export const isMisspelt = (word) =>
-  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) ||
-  ODD_NUMBER.test(word) ||
-  TWO_SIGNS.test(word);
+  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) || ODD_NUMBER.test(word);
 
 const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && !isDate(word);
 
