@@ -9,6 +9,7 @@ import {
   dropCountCells,
   dropCountHeader,
   dropLabels,
+  dropNameHeader,
   isJointCount,
 } from "./counts.js";
 import {
@@ -181,7 +182,7 @@ function makeQuotingError(key, text, { from }, { what }) {
 function listFits(blocks, want, { wants, names = NONE }) {
   const short = want.rows === null ? blocks : blocks.filter((b) => count(b) <= LONGEST_LIST);
   const candidates = want.rows === 1 ? short.flatMap((b) => listRowsAlone(b, want)) : short;
-  const fits = candidates.flatMap((block) => fitBlock(block, want, wants, names));
+  const fits = candidates.flatMap((block) => fitBlock(dropNameHeader(block), want, wants, names));
   if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
   const named = fits.filter(({ name }) => names.test(bareName(name)));
   return named.length ? named : fits;

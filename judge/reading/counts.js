@@ -17,6 +17,17 @@ export const isJointCount = (cells) => {
   return texts.every((text, k) => /^\d$/.test(text) && (!k || text > texts[k - 1]));
 };
 
+const JOINT_NAME = /^(?:q|\\?theta|θ|th|joint|j)[ _{]{0,2}\d\}?$/i;
+
+/**
+ * Drop a first row that holds only names of joints, q1 q2 q3.
+ * @param {Block} block @returns {Block}
+ */
+export const dropNameHeader = (block) =>
+  block.rows[0].every(({ text }) => JOINT_NAME.test(text))
+    ? (dropLabelRow(block)[0] ?? block)
+    : block;
+
 /**
  * Drop a first row 1 2 3 above decimals; an empty list without such a row.
  * @param {Block} block @returns {Block[]}

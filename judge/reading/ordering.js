@@ -25,6 +25,20 @@ export function readLabels(words) {
   return new Set(numbers).size === numbers.length ? { kind, numbers } : null;
 }
 
+// Read labels that differ in one number only, as "config(2).q" and "config(1).q"; null unless these
+// numbers are 0, 1, 2 or 1, 2, 3 in any order.
+/** @param {import("./lines.js").Cell[][]} words @returns {number[] | null} */
+function readNumberedLabels(words) {
+  const texts = words.map((cells) => cells.map(({ text }) => text).join(" "));
+  const parts = texts.map((text) => text.split(/(\d+)/));
+  const [[before, , behind]] = parts;
+  const isAlike = (part) => part.length === 3 && part[0] === before && part[2] === behind;
+  if (!parts.every(isAlike)) return null;
+  const numbers = parts.map(([, number]) => Number(number));
+  const sorted = [...numbers].sort((x, y) => x - y);
+  return sorted[0] < 2 && sorted.every((x, k) => x === sorted[0] + k) ? numbers : null;
+}
+
 /**
  * Read the labels of a block's column headers.
  * @param {Pick<Block, "headers" | "rows">} block @returns {Labels | null}
@@ -111,7 +125,9 @@ const sortIndices = (numbers) => numbers.map((_, k) => k).sort((p, q) => numbers
 export function orderByLabels(block, { by }) {
   const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
   const isOrdered = rows !== null && rows.kind === (by === "row" ? "row" : "joint");
-  const rowOrder = isOrdered ? sortIndices(rows.numbers) : [...block.rows.keys()];
+  const isList = by !== "row" && block.rows[0].length === 1;
+  const numbers = isOrdered ? rows.numbers : isList ? readNumberedLabels(block.labels) : null;
+  const rowOrder = numbers ? sortIndices(numbers) : [...block.rows.keys()];
   const columnOrder =
     headers?.kind === "joint" ? sortIndices(headers.numbers) : [...block.rows[0].keys()];
   const isMoved = [rowOrder, columnOrder].some((order) => order.some((index, k) => index !== k));

@@ -1,6 +1,7 @@
 // Gives each number of a pasted text its owner, which is what the number was taken for. A number on
 // the answer's lines or beside them that no step claims is unread, and then nothing is graded.
 
+import { RAD } from "../geometry/angles.js";
 import { isUnit } from "./cells.js";
 import { isJointCount } from "./counts.js";
 import { hasDecimals } from "./formula.js";
@@ -93,12 +94,38 @@ export function tokensOf(text, block) {
           ? { owner: "label" }
           : { owner: "context", reason: "markup or comment" },
       );
-  for (const halves of listSplitNumbers(text, tokens.list)) {
+  markUnclear(text, tokens.list);
+  return tokens.list;
+}
+
+// Mark numbers as unread that a comma may join to an entry or that "or" offers in its place.
+/** @param {string} text @param {Token[]} tokens */
+function markUnclear(text, tokens) {
+  for (const token of listAlternatives(text, tokens)) token.owner = "unread";
+  for (const halves of listSplitNumbers(text, tokens)) {
     const entries = halves.filter(({ owner }) => owner === "entry");
     if (entries.length === 1) for (const half of halves) half.owner = "unread";
   }
-  return tokens.list;
 }
+
+const OR = /^[^#%\n]{0,20}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2}[-+\u2212]?$/iu;
+
+// List the numbers that "or" offers in place of an entry, outside comments, unless they repeat it
+// in another unit.
+/** @param {string} text @param {Token[]} tokens */
+const listAlternatives = (text, tokens) =>
+  tokens.filter((token, k) => {
+    const entry = tokens[k - 1];
+    if (entry?.owner !== "entry" || token.owner === "entry") return false;
+    if (!OR.test(text.slice(entry.to, token.from))) return false;
+    const [value, before] = [token, entry].map((each) => signedValue(text, each));
+    const ratio = value / before;
+    return ![1, RAD, 1 / RAD].some((unit) => Math.abs(ratio / unit - 1) < 0.02);
+  });
+
+const signedValue = (text, { text: digits, from }) =>
+  Number(digits.replace(",", ".")) *
+  (/[-\u2212\u2013] ?$/.test(text.slice(Math.max(0, from - 2), from)) ? -1 : 1);
 
 // Return whether only blanks stand before a number on its line.
 /** @param {string} text @param {Token} token */

@@ -16,11 +16,20 @@ const countBrackets = (text) => text.match(/[[\](){}]|\\(?:begin|end)/g)?.length
 // A sign or a factor before a bracket, or a function of it.
 const BEFORE = [
   /[=:][ \t]*([-\u2212\u2013])[ \t]*$/,
-  /([\w.^{}+-]*[\w)\]}]\s*(?:[*·×/^]|\\cdot|\\times))\s*$/,
-  /((?:π|\\pi|(?<![\p{L}_])pi|\\[dt]?frac(?:\{[^{}]*\}\{[^{}]*\}|\d\d)|10\^\{?-?\d+\}?))\s*$/u,
-  /=[ \t]*(\d+(?:[.,]\d+)?(?:e[-+]?\d+)?)[ \t]*$/i,
-  /\b(p?inv|(?:np\.)?(?:rad2deg|degrees)|sin|cos|tan|abs)\s*$/,
+  /([\w.^{}+-]*[\w)\]}⁰¹²³⁴-⁹]\s*(?:[*·×/^]|\\cdot|\\times))\s*$/,
+  new RegExp(
+    String.raw`((?:π|\\pi|(?<![\p{L}_])pi|\\[dt]?frac(?:\{[^{}]*\}\{[^{}]*\}|\d\d)|` +
+      String.raw`10\^\{?-?\d+\}?|10⁻?[⁰¹²³⁴-⁹]+))\s*$`,
+    "u",
+  ),
+  /=[ \t]*(\d+(?:[.,]\d+)?(?:e[-+]?\d+)?(?:\/\d+)?)[ \t]*$/i,
+  /\b(p?inv|transpose|(?:np\.)?(?:rad2deg|degrees)|sin|cos|tan|abs)\s*$/,
 ];
+// A factor before numbers without a bracket, J = 1.0e+03 *.
+const FACTOR = /[=:][ \t]*(\d+(?:\.\d+)?(?:e[-+]?\d+)?[ \t]*[*·×])\s*$/i;
+// Units of other quantities behind a number.
+const OTHER_UNIT =
+  /^[\s\])}]*((?:rad|deg|°) ?\/ ?s(?!\p{L})|N ?\/ ?m(?!\p{L})|kg ?[·*]? ?m(?![\p{L}\d^²]))/u;
 // The same without a blank before the bracket: elsewhere they are a bullet and a row's number.
 const SIGN = /(?:^|[\s(])([-\u2212\u2013])$/;
 const NUMBER = /(?<![\p{L}\d_.])(\d+(?:\.\d+)?)$/u;
@@ -75,7 +84,9 @@ export function findComputation(text, rows) {
     // A row in brackets of its own may be transposed: it is a column of the matrix.
     const isMatrix = !isList && closed > opened;
     const change =
-      (opened && findBefore(before, outside)) || (closed && findBehind(rest, isMatrix));
+      firstMatch([OTHER_UNIT], behind) ||
+      (opened ? findBefore(before, outside) : firstMatch([FACTOR], before)) ||
+      (closed && findBehind(rest, isMatrix));
     if (change) return change;
   }
   return null;
