@@ -33,11 +33,7 @@ export const dropNameHeader = (block) =>
  * @param {Block} block @returns {Block[]}
  */
 export const dropCountHeader = (block) =>
-  (isCount(textsOf(block.rows[0])) || isJointCount(block.rows[0])) &&
-  block.rows
-    .slice(1)
-    .flat()
-    .some(({ text }) => hasDecimals(text))
+  countsColumns(block.rows[0]) && hasDecimals(textsOf(block.rows.slice(1).flat()).join(" "))
     ? dropLabelRow(block)
     : [];
 
@@ -99,7 +95,7 @@ function dropLabelRow(block) {
   const { rows, labels } = block;
   const [first, ...rest] = rows;
   if (!rest.length || first.length < 2) return [];
-  if (!isCount(textsOf(first)) && !isJointCount(first) && !areNames(first)) return [];
+  if (!countsColumns(first) && !areNames(first)) return [];
   return [{ ...block, rows: rest, labels: labels.slice(1), headers: first }];
 }
 
@@ -107,9 +103,11 @@ const areNames = (cells) =>
   cells.every(({ text }) => number(text) === null) &&
   readLabels(cells.map((cell) => [cell])) !== null;
 
+const countsColumns = (cells) => isCount(textsOf(cells)) || isJointCount(cells);
+
 // Return whether cells count from 0 or from 1.
 const isCount = (texts) =>
-  [0, 1].some((start) => texts.every((text, k) => Number(text.replace(/[()]/g, "")) === k + start));
+  [0, 1].some((start) => texts.every((text, k) => Number(text) === k + start));
 
 /**
  * Return whether cells count, or grow by equal steps, as times do.
