@@ -6,6 +6,7 @@ import { formatMessage } from "../sentences.js";
 import {
   JOINT_NAMES,
   eachJoint,
+  hasLockedColumns,
   inRadians,
   jointShapes,
   notPerJoint,
@@ -41,7 +42,10 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
   const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = findMatrixShape(typed, dof);
-  const width = !shape.includes(dof) && shape.includes(arm.rows.length) ? arm.rows.length : dof;
+  const hasLocked =
+    hasLockedColumns(rowsOf(typed.values, shape[1]), arm) ||
+    (!shape.includes(dof) && shape.includes(arm.rows.length));
+  const width = hasLocked ? arm.rows.length : dof;
   const areColumns = shape[0] === width && (byColumns || shape[1] !== width);
   if (shape.length !== 2 || shape[areColumns ? 0 : 1] !== width)
     throw notPerJoint(what, arm, typed.shape);

@@ -261,6 +261,16 @@ export function ofMoving(typed, arm) {
 }
 
 /**
+ * Return whether rows of joint values have constant values of the locked joints.
+ * @param {number[][]} rows @param {Arm} arm
+ */
+export function hasLockedColumns(rows, arm) {
+  const locked = fixedRows(arm);
+  const isConstant = (i) => rows.every((row) => row[i] === rows[0][i]);
+  return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
+}
+
+/**
  * Write a note about the locked joints, whose values are not judged.
  * @param {Arm} arm @param {number[]} values one for each row of the arm, pose after pose
  */

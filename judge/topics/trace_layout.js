@@ -1,10 +1,10 @@
 // Arranges the typed numbers of a trajectory with a row for each step.
 
 import { RAD } from "../geometry/angles.js";
-import { fixedRows, movingRows, revoluteFlags } from "../geometry/kinematics.js";
+import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { pick } from "../geometry/task_rows.js";
 import { describeUnits } from "../reading/joint_vectors.js";
-import { noteLockedValues, rowsOf } from "../reading/numbers.js";
+import { hasLockedColumns, noteLockedValues, rowsOf } from "../reading/numbers.js";
 import { formatMessage } from "../sentences.js";
 
 /**
@@ -62,13 +62,6 @@ export function arrangeBySteps(typed, arm, count, unit) {
     hasExtraStep,
     isPerJoint,
   };
-}
-
-// Return whether rows include constant values of the locked joints.
-function hasLockedColumns(rows, arm) {
-  const locked = fixedRows(arm);
-  const isConstant = (i) => rows.every((row) => row[i] === rows[0][i]);
-  return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(isConstant);
 }
 
 // Write all values in the units that the text names. Those with a unit of their own are in SI.
