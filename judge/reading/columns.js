@@ -14,30 +14,32 @@ import { agree } from "./repetitions.js";
  */
 export const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, "");
 
-const EXACT_NAME = /^(?:q|th|theta|θ|tau|τ|torques?|(?:joint )?angles?)(?:_?\{?i\}?)?$/i;
-const UNIT_ALONE = /^\(?(?:deg(?:rees?)?|°|rad(?:ians?)?)\)?$/i;
+const EXACT_NAME = /^(?:q|th|theta|θ|tau|τ|torques?)(?:_?\{?i\}?)?$/i;
+const ANGLE = /^(?:(?:joint )?angles?|deg(?:rees?)?|°|rad(?:ians?)?)$/i; // or its unit
 
 /**
  * Return the blocks of one column below the answer's name: that of q, not of q0 or qd.
  * @param {Block} block @param {RegExp} names of the answer @returns {Block[]}
  */
 export function chooseColumn(block, names) {
-  const offset = offsetOfHeaders(block);
-  const { headers, rows } = block;
-  if (offset === null || rows[0].length < 2 || headers.length === 0) return [];
-  if (readHeaderLabels(block)) return [];
-  const columns = headers
-    .map((header, k) => ({ header, column: k - offset }))
-    .filter(({ column }) => column >= 0 && column < rows[0].length);
+  if (block.rows[0].length < 2 || readHeaderLabels(block)) return [];
+  const columns = listColumns(block);
   const named = columns.filter(({ header }) => names.test(bareName(header.text)));
   const exact = named.filter(({ header }) => EXACT_NAME.test(bareName(header.text)));
-  const units = names.test("q") ? columns.filter(({ header }) => UNIT_ALONE.test(header.text)) : [];
-  const sets = [exact, named, units].find(({ length }) => length > 0) ?? [];
+  const angles = names.test("q") ? columns.filter(({ header }) => ANGLE.test(header.text)) : [];
+  const sets = [exact, named, angles].find(({ length }) => length > 0) ?? [];
   return selectSets(
     block,
     sets.map((each) => [each]),
-  ).map((each) => ({ ...each, headers: [] }));
+  );
 }
+
+/**
+ * Return whether a chosen column has the answer's name. Then the other columns are no answers.
+ * @param {Block} column
+ */
+export const isNamedColumn = ({ headers: [{ text }] }) =>
+  EXACT_NAME.test(bareName(text)) || ANGLE.test(text);
 
 /**
  * Return the blocks of the columns whose headers name joints, if possible by the answer's name.
@@ -45,19 +47,24 @@ export function chooseColumn(block, names) {
  * @param {RegExp} names of the answer @returns {Block[]}
  */
 export function chooseJointColumns(block, { by, columns }, names) {
-  const offset = offsetOfHeaders(block);
-  const width = block.rows[0].length;
-  if (by !== "joint" || columns === null || width <= columns || offset === null) return [];
-  const joints = block.headers.flatMap((header, k) => {
-    const column = k - offset;
-    if (column < 0 || column >= width || !isJointHeader(header)) return [];
-    return [{ header, column, number: readLabels([[header]]).numbers[0] }];
-  });
+  if (by !== "joint" || columns === null || block.rows[0].length <= columns) return [];
+  const joints = listColumns(block)
+    .filter(({ header }) => isJointHeader(header))
+    .map((joint) => ({ ...joint, number: readLabels([[joint.header]]).numbers[0] }));
   const named = joints.filter(({ header }) => names.test(bareName(header.text)));
   const isSet = (set) => set.length === columns;
   const setsByName = splitAtRepeatedNumbers(named).filter(isSet);
   const sets = setsByName.length ? setsByName : splitAtRepeatedNumbers(joints).filter(isSet);
   return selectSets(block, sets);
+}
+
+// List the columns that have a header; none if headers and columns do not correspond.
+function listColumns(block) {
+  const offset = offsetOfHeaders(block);
+  if (offset === null) return [];
+  return block.headers
+    .map((header, k) => ({ header, column: k - offset }))
+    .filter(({ column }) => column >= 0 && column < block.rows[0].length);
 }
 
 // Return how many headers stand before that of the first column; -1 if a column that counts rows
