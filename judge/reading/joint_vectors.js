@@ -42,9 +42,7 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
   const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = findMatrixShape(typed, dof);
-  const hasLocked =
-    hasLockedColumns(rowsOf(typed.values, shape[1]), arm) ||
-    (!shape.includes(dof) && shape.includes(arm.rows.length));
+  const hasLocked = !shape.includes(dof) || hasLockedColumns(rowsOf(typed.values, shape[1]), arm);
   const width = hasLocked ? arm.rows.length : dof;
   const areColumns = shape[0] === width && (byColumns || shape[1] !== width);
   if (shape.length !== 2 || shape[areColumns ? 0 : 1] !== width)
@@ -84,7 +82,7 @@ const noteColumns = (areColumns, { length }) =>
 // Return the numbers of rows and columns. A list is one row, also within further lists; a single
 // column with the values of several poses has one row for each pose.
 function findMatrixShape({ shape, values }, dof) {
-  if (shape[1] === 1 && shape[0] > dof && shape[0] % dof === 0) return [shape[0] / dof, dof];
+  if (shape[1] === 1 && shape[0] % dof === 0) return [shape[0] / dof, dof];
   const flat = shape.length > 2 ? shape.filter((n) => n !== 1) : shape;
   return flat.length < 2 ? [1, values.length] : flat;
 }
