@@ -66,14 +66,13 @@ test("columns of a table are chosen by their headers", () => {
   checkAll([
     ["joint q qd\n1 0.1 5.5\n2 0.2 6.5\n3 0.3 7.5", [A]],
     ["joint  q0   q\n1 5.5 0.1\n2 6.5 0.2\n3 7.5 0.3", [A]],
-    ["a b q\n0.1 5.5 0.7\n0.2 6.5 0.8\n0.3 7.5 0.9", [[0.7, 0.8, 0.9]]],
+    ["the q values\n0.1 0.2 0.3\n0.4 0.5 0.6\n0.7 0.8 0.9", [A, B, [0.7, 0.8, 0.9]]], // a title
     ["i q_(deg) tau\n1 10.5 5.5\n2 20.5 6.5\n3 30.5 7.5", [TURNS]],
     ["i $q$ tau\n1 0.1 5.5\n2 0.2 6.5\n3 0.3 7.5", [A]],
     ["i q err note\n1 0.1 5.5 up\n2 0.2 6.5 up\n3 0.3 7.5 up", [A]],
     ["q_old q_new e f\n0.1 5.5 0.7 1.5\n0.2 6.5 0.8 1.5\n0.3 7.5 0.9 1.5", null], // either may be meant
     ["theta_{i} d_{i}\n0.1 5.5\n0.2 6.5\n0.3 7.5", [A]],
-    ["angle force\n0.1 5.5\n0.2 6.5\n0.3 7.5", [A]],
-    ["joint angle  force\n0.1 5.5\n0.2 6.5\n0.3 7.5", [A]],
+    ["i angle force\n1 0.1 5.5\n2 0.2 6.5\n3 0.3 7.5", [A]],
     ["deg N\n1 10.5 0.1\n2 20.5 0.3\n3 30.5 0.5", [TURNS]],
     ["i deg rad\n1 10.50 0.1833\n2 20.50 0.3578\n3 30.50 0.5323", [TURNS]],
     ["n q1 q2 q3 err\n1 0.1 0.2 0.3 0.01\n2 0.4 0.5 0.6 0.02", [A, B]],
