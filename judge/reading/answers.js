@@ -3,7 +3,7 @@
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
-import { bareName, chooseColumn, chooseJointColumns, isNamedColumn } from "./columns.js";
+import { bareName, chooseColumn, chooseJointColumns, isSquareTable } from "./columns.js";
 import {
   beginsWithCount,
   dropCountCells,
@@ -11,7 +11,6 @@ import {
   dropLabels,
   dropNameHeader,
   isJointCount,
-  isSeries,
 } from "./counts.js";
 import {
   labelNumberedLines,
@@ -249,14 +248,8 @@ function fitBlock(block, want, wants, names) {
   const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
   const columns = chooseColumn(block, names);
-  // A table whose rows are counted may have as many columns as an answer by chance.
-  const isColumnAlone =
-    want.columns === block.rows[0].length &&
-    columns.length === 1 &&
-    isNamedColumn(columns[0]) &&
-    isSeries(block.rows.map(([cell]) => cell.text));
   // Each group holds the blocks that one change makes. Headers may name several sets of columns.
-  const alternatives = isColumnAlone
+  const alternatives = isSquareTable(block, want, columns)
     ? [columns]
     : [
         ...dropCountHeader(block).map((each) => [each]),

@@ -35,11 +35,16 @@ export function chooseColumn(block, names) {
 }
 
 /**
- * Return whether a chosen column has the answer's name. Then the other columns are no answers.
- * @param {Block} column
+ * Return whether a table has as many columns as an answer by chance. Its rows are counted, and one
+ * of its columns has the answer's name.
+ * @param {Block} block @param {{ columns: number | null }} want @param {Block[]} chosen columns
  */
-export const isNamedColumn = ({ headers: [{ text }] }) =>
-  EXACT_NAME.test(bareName(text)) || ANGLE.test(text);
+export function isSquareTable({ rows }, want, chosen) {
+  if (want.columns !== rows[0].length || chosen.length !== 1) return false;
+  const { text } = chosen[0].headers[0];
+  const isNamed = EXACT_NAME.test(bareName(text)) || ANGLE.test(text);
+  return isNamed && isSeries(rows.map(([cell]) => cell.text));
+}
 
 /**
  * Return the blocks of the columns whose headers name joints, if possible by the answer's name.
