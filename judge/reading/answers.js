@@ -383,8 +383,6 @@ function makeRefusal(text, question, partings) {
 }
 
 const LONGEST_PART = 10; // times the wanted length: a longer list is no half-done answer
-
-// Return whether a block is so long that it holds no part of the answer.
 const isFarTooLong = (block, wants) =>
   wants.every(
     ({ rows, columns }) => count(block) > LONGEST_PART * (rows ?? Infinity) * (columns ?? Infinity),
