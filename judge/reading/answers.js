@@ -156,12 +156,15 @@ function findFirstFit(partings, partingsWithGiven, question) {
 
 const NONE = /(?!)/; // no name
 
-// Return whether a block is hardly the answer: it only counts without the answer's name, or is
-// called another quantity or an old answer.
+// Return whether a block is hardly the answer: it only counts without the answer's name, may be the
+// halves of decimal numbers, or is called another quantity or an old answer.
 const isUnlikely = (block, names = NONE) =>
+  (block.splitsCommas && textsOf(block.rows.flat()).every((text) => WHOLE.test(text))) ||
   (countsAlone(block) && !names.test(bareName(block.name))) ||
   isOtherQuantity(block) ||
   block.sources.every(isCalledOld);
+
+const WHOLE = /^[-+]?\d+(?: deg)?$/;
 
 // Three or more whole numbers in order, as of joints.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());

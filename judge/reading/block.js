@@ -17,6 +17,7 @@ import { readRowLabels } from "./labels.js";
  * @property {number} to
  * @property {Row[]} sources
  * @property {Lines} [lines]
+ * @property {boolean} [splitsCommas] whether commas that may be decimal commas separate its entries
  */
 /**
  * All rows and words of a text. The rows `given` repeat numbers of the question.

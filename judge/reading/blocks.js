@@ -42,9 +42,14 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiv
     if (!isEntryByCell.has(cell)) isEntryByCell.set(cell, !NO_ENTRY.test(cell) && isEntry(cell));
     return isEntryByCell.get(cell);
   };
-  const splittings = SPLITTINGS.filter(({ decimal }) => !decimal || DECIMAL_COMMA.test(text.text));
+  const mayBeDecimal = DECIMAL_COMMA.test(text.text);
+  const splittings = SPLITTINGS.filter(({ decimal }) => !decimal || mayBeDecimal);
   return splittings.map((splitting) =>
-    callOnce(() => findBlocks(readRows(text, isKnownEntry, splitting), names, given, keepsGiven)),
+    callOnce(() => {
+      const blocks = findBlocks(readRows(text, isKnownEntry, splitting), names, given, keepsGiven);
+      const splitsCommas = mayBeDecimal && !splitting.decimal;
+      return splitsCommas ? blocks.map((block) => ({ ...block, splitsCommas })) : blocks;
+    }),
   );
 }
 
