@@ -227,16 +227,20 @@ function askWhich(blocks) {
 const MOST_ANSWERS = 5; // to choose from
 const MOST_NUMBERS = 8; // of an answer to choose
 
+const ANSWER =
+  /(?:^|\s)(?:answer|result|solution|antwort|ergebnis|lösung|réponse|résultat|solución)s?$/i;
+
 // Ask which block is the answer if another one of as many decimals fits, too. It has the answer's
 // name or none. Beside an answer with its name, it has no word before it.
 function refuseRivals(block, blocks, { wants, names = NONE }) {
-  const isAnswer = (name) => names.test(bareName(name));
+  const isAnswer = (name) => names.test(bareName(name)) || ANSWER.test(name);
   const values = ({ rows }) => textsOf(rows.flat()).map(Number).sort().join();
   const isNamed = block.name && isAnswer(block.name);
   const mayBeAnswer = ({ sources: [{ name, words }] }) =>
     isAnswer(name) || (isNamed ? !words.length : !name || /^\d{1,3}$/.test(name));
+  const answers = blocks.filter(({ name }) => ANSWER.test(name));
   const rivals = wants
-    .flatMap((want) => listFits(blocks, want, { wants, names }))
+    .flatMap((want) => [blocks, answers].flatMap((all) => listFits(all, want, { wants, names })))
     .filter((other) => other.from > block.to || other.to < block.from)
     .filter((other) => count(other) === count(block) && mayBeAnswer(other))
     .filter((other) => values(other) !== values(block))
