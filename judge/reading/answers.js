@@ -29,6 +29,7 @@ import {
   orderByListedNames,
   transpose,
 } from "./ordering.js";
+import { refuseDashes, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { SpannedText } from "./spans.js";
@@ -102,6 +103,7 @@ function findIn(pasted, text, question) {
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
+  refuseDashes(text, block.sources);
   const computation = findComputation(text, block.sources);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
@@ -354,23 +356,6 @@ function listNumbersBeside({ from, to, sources, lines }) {
   return [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])]
     .filter(({ length }) => sources.length < 2 || length % sources.length)
     .flat(2);
-}
-
-/** @type {[string, RegExp][]} */
-const ODD = [
-  ["no solution", /\bno (?:real )?solution|\bunreachable\b/i],
-  ["not finite", /(?<!\p{L})(?:nan|inf(?:inity)?)(?!\p{L})/iu],
-  ["doubtful sign", /(?<!~)~\s*[\d.]/],
-  ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
-  ["two signs", /±|\\pm/],
-  ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],
-  ["no text", /[\0-\x08\ufffd]/],
-];
-
-// An error for a text that is no answer in numbers.
-function refuseOdd(text, { what, wanted = "numbers" }) {
-  const [key] = ODD.find(([, pattern]) => pattern.test(text)) ?? [];
-  if (key) throw new ArmError(formatMessage(key, { what, wanted }));
 }
 
 // Make an error that says which numbers are there and which are wanted.

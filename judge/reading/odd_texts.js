@@ -1,0 +1,40 @@
+// Refuses texts that hold something else than plain numbers: infinite or complex ones, a doubtful
+// sign, an abridged print.
+
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/** @type {[string, RegExp][]} */
+const ODD = [
+  ["no solution", /\bno (?:real )?solution|\bunreachable\b/i],
+  ["not finite", /(?<!\p{L})(?:nan|inf(?:inity)?)(?!\p{L})/iu],
+  ["doubtful sign", /(?<!~)~\s*[\d.]/],
+  ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
+  ["two signs", /±|\\pm/],
+  ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],
+  ["no text", /[\0-\x08\ufffd]/],
+];
+
+/**
+ * Raise an error for a text that is no answer in numbers.
+ * @param {string} text @param {{ what: string, wanted?: string }} question
+ */
+export function refuseOdd(text, { what, wanted = "numbers" }) {
+  const [key] = ODD.find(([, pattern]) => pattern.test(text)) ?? [];
+  if (key) throw new ArmError(formatMessage(key, { what, wanted }));
+}
+
+const LEADING_DASH = /(?:^|[\n\v\f\r])[ \t]{0,40}$/;
+
+/**
+ * Raise an error if a dash and a blank lead each of several values on lines of their own: these may
+ * be minus signs or marks of a list.
+ * @param {string} text @param {import("./lines.js").Row[]} rows
+ */
+export function refuseDashes(text, rows) {
+  const leads = ({ from, to }) =>
+    /^[-\u2212\u2013][ \t]/.test(text.slice(from, to)) &&
+    LEADING_DASH.test(text.slice(Math.max(0, from - 50), from));
+  if (rows.length < 2 || !rows.every(({ cells }) => cells.length === 1 && leads(cells[0]))) return;
+  const line = quoteText(text.slice(rows[0].cells[0].from, rows[0].cells[0].to));
+  throw new ArmError(formatMessage("dashes", { line }));
+}
