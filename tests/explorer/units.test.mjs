@@ -65,8 +65,9 @@ test("a list far too long is not tried as a part of an answer", () => {
   const isPartTried = (length) => {
     let isTried = false;
     const wants = [{ rows: 1, columns: 7 }];
-    const read = () => numbers(Array(length).fill("0.25").join(" "), "tau", undefined, undefined, { wants });
-    assert.throws(() => judgeWholeOrPart(read, () => ((isTried = true), null)), /expected: 7 numbers/);
+    const text = Array.from({ length }, (_, k) => `0.${k + 10}`).join(" ");
+    const read = () => numbers(text, "tau", undefined, undefined, { wants });
+    assert.throws(() => judgeWholeOrPart(text, read, () => ((isTried = true), null)), /expected: 7 numbers/);
     return isTried;
   };
   assert.ok(isPartTried(70));
