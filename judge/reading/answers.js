@@ -31,7 +31,7 @@ import {
 } from "./ordering.js";
 import { refuseDashes, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
-import { findUnreadAnswer, isCalledOld, namesOtherQuantity } from "./row_names.js";
+import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { findComputation } from "./surroundings.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
@@ -107,7 +107,8 @@ function findIn(pasted, text, question) {
   const computation = findComputation(text, block.sources);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
-  if (isOtherQuantity(block)) throw makeQuotingError("other quantity", text, block, question);
+  if (isOtherQuantity(block, names))
+    throw makeQuotingError("other quantity", text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block, names) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);
   const unusedLines = listUnusedLines(
@@ -163,7 +164,7 @@ const NONE = /(?!)/; // no name
 const isUnlikely = (block, names = NONE) =>
   (block.splitsCommas && textsOf(block.rows.flat()).every((text) => WHOLE.test(text))) ||
   (countsAlone(block) && !names.test(bareName(block.name))) ||
-  isOtherQuantity(block) ||
+  isOtherQuantity(block, names) ||
   block.sources.every(isCalledOld);
 
 const WHOLE = /^[-+]?\d+(?: deg)?$/;
@@ -171,8 +172,10 @@ const WHOLE = /^[-+]?\d+(?: deg)?$/;
 // Three or more whole numbers in order, as of joints.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
 
-function isOtherQuantity({ sources }) {
-  const others = sources.filter(namesOtherQuantity).length;
+function isOtherQuantity({ sources }, names = NONE) {
+  const isOther = (row) =>
+    namesOtherQuantity(row) || (!names.test(bareName(row.name)) && namesOtherTopic(row));
+  const others = sources.filter(isOther).length;
   return others > 0 && 2 * others >= sources.length;
 }
 
