@@ -33,7 +33,7 @@ import { refuseDashes, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
-import { findComputation } from "./surroundings.js";
+import { findComputation, findRejection } from "./surroundings.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
@@ -104,6 +104,8 @@ function findIn(pasted, text, question) {
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
   refuseDashes(text, block.sources);
+  const rejection = findRejection(text, block.sources);
+  if (rejection) throw new ArmError(formatMessage("rejected", { what, text: rejection }));
   const computation = findComputation(text, block.sources);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);

@@ -30,6 +30,15 @@ const FACTOR = /[=:][ \t]*(\d+(?:\.\d+)?(?:e[-+]?\d+)?[ \t]*[*·×])\s*$/i;
 // Units of other quantities behind a number.
 const OTHER_UNIT =
   /^[\s\])}]*((?:rad|deg|°) ?\/ ?s(?!\p{L})|N ?\/ ?m(?!\p{L})|kg ?[·*]? ?m(?![\p{L}\d^²]))/u;
+// A relation other than equality before a value, or words that reject it.
+const RELATION =
+  /(≠|!=|\\neq?|(?<=[\p{L}\d}] ?)[<≤≥]|(?<=[\p{L}\d}] )>|(?<!\p{L})(?:is|are) not)\s*$/u;
+const REJECTION = new RegExp(
+  String.raw`^(?:(?:[°%]|N ?m|rad|deg)(?!\p{L}))?[\])} \t.,]*` +
+    String.raw`((?:(?:is|are|was|were) )?(?:wrong|incorrect|false|falsch|faux)(?!\p{L})|` +
+    String.raw`(?:is|are) not (?:the|right|correct)(?!\p{L}))`,
+  "iu",
+);
 // The same without a blank before the bracket: elsewhere they are a bullet and a row's number.
 const SIGN = /(?:^|[\s(])([-\u2212\u2013])$/;
 const NUMBER = /(?<![\p{L}\d_.])(\d+(?:\.\d+)?)$/u;
@@ -64,6 +73,22 @@ const COMPUTED_NAME = new RegExp(
 );
 
 const NEAR = 80; // characters beside a row: brackets, what touches them and a name
+
+/**
+ * Find a relation other than equality before the rows of an answer, or words that reject them.
+ * @param {string} text as it was pasted @param {Row[]} rows the rows of the answer
+ * @returns {string | null} the words of the text
+ */
+export function findRejection(text, rows) {
+  for (const { cells } of rows) {
+    const [first, last] = [cells[0], cells.at(-1)];
+    const before = text.slice(Math.max(0, first.from - NEAR), first.from).replace(OPENING, "");
+    const behind = text.slice(last.to, last.to + NEAR).replace(CLOSING, "");
+    const rejection = RELATION.exec(before)?.[1] ?? REJECTION.exec(behind)?.[1];
+    if (rejection) return rejection;
+  }
+  return null;
+}
 
 /**
  * Find what touches the numbers of an answer and would change them, or a name that they do not fit.
