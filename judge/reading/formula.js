@@ -57,7 +57,7 @@ const LATEX = [
   [/\\var(?=theta|phi)/g, "\\"],
   [/\\(?:boldsymbol|(?:math|text)[a-z]*)\s*\{([^{}]*)\}/g, "$1"],
   [/\^\s*\{?\s*°\s*\}?/g, "°"],
-  [/(?<=[\d.)]\s*)deg(?:rees?|s|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
+  [/(?<=[\d.)]\s*)deg(?:rees?|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
 ];
 /** @type {[RegExp, string][]} */
@@ -215,7 +215,7 @@ function power(tokens, k, depth) {
 function atom(tokens, k, depth) {
   const [kind, word] = at(tokens, k);
   if (kind === "num") return [["num", Number(word), halfPlace(word)], k + 1];
-  if (kind === "name" && isFunction(word) && k + 1 < tokens.length) {
+  if (isFunction(word) && k + 1 < tokens.length) {
     if (tokens[k + 1][1] === "^") {
       const [exponent, after] = atom(tokens, k + 2, depth + 1); // sin^2 x
       if (exponent[0] !== "num") throw new NoFormula(); // sin^-1 is another function
@@ -228,7 +228,7 @@ function atom(tokens, k, depth) {
   if (kind === "name") return [["name", word], k + 1];
   if (word !== "(") throw new NoFormula();
   const [inner, next] = sum(tokens, k + 1, depth + 1);
-  if (at(tokens, next)[1] !== ")") throw new NoFormula();
+  at(tokens, next); // only a closing bracket stands behind a sum, if anything does
   return [inner, next + 1];
 }
 
@@ -337,7 +337,7 @@ const SLACKS = {
   "^": (dx, _, x, y) => dx * Math.abs(y * x ** (y - 1)),
 };
 
-const isPowerOfTen = (tree) => tree[0] === "^" && tree[1][0] === "num" && tree[1][1] === TEN;
+const isPowerOfTen = (tree) => tree[0] === "^" && tree[1][1] === TEN;
 const STEP = 1e-6; // step of the difference quotient
 const derivative = (make, x) => (make(x + STEP) - make(x - STEP)) / (2 * STEP);
 
