@@ -31,7 +31,8 @@ const FLATTENED = /√\(|\)\/\(/;
  */
 export function flattenFormulas(pasted, what) {
   const flat = rewrite(rewrite(pasted, listRootEdits), listFractionEdits);
-  if (flat === pasted && pasted.text.search(DRAWN_BRACKET) < 0) return pasted;
+  const isDrawn = [DRAWN_BRACKET, ROOT].some((pattern) => pasted.text.search(pattern) >= 0);
+  if (flat === pasted && !isDrawn) return pasted;
   const [typedLines, flatLines] = [pasted, flat].map(({ text }) => text.split("\n"));
   const line = findUnreadLine(typedLines, flatLines);
   if (line < 0) return flat;
