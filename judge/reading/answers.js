@@ -29,7 +29,7 @@ import {
   orderByListedNames,
   transpose,
 } from "./ordering.js";
-import { refuseDashes, refuseOdd } from "./odd_texts.js";
+import { hasHalfNumbers, refuseDashes, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
@@ -97,7 +97,7 @@ function findIn(pasted, text, question) {
     ? makeBlockFinders(plain, { isEntry, names, given }, true)
     : [];
   const answer = findFirstFit(partings, partingsWithGiven, question);
-  if (!answer) throw makeRefusal(text, question, partings);
+  if (!answer || hasHalfNumbers(text, answer.block)) throw makeRefusal(text, question, partings);
   const { block, want } = answer;
   refuseOtherNames(block, question);
   const { rows, taken } = orderByListedNames(block, want, text);
@@ -367,7 +367,8 @@ function listNumbersBeside({ from, to, sources, lines }) {
 function makeRefusal(text, question, partings) {
   const { what, wants, wanted = describeWant(wants[0]) } = question;
   refuseOdd(text, { what, wanted });
-  const blocks = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
+  const all = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
+  const blocks = all.filter((block) => !hasHalfNumbers(text, block));
   const unfilled = findUnfilledLine(text);
   if (unfilled) return makeUnfilledError(unfilled, question);
   if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));

@@ -38,3 +38,16 @@ export function refuseDashes(text, rows) {
   const line = quoteText(text.slice(rows[0].cells[0].from, rows[0].cells[0].to));
   throw new ArmError(formatMessage("dashes", { line }));
 }
+
+/**
+ * Return whether the numbers of a block are halves, as in "0,05 -97,53": commas without a blank
+ * separate them, but blanks stand between or within some of them. Then the commas are decimal.
+ * @param {string} text @param {import("./block.js").Block} block
+ */
+export const hasHalfNumbers = (text, { splitsCommas, sources }) =>
+  Boolean(splitsCommas) &&
+  sources.some(({ cells }) => {
+    const gaps = cells.slice(1).map(({ from }, k) => text.slice(cells[k].to, from));
+    const isSum = cells.some(({ from, to }) => /\d\s+[-+\u2212]?\d/.test(text.slice(from, to)));
+    return gaps.includes(",") && (isSum || gaps.some((gap) => !gap.trim()));
+  });
