@@ -63,3 +63,22 @@ export const findUnfilledLine = (text) =>
   text.split("\n").find((line) => /\d/.test(line) && LONE_MARK.test(line)) ?? null;
 
 const LONE_MARK = /(?:^|[\s,;|&[(=:])(?:\?+|…)(?=$|[\s,;|&\])])/;
+
+const GAP = /^(?:\?+|…|⋮|\.{3,}|\\[lcdv]?dots|nan|none|null|tbd)$/i; // in place of a row's numbers
+const PLAIN_NUMBER = /^[-+−]?\d*[.,]?\d+$/;
+
+/**
+ * Find the first line that stands in place of a row: it has placeholders, and rows follow it. A
+ * time or a number of the row may lead it. Null if there is none.
+ * @param {string} text
+ */
+export function findUnfilledRow(text) {
+  const lines = text.split("\n").map((line) => line.split(/[\s,;|&$[\]()]+/).filter(Boolean));
+  const isGap = ([first, ...rest], hasCount) =>
+    first !== undefined && rest.every((word) => GAP.test(word)) && (GAP.test(first) || hasCount);
+  const isUnfilledRow = (line) => isGap(line, line.length > 1 && PLAIN_NUMBER.test(line[0]));
+  const isRow = (line) => line.length > 1 && line.every((word) => PLAIN_NUMBER.test(word));
+  const last = lines.findLastIndex(isRow);
+  const index = lines.findIndex((line, k) => k < last && isUnfilledRow(line));
+  return index < 0 ? null : text.split("\n")[index];
+}

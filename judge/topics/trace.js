@@ -26,7 +26,8 @@ import {
 import { arrangeBySteps, convertToSI } from "./trace_layout.js";
 import { findOnlyWrongRow, makeRowCause } from "./trace_row.js";
 import { boundTipError, isDriftOfEuler, findUntrimmedUnits } from "./trace_units.js";
-import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
+import { findUnfilledRow } from "../reading/unfilled.js";
+import { ArmError, uncapitalize, formatMessage, formatNumber, quoteText } from "../sentences.js";
 import {
   followsPathByEuler,
   makeTrace,
@@ -56,8 +57,14 @@ export function compareTrace(mine, arm, path, options = {}) {
   return { ...judgeTrace(typed, arm, path, options), typed };
 }
 
-/** Return the joint values as typed, before any correction. */
+/**
+ * Return the joint values as typed, before any correction.
+ * @throws {ArmError} if a line between the rows has no numbers yet
+ */
 export function readTrace(mine, arm, which = null) {
+  const unfilled = typeof mine === "string" ? findUnfilledRow(mine) : null;
+  if (unfilled !== null)
+    throw new ArmError(formatMessage("unfilled row", { line: quoteText(unfilled.trim()) }));
   return numbers(mine, `${arm.name}: your joints`, undefined, undefined, {
     wants: jointShapes(arm)
       .filter(({ rows, columns }) => rows === null || columns === null)
@@ -79,7 +86,7 @@ function judgeTypedTrace(typed, arm, path, options = {}) {
   const typedUnit = typed.statedUnits?.angles ?? angles;
   const arranged = arrangeBySteps(typed, arm, path.times.length, typedUnit);
   if (!arranged)
-    return judgeFirstSteps(typed, arm, path, options) ?? reportWrongShape(typed, arm, path);
+    return judgeTooFewSteps(typed, arm, path, options) ?? reportWrongShape(typed, arm, path);
   const trajectory = { ...arranged, units: findUntrimmedUnits(arranged, arm, path) };
   const { q, units, unit, taken } = trajectory;
   const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
@@ -94,9 +101,9 @@ function judgeTypedTrace(typed, arm, path, options = {}) {
   });
 }
 
-// Judge the first rows of a trajectory whose last rows are missing. Null if they leave the path,
-// turn the tool or jump.
-function judgeFirstSteps(typed, arm, path, { angles = "rad", tolerance = null }) {
+// Judge the first rows of a trajectory whose last rows are missing. Refuse rows from which others
+// are left out. Null if they leave the path, turn the tool or jump.
+function judgeTooFewSteps(typed, arm, path, { angles = "rad", tolerance = null }) {
   const count = typed.shape[0];
   const all = path.times.length;
   const isPart = count >= FEWEST_STEPS && count < all - 1;
@@ -113,6 +120,8 @@ function judgeFirstSteps(typed, arm, path, { angles = "rad", tolerance = null })
     frames.map(({ o }) => o),
   );
   const isTurned = movingRows(arm).length >= 6 && measureToolTurns(frames)[0] > METHOD_TILT;
+  if (exceedsAllowed(errors, allowed) && liesOnPath(frames, path, allowed))
+    throw new ArmError(formatMessage("trace rows left out", { count, all }));
   if (isTurned || exceedsAllowed(errors, allowed) || findJumps(q, arm, firstPart).length)
     return null;
   const headline = formatMessage("trace so far", { arm: arm.name, count, all });
@@ -121,6 +130,16 @@ function judgeFirstSteps(typed, arm, path, { angles = "rad", tolerance = null })
     findings: [makeFinding("missing", words, `steps ${count} to ${all - 1}`)],
     taken,
     figures: { position_error: Math.max(...errors), q },
+  });
+}
+
+// Return whether each row reaches a point of the path, later than the row before.
+function liesOnPath(frames, path, allowed) {
+  const points = path.times.map(path.position);
+  let step = 0;
+  return frames.every(({ o }, k) => {
+    while (step < points.length && norm(minus(o, points[step])) > allowed[k]) step++;
+    return step++ < points.length;
   });
 }
 
