@@ -117,7 +117,8 @@ function useDefinitions(table, definitions, undefinedNames, text) {
   const symbols = new Set(typedCells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));
   const names = undefinedNames.filter((name) => symbols.has(simple(name)));
   refuseUnreadValues(names, maskSpans(text, [...cellSpans, ...definitions]), tokens, text);
-  refuseChanges(table, maskSpans(text, [...cellSpans, ...used]), text);
+  const lengths = used.filter(({ name }) => !isVariable(name)); // "offset of q2: 90" is a change
+  refuseChanges(table, maskSpans(text, [...cellSpans, ...lengths]), text);
   return {
     ...table,
     unusedLines: dropDefinitions(unusedLines, used),

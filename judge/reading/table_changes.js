@@ -24,13 +24,10 @@ const OFFSET_IN_ROW = /\b(?:offset|plus|minus)\b[^,;|&]*?[1-9]/i;
 const FIELD = /\.(?:a|d|alpha|theta|offset|tool|base) ?=(?!=)/;
 const LIST_ENTRY = /(?<![\w.])(?:a|r|d|alpha|theta|offset) ?[[(]\d{1,2}[\])] ?=(?!=)/;
 const TOOL = /(?<![\p{L}\p{N}])(?:tool|base)['"]?[ \t]*[:=│|,](.*)/iu;
-const TRANSFORM = new RegExp(
-  String.raw`\.\d{0,20}[1-9]|[1-9]\d{0,9} ?mm\b|(?:transl|SE3)\(.*[1-9]|` +
-    String.raw`(?=[^.]{0,80}[1-9])(?:-?\d{1,20}[ ,]{1,9}){2}-?\d`,
-);
+const TRANSFORM = /\.\d{0,20}[1-9]|(?=[^.]{0,80}[1-9])(?:-?\d{1,20}[ ,]{1,9}){2}-?\d/;
 // A base that stands elsewhere, lengths that are scaled, an entry that is doubted
 const MOVED = new RegExp(
-  String.raw`\b(?:base|floor|ground|world|tool|tcp)\b[^\n]{0,60}[1-9] ?(?:${LENGTH_UNIT})\b|` +
+  String.raw`\b(?:base|floor|ground|world|tool|tcp)\b[^\n]{0,60}[1-9][\d.]{0,9} ?(?:${LENGTH_UNIT})\b|` +
     String.raw`\b(?:doubled|halved|not to scale)\b`,
   "i",
 );
