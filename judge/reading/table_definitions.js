@@ -35,12 +35,12 @@ const TERM = `(?:${ROOT}|${DECIMAL_COMMA}|${NUMERAL}|${NUMBERED})`;
 const FORMULA = String.raw`[-+]?${TERM}(?:[ ]?[-+*/·×∗][ ]?${TERM})*`; // L1 = 2 * 0.15
 const UNIT = String.raw`[ \t]*(?:([[(])[ ]?(?:in )?)?(${LENGTH_UNIT})(?![\p{L}\p{N}])[ ]?[\])]?`;
 const END =
-  String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=·×∗⋅%]|[ ]+[.\d]|` +
+  String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=·×∗⋅%]|[ ]+(?:x[ ])?[.\d]|` +
   String.raw`[ ]*\([^()\n]{0,40}\)[ ]*[-+*/^·×∗⋅])`; // 0.107 (flange) + 0.1
-// Behind a colon, an arrow or a word nothing but the value may stand.
-const STRICT_END = String.raw`(?=[ \t]*(?:[,;)\]}$]|\.?[ \t]*$|\.\s|and\b))`;
+// Behind a colon or an arrow nothing but the value may stand.
+const STRICT_END = String.raw`(?=[ \t]*(?:,(?!\d)|[;)\]}$]|\.?[ \t]*$))`;
 const SIGN = String.raw`["'$]*\s*:?={1,2}\s*`;
-const OTHER_SIGN = String.raw`["'$]*(?:[ ]*(?:->|→|:(?!=))|[ ]+is(?: equal to)?\b)[ ]*`;
+const OTHER_SIGN = String.raw`["'$]*[ ]*(?:->|:(?!=))[ ]*`;
 const START = String.raw`(?<![\p{L}\p{N}_.\\])`;
 const VALUE = String.raw`(${FORMULA}(?:\s*=\s*${FORMULA}){0,4})(?:${UNIT})?`;
 const DEFINITIONS = [
@@ -49,7 +49,12 @@ const DEFINITIONS = [
 ];
 const NAMES = String.raw`\(?${NUMBERED}(?:[ ]?,[ ]?${NUMBERED}){1,9}\)?`; // (a2, a3) = (0.4, 0.3)
 const NUMERALS = String.raw`[[(]?-?${NUMERAL}(?:[ ]?,[ ]?-?${NUMERAL}){1,9}[\])]?`;
-const SEVERAL = new RegExp(`(?<![=+*/-][ ]?)${START}(${NAMES})(${SIGN})(${NUMERALS})${END}`, "gu");
+// A bracket, a unit or more numbers behind the values would change them: (0.4, 0.3) * 2.
+const LIST_END = String.raw`(?![ ]*[\])]|[ ]*[[(]?(?:mm|cm)(?!\p{L})|[ ]*;[ ]*[.\d])`;
+const SEVERAL = new RegExp(
+  `(?<![=+*/-][ ]?)${START}(${NAMES})(${SIGN})(${NUMERALS})${END}${LIST_END}`,
+  "gu",
+);
 // A name before the last of several names, which the last value alone does not define.
 const NAME_BEFORE = new RegExp(
   String.raw`(?<![=+*/-][ ]?)${START}${NUMBERED}\$?[ ]?,[ ]?\$?$`,
