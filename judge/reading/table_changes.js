@@ -27,8 +27,8 @@ const TOOL = /(?<![\p{L}\p{N}])(?:tool|base)['"]?[ \t]*[:=│|,](.*)/iu;
 const TRANSFORM = /\.\d{0,20}[1-9]|(?=[^.]{0,80}[1-9])(?:-?\d{1,20}[ ,]{1,9}){2}-?\d/;
 // A base that stands elsewhere, lengths that are scaled, an entry that is doubted
 const MOVED = new RegExp(
-  String.raw`\b(?:base|floor|ground|world|tool|tcp)\b[^\n]{0,60}[1-9][\d.]{0,9} ?(?:${LENGTH_UNIT})\b|` +
-    String.raw`\b(?:doubled|halved|not to scale)\b`,
+  String.raw`\b(?:base|floor|ground|world|tool|tcp)\b[^\n]{0,60}[1-9][\d.]{0,9} ?` +
+    String.raw`(?:${LENGTH_UNIT})\b|\b(?:doubled|halved|not to scale)\b`,
   "i",
 );
 const DOUBT_IN_ROW = /\b(?:or|oder|should|wrong|incorrect|falsch)\b|^\W*(?:sum|total)\b/i;
