@@ -106,10 +106,7 @@ function judgeTypedTrace(typed, arm, path, options = {}) {
 function judgeTooFewSteps(typed, arm, path, { angles = "rad", tolerance = null }) {
   const count = typed.shape[0];
   const all = path.times.length;
-  const isPart = count >= FEWEST_STEPS && count < all - 1;
-  const arranged = isPart
-    ? arrangeBySteps(typed, arm, count, typed.statedUnits?.angles ?? angles)
-    : null;
+  const arranged = arrangeFirstPart(typed, arm, all, angles);
   if (!arranged) return null;
   const { q, units, taken } = arranged;
   const firstPart = { ...path, times: path.times.slice(0, count) };
@@ -131,6 +128,13 @@ function judgeTooFewSteps(typed, arm, path, { angles = "rad", tolerance = null }
     taken,
     figures: { position_error: Math.max(...errors), q },
   });
+}
+
+// Arrange the rows of the first steps; null if they are too few, or all or all but one.
+function arrangeFirstPart(typed, arm, all, angles) {
+  const count = typed.shape[0];
+  if (count < FEWEST_STEPS || count >= all - 1) return null;
+  return arrangeBySteps(typed, arm, count, typed.statedUnits?.angles ?? angles);
 }
 
 // Return whether each row reaches a point of the path, later than the row before.
