@@ -47,13 +47,14 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiv
   return splittings.map((splitting) =>
     callOnce(() => {
       const blocks = findBlocks(readRows(text, isKnownEntry, splitting), names, given, keepsGiven);
-      const splitsCommas = mayBeDecimal && !splitting.decimal;
+      const splitsCommas = mayBeDecimal && !splitting.decimal && !POINT_AND_COMMA.test(text.text);
       return splitsCommas ? blocks.map((block) => ({ ...block, splitsCommas })) : blocks;
     }),
   );
 }
 
 const DECIMAL_COMMA = /,\d/;
+const POINT_AND_COMMA = /\d\.\d+,[-+]?\d/; // 0.5,10: the comma separates numbers
 const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d/; // a row's number, two numbers
 
 // Return a function that computes its result at the first call only.
