@@ -11,12 +11,12 @@ const OPENING = new RegExp(
   "i",
 );
 const CLOSING = /^(?:\s*(?:[\])}]|\\right\b|\\[bB]ig+r?|\\end\{[^{}\n]*\})|[ \t]|\\[ ,;:!])+/;
-const countBrackets = (text) => text.match(/[[\](){}]|\\(?:begin|end)/g)?.length ?? 0;
+const countBrackets = (text) => text.match(/[[\](){}]/g)?.length ?? 0;
 
 // A sign or a factor before a bracket, or a function of it.
 const BEFORE = [
   /[=:][ \t]*([-\u2212\u2013])[ \t]*$/,
-  /([\w.^{}+-]*[\w)\]}⁰¹²³⁴-⁹]\s*(?:[*·×/^]|\\cdot|\\times))\s*$/,
+  /([\w.^{}+⁻⁰¹²³⁴-⁹-]*[\w)\]}⁰¹²³⁴-⁹]\s*(?:[*·×/^]|\\cdot|\\times))\s*$/,
   new RegExp(
     String.raw`((?:π|\\pi|(?<![\p{L}_])pi|\\[dt]?frac(?:\{[^{}]*\}\{[^{}]*\}|\d\d)|` +
       String.raw`10\^\{?-?\d+\}?|10⁻?[⁰¹²³⁴-⁹]+))\s*$`,
