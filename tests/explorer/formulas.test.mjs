@@ -3,8 +3,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { formulaSlack, isNumber, number, parse, plain, simple, symbolsIn } from "../../judge/reading/formula.js";
+import { listGivenRows, lookup, numbers, unnamed } from "../../judge/reading/numbers.js";
 import { withoutRepeatedUnits } from "../../judge/reading/repetitions.js";
 import { SpannedText } from "../../judge/reading/spans.js";
+import { ArmError } from "../../judge/sentences.js";
 
 const SIN = Math.sin(0.5);
 const [COS, TAN] = [Math.cos(0.5), Math.tan(0.5)];
@@ -73,4 +75,37 @@ test("a value in degrees replaces the equal value in radians", () => {
       }
   for (const text of ["2(45°)", "2·0.5 rad", "x0.5 rad (28.65°)", "1/0.5 rad (28.65°)"]) assert.equal(read(text), text.replaceAll(" ", ""));
   for (const text of ["0.50 rad (30.65°)", "30.65° = 0.50 rad"]) assert.throws(() => read(text), /30\.65/);
+});
+
+test("symbols of an arm have values in each spelling", () => {
+  const makeArm = (...kinds) => ({ name: "arm", rows: kinds.map((kind) => ({ kind })), values: [["a_2", 0.4]] });
+  const arm = makeArm("revolute", "revolute", "revolute");
+  const known = lookup(arm, [0.1, 0.2, 0.3], [["l_pen", 0.05]]);
+  const cases = { a_2: 0.4, l_pen: 0.05, c12: Math.cos(0.3), s_23: Math.sin(0.5), "c_{1-2}": Math.cos(0.1), "s_{1-2}": Math.sin(-0.1), C_3: Math.cos(0.3) };
+  for (const [name, x] of Object.entries(cases)) assert.ok(known.has(name) && isNear(known([name]).get(name), x), name);
+  for (const name of ["q2", "q_2", "th2", "theta_2", "t2", "joint2", "j2", "x2", "d2"]) assert.ok(known.has(name) && known([name]).get(name) === 0.2, name);
+  for (const name of ["w", "q123", "b_2"]) assert.ok(!known.has(name), name);
+  assert.throws(() => known(["w"]), /w.*a_2/);
+  assert.throws(() => known(["b_2"]), /b_2/);
+  for (const name of ["q0", "th0", "theta_0"]) assert.throws(() => known([name]), new RegExp(name.replace("0", "1")), name);
+  assert.throws(() => lookup(makeArm("fixed", "revolute"), [0.1])(["q3"]), /q3/);
+});
+
+test("lists from Python are numbers, formulas or refused", () => {
+  const read = (list, known = undefined) => numbers(list, "q", known);
+  assert.deepEqual(read([[1, "pi/2"], [0.5, "2"]]).values, [1, Math.PI / 2, 0.5, 2]);
+  assert.deepEqual(read([[1, 2, 3], [4, 5, 6]]).shape, [2, 3]);
+  assert.ok(!read([1]).symbolic && read(["x"], () => new Map([["x", X]])).symbolic);
+  for (const list of [[[1, 2], [3]], [null], [NaN], ["x"], [{ odd: "a matrix" }], ["1/0"]]) assert.throws(() => read(list), ArmError, JSON.stringify(list));
+  assert.deepEqual(unnamed([["theta1", 0.3], ["theta2", 0.4]]), [0.3, 0.4]);
+  assert.deepEqual(unnamed(["0.3", "0.4"]), ["0.3", "0.4"]);
+  assert.equal(unnamed(0.3), 0.3);
+});
+
+test("a target's rows of numbers are listed", () => {
+  const pose = [[1, 0, 0, 0.1], [0, 1, 0, 0.2], [0, 0, 1, 0.3]];
+  assert.deepEqual(listGivenRows(pose), [...pose, [0.1, 0.2, 0.3]]);
+  for (const rows of [pose.slice(0, 2), [[1, 0, 0], [0, 1, 0], [0, 0, 1]]]) assert.deepEqual(listGivenRows(rows), rows);
+  assert.deepEqual(listGivenRows([0.1, 0.2, 0.3]), [[0.1, 0.2, 0.3]]);
+  for (const none of ["above the table", undefined, [0.1, "x"]]) assert.deepEqual(listGivenRows(none), []);
 });
