@@ -180,6 +180,17 @@ def torques_at_one_pose(q):
     return compute_torques(q)
 
 
+def test_text_of_long_trajectory_is_read():
+    q = np.repeat([BENT], 340, axis=0)
+    text = "\n".join(" ".join(f"{x:.5f}" for x in TAU) for _ in q)
+    assert compare(text, q).agrees
+
+
+def test_text_of_far_too_many_numbers_is_refused():
+    with pytest.raises(ArmError, match="I find 510 numbers; expected: 3 numbers"):
+        compare("tau: 0.5\n" * 510)
+
+
 def test_function_is_called_for_each_pose():
     for mine in (
         torques_at_one_pose,

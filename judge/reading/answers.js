@@ -29,7 +29,7 @@ import {
   orderByListedNames,
   transpose,
 } from "./ordering.js";
-import { hasHalfNumbers, refuseDashes, refuseOdd } from "./odd_texts.js";
+import { hasHalfNumbers, refuseDashes, refuseManyNumbers, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
@@ -69,6 +69,8 @@ export function findAnswer(text, question) {
   if (text.length > LONGEST)
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
+  const { what, wants, wanted = describeWant(wants[0]) } = question;
+  refuseManyNumbers(text, Math.max(...wants.map(sizeOf)), { what, wanted });
   const typed = foldCharacters(new SpannedText(text));
   const pasted = joinFrameParts(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
@@ -93,10 +95,7 @@ function findIn(pasted, text, question) {
   if (wants[0].columns === null) refuseOdd(text, question);
   const plain = labelNumberedLines(makePlainText(flattenFormulas(pasted, what)));
   const partings = makeBlockFinders(plain, { isEntry, names, given });
-  const partingsWithGiven = given.length
-    ? makeBlockFinders(plain, { isEntry, names, given }, true)
-    : [];
-  const answer = findFirstFit(partings, partingsWithGiven, question);
+  const answer = findFirstFit(partings, question);
   if (!answer || hasHalfNumbers(text, answer.block)) throw makeRefusal(text, question, partings);
   const { block, want } = answer;
   refuseOtherNames(block, question);
@@ -145,17 +144,19 @@ function findLinesOfEntries({ from, to }, tokens) {
 
 // Find the block that fits by the first shape wanted and the first parting of the text. A block
 // that is hardly the answer comes last.
-function findFirstFit(partings, partingsWithGiven, question) {
-  const { wants, which = null } = question;
+function findFirstFit(partings, question) {
+  const { wants, which = null, given = [] } = question;
   const shapes = [false, true].flatMap((unlikely) => wants.map((want) => ({ unlikely, want })));
   for (const { unlikely, want } of shapes)
-    for (const makeBlocks of want.rows > 1 ? [...partingsWithGiven, ...partings] : partings) {
-      const fits = listFits(makeBlocks(), want, question);
-      const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit, question.names));
-      const block = chooseBlock(candidates, question);
-      if (block && which === null) refuseRivals(block, makeBlocks(), question);
-      if (block) return { block, want };
-    }
+    for (const keepsGiven of want.rows > 1 && given.length > 0 ? [true, false] : [false])
+      for (const makeBlocks of partings) {
+        const blocks = makeBlocks(keepsGiven);
+        const fits = listFits(blocks, want, question);
+        const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit, question.names));
+        const block = chooseBlock(candidates, question);
+        if (block && which === null) refuseRivals(block, blocks, question);
+        if (block) return { block, want };
+      }
   return null;
 }
 
@@ -190,15 +191,13 @@ function makeQuotingError(key, text, { from }, { what }) {
 // List the blocks that fit, if possible only those with the answer's name. If any shape is wanted,
 // the largest is the answer.
 function listFits(blocks, want, { wants, names = NONE }) {
-  const short = want.rows === null ? blocks : blocks.filter((b) => count(b) <= LONGEST_LIST);
-  const candidates = want.rows === 1 ? short.flatMap((b) => listRowsAlone(b, want)) : short;
+  const candidates = want.rows === 1 ? blocks.flatMap((b) => listRowsAlone(b, want)) : blocks;
   const fits = candidates.flatMap((block) => fitBlock(dropNameHeader(block), want, wants, names));
   if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
   const named = fits.filter(({ name }) => names.test(bareName(name)));
   return named.length ? named : fits;
 }
 
-const LONGEST_LIST = 1000; // numbers of a list that an answer of fixed size may be a part of
 const count = ({ rows }) => rows.reduce((sum, row) => sum + row.length, 0);
 const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slice(0, 1);
 const textsOf = (cells) => cells.map(({ text }) => text);
@@ -382,9 +381,10 @@ function makeRefusal(text, question, partings) {
 
 const LONGEST_PART = 10; // times the wanted length: a longer list is no half-done answer
 const isFarTooLong = (block, wants) =>
-  wants.every(
-    ({ rows, columns }) => count(block) > LONGEST_PART * (rows ?? Infinity) * (columns ?? Infinity),
-  );
+  wants.every((want) => count(block) > LONGEST_PART * sizeOf(want));
+
+// Return how many numbers an answer has; Infinity if any number of rows or columns is wanted.
+const sizeOf = ({ rows, columns }) => (rows ?? Infinity) * (columns ?? Infinity);
 
 const describeWant = ({ rows, columns }) =>
   columns === null ? "numbers" : describeSize(rows, columns);

@@ -29,13 +29,13 @@ export const makePlainText = (pasted) =>
   plainCharacters(withoutDecorations(foldNames(foldCharacters(pasted))));
 
 /**
- * Return a function for each splitting of the text, which finds the blocks.
+ * Return a function for each splitting of the text, which finds the blocks. Its argument
+ * is whether numbers of the question may be part of a block.
  * @param {import("./spans.js").SpannedText} plain
  * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
- * @param {boolean} [keepsGiven] whether numbers of the question may be part of a block
- * @returns {(() => Block[])[]}
+ * @returns {((keepsGiven?: boolean) => Block[])[]}
  */
-export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiven = false) {
+export function makeBlockFinders(plain, { isEntry, names, given = [] }) {
   const text = markHeadings(plain);
   const isEntryByCell = new Map();
   const isKnownEntry = (cell) => {
@@ -43,14 +43,22 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }, keepsGiv
     return isEntryByCell.get(cell);
   };
   const mayBeDecimal = DECIMAL_COMMA.test(text.text);
-  const splittings = SPLITTINGS.filter(({ decimal }) => !decimal || mayBeDecimal);
-  return splittings.map((splitting) =>
-    callOnce(() => {
-      const blocks = findBlocks(readRows(text, isKnownEntry, splitting), names, given, keepsGiven);
-      const splitsCommas = mayBeDecimal && !splitting.decimal && !POINT_AND_COMMA.test(text.text);
-      return splitsCommas ? blocks.map((block) => ({ ...block, splitsCommas })) : blocks;
-    }),
+  const mayBeWrapped = /[[({]/.test(text.text);
+  const splittings = SPLITTINGS.filter(
+    ({ decimal, wrapped }) => (!decimal || mayBeDecimal) && (!wrapped || mayBeWrapped),
   );
+  return splittings.map((splitting) => {
+    const splitsCommas = mayBeDecimal && !splitting.decimal && !POINT_AND_COMMA.test(text.text);
+    const readLines = callOnce(() => markGivenRows(readRows(text, isKnownEntry, splitting), given));
+    const findOnce = (keepsGiven) =>
+      callOnce(() => {
+        const blocks = findBlocks(readLines(), names, keepsGiven);
+        return splitsCommas ? blocks.map((block) => ({ ...block, splitsCommas })) : blocks;
+      });
+    const [findAll, findOthers] = [findOnce(true), findOnce(false)];
+    return (keepsGiven = false) =>
+      keepsGiven && readLines().given.size > 0 ? findAll() : findOthers();
+  });
 }
 
 const DECIMAL_COMMA = /,\d/;
@@ -63,11 +71,17 @@ function callOnce(compute) {
   return () => (result ??= compute());
 }
 
-/** @returns {Block[]} */
-function findBlocks({ rows: all, words }, names, given, keepsGiven) {
+// Collect the rows that hold numbers of the question.
+/** @returns {import("./block.js").Lines} */
+function markGivenRows({ rows: all, words }, given) {
   const isOfQuestion = ({ cells }) => given.some((values) => areGivenValues(cells, values));
-  const lines = { all, words, given: new Set(all.filter(isOfQuestion)) };
-  const rows = keepsGiven ? all : all.filter((row) => !lines.given.has(row));
+  return { all, words, given: new Set(all.filter(isOfQuestion)) };
+}
+
+/** @param {import("./block.js").Lines} lines @returns {Block[]} */
+function findBlocks(lines, names, keepsGiven) {
+  const { all, words, given } = lines;
+  const rows = keepsGiven ? all : all.filter((row) => !given.has(row));
   const blocks = [
     ...groupFollowingRows(rows, names),
     ...groupRowsByWords(rows),

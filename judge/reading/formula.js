@@ -77,12 +77,14 @@ const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 // Return whether a text is one number in plain characters, as nearly every cell of a long paste is.
 export const isNumber = (text) => NUMBER.test(text);
 
+const NAME_ALONE = /^[A-Za-z]\w*$/;
+
 // Return whether a number with decimals stands in a text.
 export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 
 // Write a text in plain characters: Unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
-  if (isNumber(text)) return text;
+  if (isNumber(text) || NAME_ALONE.test(text)) return text; // nearly every text is one of these
   text = withoutSpacing(foldNames(foldCharacters(text)));
   text = text.replace(/([₀-₉])(?=[A-Za-zα-ω])/g, "$1*"); // a product without a sign
   for (const [pattern, replacement] of LATEX) text = text.replace(pattern, replacement);

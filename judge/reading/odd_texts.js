@@ -23,6 +23,20 @@ export function refuseOdd(text, { what, wanted = "numbers" }) {
   if (key) throw new ArmError(formatMessage(key, { what, wanted }));
 }
 
+const MOST_OTHERS = 500; // numbers beside an answer
+const NUMBER = /(?<![\p{L}\d_.{])\d/gu; // the first digit of a number that is no index of a name
+
+/**
+ * Raise an error if a text has far more numbers than the answer.
+ * @param {string} text @param {number} size numbers of the answer
+ * @param {{ what: string, wanted: string }} question
+ */
+export function refuseManyNumbers(text, size, { what, wanted }) {
+  const count = text.match(NUMBER)?.length ?? 0;
+  if (count > size + MOST_OTHERS)
+    throw new ArmError(formatMessage("many numbers", { what, count, wanted }));
+}
+
 const LEADING_DASH = /(?:^|[\n\v\f\r])[ \t]{0,40}$/;
 
 /**

@@ -19,10 +19,13 @@ export function readLabels(words) {
   const readOne = (cells) => cells[0]?.label ?? findLabel(cells);
   const kind = readOne(words[0])?.kind;
   if (!kind) return null;
-  const labels = words.map(readOne);
-  if (labels.some((label) => label?.kind !== kind)) return null;
-  const numbers = labels.map((label) => label.number);
-  return new Set(numbers).size === numbers.length ? { kind, numbers } : null;
+  const numbers = new Set();
+  for (const cells of words) {
+    const label = readOne(cells);
+    if (label?.kind !== kind || numbers.has(label.number)) return null;
+    numbers.add(label.number);
+  }
+  return { kind, numbers: [...numbers] };
 }
 
 // Read labels that differ in one number only, as "config(2).q" and "config(1).q"; null unless these
