@@ -146,3 +146,37 @@ test("a note in a row that changes its entries is refused", () => {
   for (const note of ["theta is q2 + 90", "theta is phi_2 - pi", "theta is th2 - .5"])
     checkTable(`| a | alpha | d | theta | note |\n| 0.5 | 0 | 0 | q1 | |\n| 0.4 | 0 | 0 | q2 | ${note} |`, "seems to change");
 });
+
+const PRISMATIC = "i type a alpha d theta\n1 KIND1 0.5 0 0 q1\n2 KIND2 0.4 0 q2 0";
+const WITH_TOOL = "i | a | alpha | d | theta\n1 | 0.5 | 0 | 0 | q1\n2 | 0.4 | 0 | 0 | q2\nTOOL | 0 | 0 | 0.1 | 0";
+const PLANAR_LAYOUTS = [
+  "# a alpha d theta\n0.5 0 0 q1\n0.4 0 0 q2", "% a alpha d theta\n0.5 0 0 q1\n0.4 0 0 q2", "// a alpha d theta\n0.5 0 0 q1\n0.4 0 0 q2",
+  `"a","alpha","d","theta"\n"0.5","0","0","q1"\n"0.4","0","0","q2"`,
+  "a alpha d theta\n0.5 0 0 \\theta_1^*\n0.4 0 0 \\theta_2^{*}",
+  "a alpha d theta\n0.5 0 0 *\n0.4 0 0 *", "i a alpha d theta\njoint1 0.5 0 0 q1\njoint2 0.4 0 0 q2", "i a alpha d theta\nrow_1 0.5 0 0 q1\nrow_2 0.4 0 0 q2",
+  "i a alpha d theta\nframe1 0.5 0 0 q1\nframe2 0.4 0 0 q2", "i | a | alpha | d | theta\n1 | 0.5 | | | q1\n2 | 0.4 | 0 | 0 | q2",
+  "a_prev alpha_prev d theta\n0.5 0 0 q1\n0.4 0 0 q2", "aprev alphaprev d theta\n0.5 0 0 q1\n0.4 0 0 q2", "joint, a, alpha, d, theta\n0.5, 0, 0, q1\n0.4, 0, 0, q2",
+  "q1 = 0.5, q2 = 0.4\na alpha d theta\n0.5 0 0 q1\n0.4 0 0 q2",
+];
+
+test("a table is read in each layout of its headers and rows", () => {
+  for (const text of PLANAR_LAYOUTS) checkTable(text, PLANAR_ROWS);
+  for (const [revolute, prismatic] of [["R", "P"], ["r", "p"], ["revolute", "prismatic"]])
+    checkTable(PRISMATIC.replace("KIND1", revolute).replace("KIND2", prismatic), PLANAR_ROWS);
+  checkTable("i type a alpha d theta\n1 revolute 0.5 0 0 q1\n2 fixed 0.4 0 0 0", PLANAR_ROWS);
+  for (const tool of ["T", "EE", "TCP", "flange", "tool"]) checkTable(WITH_TOOL.replace("TOOL", tool), [...PLANAR_ROWS, [0, 0, 0.1, 0]]);
+  checkTable("i a alpha d theta\nbase 0 0 0.3 0\n1 0.5 0 0 q1\n2 0.4 0 0 q2", [[0, 0, 0.3, 0], ...PLANAR_ROWS]);
+  checkTable("a alpha d theta\n0.5 90 deg 0 q1\n0.4 0 deg 0 q2", [[0.5, QUARTER, 0, 0], [0.4, 0, 0, 0]]);
+  checkTable("a [mm] | 500 | 400\nalpha | 0 | 0\nd | 0 | 0\ntheta | q1 | q2", [[500, 0, 0, 0], [400, 0, 0, 0]]);
+});
+
+test("a column of offsets is added to the joints, and unlike rows are refused", () => {
+  const write = (first, second) => `a | alpha | d | theta | offset\n${first}\n${second}`;
+  checkTable(write("0.5 | 0 | 0 | q1 | -", "0.4 | 0 | 0 | q2 | pi/2"), [[0.5, 0, 0, 0], [0.4, 0, 0, QUARTER]]);
+  checkTable(write("0.5 | 0 | 0 | q1 | ", "0.4 | 0 | 0 | q2 | pi/2"), [[0.5, 0, 0, 0], [0.4, 0, 0, QUARTER]]);
+  checkTable(write("0.5 | 0 | 0 | q1 | 0", "0.4 | 0 | q2 | 0 | 0.1"), [[0.5, 0, 0, 0], [0.4, 0, 0.1, 0]]);
+  checkTable("0.5 π/2 0 q1\n0.4 0 0 q2", [[0.5, QUARTER, 0, 0], [0.4, 0, 0, 0]]);
+  checkTable("0.5 90° 0 q1\n0.4 0 0 q2", [[0.5, QUARTER, 0, 0], [0.4, 0, 0, 0]]);
+  checkTable("x, a, alpha, d, theta\n1, 0.5, 0, 0\n2, 0.4, 0, 0", "5 column headers");
+  checkTable("0.5 0 0 q1 1 2\n0.4 0 0 q2 3 4", "have 6 entries");
+});
