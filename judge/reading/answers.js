@@ -35,6 +35,7 @@ import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } fr
 import { SpannedText } from "./spans.js";
 import { findComputation, findRejection } from "./surroundings.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
+import { listUnusedLines } from "./unused_lines.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
 /** Numbers were read, but none of them in the shape that is asked for. */
@@ -324,42 +325,6 @@ function namesColumns(headers, width) {
     labels.flatMap((label) => (label?.kind === "joint" ? [label.number] : [])),
   );
   return joints.size < 2 || joints.size === width || 2 * joints.size < words.length;
-}
-
-/**
- * List the lines that say something besides the block; on its own lines, comments and numbers that
- * are not its own.
- * @param {string} text @param {Block} block @param {SpannedText} [live] without comments
- */
-export function listUnusedLines(text, block, live = null) {
-  const { from, to } = block;
-  const lines = linesOf(text);
-  const rest = lines.filter((_, i) => i < from || i > to);
-  const linesWithText = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
-  const kept = live && live.text.length === text.length ? linesOf(live.text) : lines;
-  const comments = lines.slice(from, to + 1).flatMap((line, i) => {
-    const end = kept[from + i].trimEnd().length;
-    return kept[from + i] === line ? [] : [line.slice(end).trim()].filter(Boolean);
-  });
-  return [...linesWithText.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
-}
-
-const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
-
-/**
- * Numbers on a block's lines that are not its own, decimals in words too; nothing where there is
- * one for each row, as a time is.
- * @param {Block} block
- */
-function listNumbersBeside({ from, to, sources, lines }) {
-  const rowsOfBlock = new Set(sources);
-  const others = lines.all.filter(
-    (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row),
-  );
-  const words = sources.flatMap((row) => row.words.filter(({ text }) => hasDecimals(text)));
-  return [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])]
-    .filter(({ length }) => sources.length < 2 || length % sources.length)
-    .flat(2);
 }
 
 // Make an error that says which numbers are there and which are wanted.

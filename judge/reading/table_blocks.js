@@ -2,7 +2,7 @@
 // one below the other.
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
-import { listUnusedLines } from "./answers.js";
+import { listUnusedLines } from "./unused_lines.js";
 import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
 import { linesOf, ROW_END } from "./characters.js";
 import { flattenFormulas } from "./drawn_formulas.js";

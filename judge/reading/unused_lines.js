@@ -1,0 +1,45 @@
+// Lists the lines and numbers of a pasted text that no step used.
+
+import { linesOf } from "./characters.js";
+import { hasDecimals } from "./formula.js";
+
+/** @typedef {import("./block.js").Block} Block */
+/** @typedef {import("./spans.js").SpannedText} SpannedText */
+
+const textsOf = (cells) => cells.map(({ text }) => text);
+
+/**
+ * List the lines that say something besides the block; on its own lines, comments and numbers that
+ * are not its own.
+ * @param {string} text @param {Block} block @param {SpannedText} [live] without comments
+ */
+export function listUnusedLines(text, block, live = null) {
+  const { from, to } = block;
+  const lines = linesOf(text);
+  const rest = lines.filter((_, i) => i < from || i > to);
+  const linesWithText = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
+  const kept = live && live.text.length === text.length ? linesOf(live.text) : lines;
+  const comments = lines.slice(from, to + 1).flatMap((line, i) => {
+    const end = kept[from + i].trimEnd().length;
+    return kept[from + i] === line ? [] : [line.slice(end).trim()].filter(Boolean);
+  });
+  return [...linesWithText.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
+}
+
+const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
+
+/**
+ * List numbers on a block's lines that are not its own, decimals in words too; none where there is
+ * one for each row, as a time is.
+ * @param {Block} block
+ */
+function listNumbersBeside({ from, to, sources, lines }) {
+  const rowsOfBlock = new Set(sources);
+  const others = lines.all.filter(
+    (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row),
+  );
+  const words = sources.flatMap((row) => row.words.filter(({ text }) => hasDecimals(text)));
+  return [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])]
+    .filter(({ length }) => sources.length < 2 || length % sources.length)
+    .flat(2);
+}
