@@ -26,12 +26,12 @@ export function namesOtherQuantity({ name, words }) {
 const TOPICS = /^(?:[Δ∆]|[qθτ](?:[ _{]{0,2}\d+\}?)?$|theta|tau|torques?\b|F_?\{?\d|ω|omega)/;
 
 /**
- * Return whether a row is named after joint values, torques, forces or velocities, or its value
- * after a coordinate.
+ * Return whether a row is assigned on its line to joint values, torques, forces or velocities, or
+ * its value to a coordinate.
  * @param {Row} row
  */
-export const namesOtherTopic = ({ name, cells }) =>
-  TOPICS.test(name) || (cells.length === 1 && /^[xyz]$/.test(name));
+export const namesOtherTopic = ({ name, cells, isAssigned }) =>
+  isAssigned && (TOPICS.test(name) || (cells.length === 1 && /^[xyz]$/.test(name)));
 
 const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
 
