@@ -29,7 +29,14 @@ import {
   orderByListedNames,
   transpose,
 } from "./ordering.js";
-import { hasHalfNumbers, refuseDashes, refuseManyNumbers, refuseOdd } from "./odd_texts.js";
+import { refuseContraryNames } from "./named_apart.js";
+import {
+  hasHalfNumbers,
+  refuseDashes,
+  refuseManyNumbers,
+  refuseOdd,
+  refuseQuotients,
+} from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
@@ -104,6 +111,8 @@ function findIn(pasted, text, question) {
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
   refuseDashes(text, block.sources);
+  refuseQuotients(text, block.sources, what);
+  if (want.by !== "row") refuseContraryNames(text, tokens, rows);
   const rejection = findRejection(text, block.sources);
   if (rejection) throw new ArmError(formatMessage("rejected", { what, text: rejection }));
   const computation = findComputation(text, block.sources);

@@ -11,6 +11,7 @@ import {
   jointShapes,
   notPerJoint,
   numbers,
+  refuseMisfitUnits,
   rowsOf,
   noteLockedValues,
   unnamed,
@@ -51,6 +52,7 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
   const dropLocked = (list) =>
     toRows(list).filter((_, i) => width === dof || moving.includes(i % width));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(dropLocked);
+  refuseMisfitUnits(entries, arm, what, false);
   const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
   const [valueRows, unitRows] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
   const locked = width > dof ? [noteLockedValues(arm, toRows(typed.values))] : [];

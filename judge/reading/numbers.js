@@ -10,8 +10,9 @@ import {
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { findAnswer, NoFitError } from "./answers.js";
+import { withoutOtherComments } from "./odd_texts.js";
 import { OTHER_LIST } from "./owners.js";
-import { findOtherUnit, readUnits } from "./units.js";
+import { findOtherUnit, fitsJoint, readUnitBehind, readUnits } from "./units.js";
 import {
   formulaSlack,
   isNumber,
@@ -36,8 +37,9 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  * A number as typed: `worth` is the factor of its unit or power of ten, `hasUnit` whether it has a
  * unit of lengths, forces or moments itself, `angle` whether it has one of angles, `slack` the
  * round-off of a formula's decimals.
+ * `unitBehind` is the unit that the text has behind it.
  * @typedef {{ text: string, worth: number, hasUnit?: boolean, angle: boolean,
- *   slack: number }} Entry
+ *   slack: number, unitBehind?: string }} Entry
  */
 /**
  * Numbers as typed, row by row, with the unit of the last decimal place of each.
@@ -175,6 +177,8 @@ function readText(text, { known, ...question }) {
   );
   const shape = [answer.rows.length, answer.rows[0].length];
   const { taken, unusedLines, hasRowNames, tokens } = answer;
+  for (const { owner, index, to } of tokens)
+    if (owner === "entry") entries[index].unitBehind = readUnitBehind(text, to);
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
   return {
     ...read,
@@ -182,7 +186,7 @@ function readText(text, { known, ...question }) {
     taken,
     unusedLines,
     hasRowNames,
-    statedUnits: readUnits(text),
+    statedUnits: readUnits(withoutOtherComments(text, tokens)),
     tokens,
   };
 }
@@ -294,6 +298,21 @@ export function notPerJoint(what, arm, shape) {
 // Split a list of numbers into rows.
 export const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
+
+/**
+ * Raise an error for a value whose unit cannot be that of its joint.
+ * @param {Entry[]} entries one for each moving joint, pose after pose
+ * @param {Arm} arm @param {string} what the answer @param {boolean} isTorque
+ */
+export function refuseMisfitUnits(entries, arm, what, isTorque) {
+  const turning = revoluteFlags(arm);
+  const kinds = entries.map((_, i) => ({ turns: turning[i % turning.length], isTorque }));
+  const misfit = entries.findIndex(({ unitBehind = "" }, i) => !fitsJoint(unitBehind, kinds[i]));
+  if (misfit < 0) return;
+  const joint = jointNumbers(arm)[misfit % turning.length];
+  const { text, unitBehind: unit } = entries[misfit];
+  throw new ArmError(formatMessage("misfit unit", { what, joint, text: `${text} ${unit}` }));
+}
 
 /**
  * Return the factor to m of a length: that of the text's unit, 1 if it has a unit of its own.

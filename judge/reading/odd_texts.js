@@ -65,3 +65,31 @@ export const hasHalfNumbers = (text, { splitsCommas, sources }) =>
     const isSum = cells.some(({ from, to }) => /\d\s+[-+\u2212]?\d/.test(text.slice(from, to)));
     return gaps.includes(",") && (isSum || gaps.some((gap) => !gap.trim()));
   });
+
+const QUOTIENT = /\d[.,]\d+ ?°?[ \t]+\/[ \t]+[-+\u2212]?\d*[.,]\d+/;
+
+/**
+ * Raise an error if an entry divides two decimal numbers with blanks around the slash: these may be
+ * two values.
+ * @param {string} text @param {import("./lines.js").Row[]} rows @param {string} what the answer
+ */
+export function refuseQuotients(text, rows, what) {
+  const typed = rows.flatMap(({ cells }) => cells.map(({ from, to }) => text.slice(from, to)));
+  const quotient = typed.find((cell) => QUOTIENT.test(cell));
+  if (quotient)
+    throw new ArmError(formatMessage("quotient", { what, text: quoteText(quotient.trim()) }));
+}
+
+const COMMENT = /(?:#|%|\/\/).*/g;
+
+/**
+ * Take out comments that hold other numbers than entries, or "not": their units are not those of
+ * the answer.
+ * @param {string} text @param {import("./owners.js").Token[]} tokens
+ */
+export const withoutOtherComments = (text, tokens) =>
+  text.replace(COMMENT, (comment, from) => {
+    const to = from + comment.length;
+    const isEntry = ({ owner, from: at }) => owner === "entry" && at >= from && at < to;
+    return tokens.some(isEntry) || !/\d[.,]\d|\bnot\b|\blater\b/.test(comment) ? comment : "";
+  });

@@ -94,3 +94,42 @@ export const toMetres = (length, factor) => length / Math.round(1 / factor);
  * @param {string} text @returns {string | null} the unit as it is typed
  */
 export const findOtherUnit = (text) => (OTHER_UNIT.exec(text) ?? GON.exec(text))?.[0] ?? null;
+
+const MOMENT = String.raw`(k?N|mN) ?[-·*.]? ?(mm|cm|m)`;
+// A unit behind a number, its brackets and LaTeX's spaces. A letter before = is a name.
+const UNIT_BEHIND = new RegExp(
+  String.raw`^(?:[ \t\])}~]|\\[,;:! ])*(?:\\(?:text|mathrm|si|unit|rm)\{[ ~]*)?` +
+    String.raw`(${MOMENT}|mm|cm|m|k?N|kg|s|ms|rad|deg|°|Hz)(?![\p{L}\d_^²³/({\[])(?![ \t]*[=:])`,
+  "u",
+);
+
+/**
+ * Read the unit that stands behind a number; "" if there is none.
+ * @param {string} text @param {number} to the end of the number
+ */
+export const readUnitBehind = (text, to) => UNIT_BEHIND.exec(text.slice(to, to + 40))?.[1] ?? "";
+
+const ANGLE = /^(?:rad|deg|°)$/;
+const LENGTH = /^(?:mm|cm|m)$/;
+const FORCE = /^k?N$/;
+const ONLY_MOMENT = new RegExp(`^${MOMENT}$`);
+
+/**
+ * Return whether a unit may be that of a joint's value, or of its torque or force. Text after a
+ * list in N m may name the moments only, so a sliding joint may have N m.
+ * @param {string} unit @param {{ turns: boolean, isTorque: boolean }} joint
+ */
+export function fitsJoint(unit, { turns, isTorque }) {
+  if (!unit) return true;
+  if (isTorque) return ONLY_MOMENT.test(unit) || (!turns && FORCE.test(unit));
+  return turns ? ANGLE.test(unit) : LENGTH.test(unit);
+}
+
+/**
+ * Return the factor to N m of a moment's unit.
+ * @param {string} unit such as "N mm" @returns {number | null} null for another unit
+ */
+export function momentFactor(unit) {
+  const [, force, length] = ONLY_MOMENT.exec(unit) ?? [];
+  return length ? { N: 1, kN: 1e3, mN: 1e-3 }[force] * LENGTH_UNITS[length] : null;
+}

@@ -20,12 +20,13 @@ import {
   numbers,
   notPerJoint,
   ofMoving,
+  refuseMisfitUnits,
   refuseOtherLists,
   rowsOf,
   noteLockedValues,
   unnamed,
 } from "../reading/numbers.js";
-import { MOMENT_UNITS } from "../reading/units.js";
+import { MOMENT_UNITS, momentFactor } from "../reading/units.js";
 import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
@@ -64,6 +65,7 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   const read = (wants, text = mine) => {
     const what = `${arm.name}: your torques`;
     const typed = numbers(unnamed(text), what, undefined, undefined, { ...request, wants });
+    if (typed.values.length === dof) refuseMisfitUnits(typed.entries, arm, what, true);
     return convertToNewtonMetres(typed);
   };
   const verdict = judgeWholeOrPart(
@@ -119,6 +121,11 @@ function listShapes(count, arm) {
 // Convert torques to N m if the text gives their unit. An entry with its own unit is converted
 // already.
 function convertToNewtonMetres(typed) {
+  const own = typed.entries.map(({ unitBehind = "" }) => momentFactor(unitBehind));
+  if (own.every(Boolean) && new Set(own).size > 1) {
+    const scaleEach = (list) => list.map((x, i) => (typed.entries[i].hasUnit ? x : x * own[i]));
+    return { ...typed, values: scaleEach(typed.values), units: scaleEach(typed.units) };
+  }
   const unit = typed.statedUnits?.moments;
   if (!unit) return typed;
   const scale = (list) => list.map((x, i) => (typed.entries[i].hasUnit ? x : x * unit));

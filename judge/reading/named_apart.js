@@ -1,0 +1,45 @@
+// Refuses values whose order contradicts the joints' names beside them, where no step read these
+// names: "0.3 (q2), 0.8 (q1)", "turn joint 2 by 0.3".
+
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+/** @typedef {import("./owners.js").Token} Token */
+
+const JOINT = new RegExp(
+  String.raw`(?<![\p{L}\d])(?:q|θ|\\?theta|tau|τ|joint|axis|motor|Gelenk|Achse|articulation)` +
+    String.raw`[ _{]{0,2}([1-9])(?!\d|\.\d)`,
+  "giu",
+);
+
+/**
+ * Raise an error if just one joint's name stands before or behind each value, and the values were
+ * not taken in the order of these names.
+ * @param {string} text @param {Token[]} tokens @param {{ length: number }[]} rows of the answer
+ */
+export function refuseContraryNames(text, tokens, rows) {
+  const entries = tokens.filter(({ owner }) => owner === "entry");
+  const isList = rows.length === 1 || rows[0].length === 1;
+  if (!isList || entries.length !== rows.length * rows[0].length || entries.length < 2) return;
+  const ends = entries.map(({ to }) => to);
+  const starts = entries.map(({ from }) => from);
+  const before = starts.map((from, k) => text.slice(k ? ends[k - 1] : 0, from));
+  const behind = ends.map((to, k) => text.slice(to, starts[k + 1] ?? endOfLine(text, to)));
+  const [joints, jointsBehind] = [before, behind].map((parts) => parts.map(findOnlyJoint));
+  const named = joints.includes(null) ? jointsBehind : joints;
+  if (named.includes(null) || (named === jointsBehind && !areDistinct(named))) return;
+  const order = entries.map(({ index }, k) => ({ index, joint: named[k] }));
+  order.sort((p, q) => p.index - q.index);
+  const isContrary = order.some(({ joint }, k) => k > 0 && joint <= order[k - 1].joint);
+  const line = quoteText(text.slice(starts[0], endOfLine(text, starts[0])).trim());
+  if (isContrary) throw new ArmError(formatMessage("contrary names", { line }));
+}
+
+const endOfLine = (text, at) => (text.indexOf("\n", at) + text.length + 1) % (text.length + 1);
+
+// Return the number of the only joint that a text names; null if it names none or several.
+function findOnlyJoint(text) {
+  const all = new Set([...text.matchAll(JOINT)].map(([, number]) => Number(number)));
+  return all.size === 1 ? [...all][0] : null;
+}
+
+const areDistinct = (joints) => new Set(joints).size === joints.length;
