@@ -2,7 +2,7 @@
 
 import { transpose } from "../geometry/chains.js";
 import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
-import { formatMessage } from "../sentences.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
 import {
   JOINT_NAMES,
   eachJoint,
@@ -39,6 +39,7 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
   const moving = movingRows(arm);
   const dof = moving.length;
   const what = `${arm.name}: your answer`;
+  refuseTwoUnits(mine);
   const wants = { wants: jointShapes(arm), names: JOINT_NAMES, ...options };
   const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
@@ -87,4 +88,16 @@ function findMatrixShape({ shape, values }, dof) {
   if (shape[1] === 1 && shape[0] % dof === 0) return [shape[0] / dof, dof];
   const flat = shape.length > 2 ? shape.filter((n) => n !== 1) : shape;
   return flat.length < 2 ? [1, values.length] : flat;
+}
+
+// Refuse several lines called rad beside several called deg: one unit would be taken for all.
+/** @param {any} mine */
+function refuseTwoUnits(mine) {
+  if (typeof mine !== "string") return;
+  const [radians, degrees] = [/^\s*rad(?:ians?)?\s*[:=]/i, /^\s*deg(?:rees?)?\s*[:=]/i].map(
+    (label) => mine.split("\n").filter((line) => label.test(line)),
+  );
+  if (radians.length < 2 || degrees.length < 2) return;
+  const line = quoteText(degrees[0].trim());
+  throw new ArmError(formatMessage("rows in two units", { line }));
 }
