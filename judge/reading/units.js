@@ -95,11 +95,15 @@ export const toMetres = (length, factor) => length / Math.round(1 / factor);
  */
 export const findOtherUnit = (text) => (OTHER_UNIT.exec(text) ?? GON.exec(text))?.[0] ?? null;
 
-const MOMENT = String.raw`(k?N|mN) ?[-·*.]? ?(mm|cm|m)`;
+const TIMES = String.raw`(?:[-·*.⋅×~x]|\\[,;:! ]|\\cdot)`;
+const MOMENT = String.raw`(k?N|mN) ?${TIMES}? ?(mm|cm|m)`;
+// "·m" behind N, also of "\text{N}\cdot\text{m}".
+const METRES_BEHIND = String.raw`[}$]{0,2}\s{0,3}${TIMES}[$\s]{0,3}(?:\\(?:text|mathrm)\{)?[cm]`;
 // A unit behind a number, its brackets and LaTeX's spaces. A letter before = is a name.
 const UNIT_BEHIND = new RegExp(
   String.raw`^(?:[ \t\])}~]|\\[,;:! ])*(?:\\(?:text|mathrm|si|unit|rm)\{[ ~]*)?` +
-    String.raw`(${MOMENT}|mm|cm|m|k?N|kg|s|ms|rad|deg|°|Hz)(?![\p{L}\d_^²³/({\[])(?![ \t]*[=:])`,
+    String.raw`(${MOMENT}|mm|cm|m|k?N|kg|s|ms|rad|deg|°|Hz)(?![\p{L}\d_^²³/({\[])(?![ \t]*[=:])` +
+    `(?!${METRES_BEHIND})`,
   "u",
 );
 
