@@ -185,9 +185,10 @@ const WHOLE = /^[-+]?\d+(?: deg)?$/;
 // Three or more whole numbers in order, as of joints.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
 
+// The entries of a Jacobian may have names of joints, which are those of its columns.
 function isOtherQuantity({ sources }, names = NONE) {
-  const isOther = (row) =>
-    namesOtherQuantity(row) || (!names.test(bareName(row.name)) && namesOtherTopic(row));
+  const isOfTopic = (row) => names.test("J") || names.test(bareName(row.name));
+  const isOther = (row) => namesOtherQuantity(row) || (!isOfTopic(row) && namesOtherTopic(row));
   const others = sources.filter(isOther).length;
   return others > 0 && 2 * others >= sources.length;
 }

@@ -23,15 +23,17 @@ export function namesOtherQuantity({ name, words }) {
   );
 }
 
-const TOPICS = /^(?:[Δ∆]|[qθτ](?:[ _{]{0,2}\d+\}?)?$|theta|tau|torques?\b|F_?\{?\d|ω|omega)/;
+const OTHER_TOPIC = /^(?:[Δ∆]|[qθτ]$|theta|tau|torques?\b|ω|omega)/;
+// q1 before a list may be the number of a question.
+const OTHER_VALUE = /^(?:[xyz]|[qθτ][ _{]{0,2}\d+\}?|F_?\{?\d\}?)$/;
 
 /**
- * Return whether a row is assigned on its line to joint values, torques, forces or velocities, or
- * its value to a coordinate.
+ * Return whether a row is assigned on its line to joint values, torques or velocities, or its only
+ * value to a coordinate, a force or one joint.
  * @param {Row} row
  */
 export const namesOtherTopic = ({ name, cells, isAssigned }) =>
-  isAssigned && (TOPICS.test(name) || (cells.length === 1 && /^[xyz]$/.test(name)));
+  isAssigned && (OTHER_TOPIC.test(name) || (cells.length === 1 && OTHER_VALUE.test(name)));
 
 const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
 
