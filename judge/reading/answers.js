@@ -187,7 +187,7 @@ const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.fl
 
 // The entries of a Jacobian may have names of joints, which are those of its columns.
 function isOtherQuantity({ sources }, names = NONE) {
-  const isOfTopic = (row) => names.test("J") || names.test(bareName(row.name));
+  const isOfTopic = (row) => names === NONE || names.test("J") || names.test(bareName(row.name));
   const isOther = (row) => namesOtherQuantity(row) || (!isOfTopic(row) && namesOtherTopic(row));
   const others = sources.filter(isOther).length;
   return others > 0 && 2 * others >= sources.length;
