@@ -27,7 +27,7 @@ import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const JOINT = /^(?:q|th|theta|t|joint|j|x|d)(\d{1,2})$/;
+const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
 const JOINT_SYMBOL = /^(?:q|th|theta)(\d{1,2})$/;
 const MOST_SHOWN = 3; // values of a locked joint in a message
 const SHORT = /^([cs])((?:[+-]?\d)+)$/;
