@@ -24,7 +24,7 @@ import { makeVerdict } from "../verdict.js";
  */
 
 // Characters of a half-done answer: five rows of formulas of a Jacobian are the longest, 4 000.
-const LONGEST_PART = 6000;
+const MOST_CHARACTERS = 6000;
 
 /**
  * Judge an answer. If it has too few numbers, they are judged as those of the first joints. A part
@@ -39,7 +39,7 @@ export function judgeWholeOrPart(mine, judge, judgePart) {
   try {
     return judge();
   } catch (error) {
-    const mayBePart = error instanceof NoFitError && !(mine?.length > LONGEST_PART);
+    const mayBePart = error instanceof NoFitError && !(mine?.length > MOST_CHARACTERS);
     const verdict = mayBePart ? judgePart() : null;
     if (verdict) return verdict;
     throw error;
