@@ -182,7 +182,7 @@ const isUnlikely = (block, names = NONE) =>
 
 const WHOLE = /^[-+]?\d+(?: deg)?$/;
 
-// Three or more whole numbers in order, as of joints.
+// Return whether a block holds three or more whole numbers in order, as of joints.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
 
 // The entries of a Jacobian may have names of joints, which are those of its columns.
@@ -202,7 +202,8 @@ function makeQuotingError(key, text, { from }, { what }) {
 // List the blocks that fit, if possible only those with the answer's name. If any shape is wanted,
 // the largest is the answer.
 function listFits(blocks, want, { wants, names = NONE }) {
-  const candidates = want.rows === 1 ? blocks.flatMap((b) => listRowsAlone(b, want)) : blocks;
+  const candidates =
+    want.rows === 1 ? blocks.flatMap((block) => listRowsAlone(block, want)) : blocks;
   const fits = candidates.flatMap((block) => fitBlock(dropNameHeader(block), want, wants, names));
   if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
   const named = fits.filter(({ name }) => names.test(bareName(name)));
@@ -244,18 +245,20 @@ function askWhich(blocks) {
 const MOST_ANSWERS = 5; // to choose from
 const MOST_NUMBERS = 8; // of an answer to choose
 
-const ANSWER =
+// Words that name an answer in English, German, French and Spanish.
+const ANSWER_WORD =
   /(?:^|\s)(?:answer|result|solution|antwort|ergebnis|lösung|réponse|résultat|solución)s?$/i;
 
-// Ask which block is the answer if another one of as many decimals fits, too. It has the answer's
-// name or none. Beside an answer with its name, it has no word before it.
+// Ask which block is the answer if another block of as many numbers fits, too. It has the answer's
+// name, is called an answer, or has no name. Beside a named answer a block without name counts only
+// if no word stands before it.
 function refuseRivals(block, blocks, { wants, names = NONE }) {
-  const isAnswer = (name) => names.test(bareName(name)) || ANSWER.test(name);
+  const isAnswer = (name) => names.test(bareName(name)) || ANSWER_WORD.test(name);
   const values = ({ rows }) => textsOf(rows.flat()).map(Number).sort().join();
   const isNamed = block.name && isAnswer(block.name);
   const mayBeAnswer = ({ sources: [{ name, words }] }) =>
     isAnswer(name) || (isNamed ? !words.length : !name || /^\d{1,3}$/.test(name));
-  const answers = blocks.filter(({ name }) => ANSWER.test(name));
+  const answers = blocks.filter(({ name }) => ANSWER_WORD.test(name));
   const rivals = wants
     .flatMap((want) => [blocks, answers].flatMap((all) => listFits(all, want, { wants, names })))
     .filter((other) => other.from > block.to || other.to < block.from)

@@ -1,6 +1,6 @@
 // Finds entries that were not filled in yet, such as "q_6 = ?".
 
-/** The marks of any case that stand in place of a number which is not known yet. */
+/** Marks, in upper or lower case, that stand in place of a number that is not known yet. */
 export const PLACEHOLDER = [
   String.raw`\?+|[-–—_]+|…|\.{2,}|\$?\\[lcdv]?dots\$?`,
   "tbd|todo|none|nan|null|xx+",
@@ -38,8 +38,8 @@ const ASSIGNED = new RegExp(
 );
 
 /**
- * Find the first name with a placeholder and without a number, beside names of its kind that have
- * numbers and go before: τ2 of "τ1 = 18.2, τ2 = ?". Null if there is none.
+ * Find the first name that has a placeholder and nowhere a number, in a text that has numbers for
+ * other names of its kind: τ2 of "τ1 = 18.2, τ2 = ?". Null if there is none.
  * @param {string} text
  */
 export function findUnfilledLabel(text) {
