@@ -7,7 +7,7 @@ import { findLabel } from "./labels.js";
 
 // Masses, forces, points and lengths: m, F_ext, d_1, l_pen.
 const OTHER_NAMES =
-  /^(?:[fFgmpw]|FK|fk|tip|errors?|residual|limits?|F_?ext|[adhlLmr](?:_?\{?\d\}?|_\w+))$/;
+  /^(?:[fFgmpw]|FK|tip|errors?|residual|limits?|F_?ext|[adhlLmr](?:_?\{?\d\}?|_\w+))$/;
 const OTHER_WORDS =
   /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F|norm|elapsed time)\b/i;
 
@@ -51,10 +51,10 @@ export const isCalledOld = ({ name, words }) =>
  */
 export function findUnreadAnswer({ name, sources, labels, headers, lines }, isAnswer) {
   const words = [...headers, ...labels.flat()].map(({ text }) => text);
-  const isNamed = ({ name: own }) => /\p{L}/u.test(own) && !isAnswer(own);
-  if (!sources.every(isNamed) || [name, ...words].some(isAnswer)) return null;
+  const hasName = (row) => /\p{L}/u.test(row.name);
+  if (!sources.every(hasName) || [name, ...words].some(isAnswer)) return null;
   const isUnread = (row) => isAnswer(row.name) && row.cells.some(({ text }) => hasDecimals(text));
-  return lines.all.find((row) => isUnread(row) && !lines.given.has(row)) ?? null;
+  return lines.all.find(isUnread) ?? null;
 }
 
 /**

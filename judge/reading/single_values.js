@@ -66,9 +66,9 @@ export function joinCellLines(rows, words) {
   );
   const labelled = sets.filter(({ cells }) => !countsUp(cells.map(({ text }) => text)));
   const values = labelled.length === 1 ? splitCountedRows(labelled[0], lines) : labelled;
-  const width = values[0]?.cells.length ?? 0;
-  if (width < 2 || values.length < 2 || values.some(({ cells }) => cells.length !== width))
-    return [];
+  if (values.length < 2) return [];
+  const width = values[0].cells.length;
+  if (values.some(({ cells }) => cells.length !== width)) return [];
   const sources = values.flatMap((set) => set.rows);
   const end = lines.findIndex(({ cell }) => cell === values[0].label);
   const top = findFirstHeader(lines, end);
@@ -148,7 +148,6 @@ export function joinIndexedValues(rows) {
     const indices = row.cells.length === 1 && INDICES.exec(row.words.at(-1)?.text ?? "");
     return indices ? [{ row, i: Number(indices[1]), j: Number(indices[2]) }] : [];
   });
-  if (indexed.length < 2) return [];
   const least = (key) => Math.min(...indexed.map((value) => value[key]));
   const size = (key) => Math.max(...indexed.map((value) => value[key])) - least(key) + 1;
   if (size("i") * size("j") !== indexed.length) return [];
