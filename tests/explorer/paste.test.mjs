@@ -5,10 +5,22 @@ import { test } from "node:test";
 import { readPastedTable } from "../../page/src/paste.js";
 
 test("a table without headers has the shown order and unit", () => {
-  for (const [unit, size] of [["rad", 1], ["deg", Math.PI / 180]]) {
+  for (const [unit, size] of [
+    ["rad", 1],
+    ["deg", Math.PI / 180],
+  ]) {
     const { rows } = readPastedTable("0.2\t1.5\t0.3\tq1\n0.4\t0\td2\t1.5", unit);
-    const entries = rows.map(({ kind, a, alpha, d, theta }) => [kind, a, alpha / size, d, theta / size]);
-    assert.deepEqual(entries, [["revolute", 0.2, 1.5, 0.3, 0], ["prismatic", 0.4, 0, 0, 1.5]]);
+    const entries = rows.map(({ kind, a, alpha, d, theta }) => [
+      kind,
+      a,
+      alpha / size,
+      d,
+      theta / size,
+    ]);
+    assert.deepEqual(entries, [
+      ["revolute", 0.2, 1.5, 0.3, 0],
+      ["prismatic", 0.4, 0, 0, 1.5],
+    ]);
   }
   const [{ a, d }] = readPastedTable("0.5 30 1 -90", "deg").rows; // this row fits a different column order too
   assert.deepEqual([a, d], [0.5, 1]);
@@ -24,8 +36,11 @@ test("single entries are no table, bad tables are refused", () => {
 
 test("the reading names order, convention and units", () => {
   const readings = {
-    "i,theta,d,a,alpha\n1,q1,300,0,90\n2,q2,0,400,0": "columns θ d a α; the standard convention; lengths in mm; angles in degrees",
-    "a_{i-1} & alpha_{i-1} & d & theta\\\\\n0 & 0 & 0.3 & q1\\\\\n0 & pi/2 & 0 & q2": "columns a α d θ; the modified (Craig) convention, turned into the standard one; lengths in m",
+    "i,theta,d,a,alpha\n1,q1,300,0,90\n2,q2,0,400,0":
+      "columns θ d a α; the standard convention; lengths in mm; angles in degrees",
+    "a_{i-1} & alpha_{i-1} & d & theta\\\\\n0 & 0 & 0.3 & q1\\\\\n0 & pi/2 & 0 & q2":
+      "columns a α d θ; the modified (Craig) convention, turned into the standard one; lengths in m",
   };
-  for (const [text, reading] of Object.entries(readings)) assert.equal(readPastedTable(text, "deg").reading, reading);
+  for (const [text, reading] of Object.entries(readings))
+    assert.equal(readPastedTable(text, "deg").reading, reading);
 });

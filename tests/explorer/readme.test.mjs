@@ -14,6 +14,13 @@ test("each number of the README's text has the owner that the README names", () 
   assert.deepEqual(values, [0, -97.5297]);
   assert.deepEqual(
     tokens.map((token) => [token.text, token.owner]),
-    [["6", "context"], ["1", "label"], ["0.0", "entry"], ["2", "label"], ["97.5297", "entry"], ["99.1", "context"]],
+    [
+      ["6", "context"],
+      ["1", "label"],
+      ["0.0", "entry"],
+      ["2", "label"],
+      ["97.5297", "entry"],
+      ["99.1", "context"],
+    ],
   );
 });

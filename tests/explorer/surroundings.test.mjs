@@ -14,57 +14,161 @@ function findAround(text, find = findComputation) {
   }
   return find(text, rows);
 }
-const checkAll = (cases) => cases.forEach(([text, expected]) => assert.equal(findAround(text), expected, text));
+const checkAll = (cases) =>
+  cases.forEach(([text, expected]) => assert.equal(findAround(text), expected, text));
 
 test("a factor before a list or a matrix is found in each layout", () => {
   const layouts = [
-    ["[", "]"], ["[(", ")]"], ["\\left[", "\\right]"], ["\\bigl[", "\\bigr]"], ["\\Big[", "\\Big]"], ["\\,[", "\\,]"], ["np.array([", "])"], ["np.asarray(", ")"],
-    ["Matrix([", "])"], ["torch.tensor([", "])"], ["vector(", ")"], ["\\begin{bmatrix}", "\\end{bmatrix}"], ["\\begin{array}{cc}", "\\end{array}"],
-    ["\\begin{bmatrix}[r]", "\\end{bmatrix}"], ["\\left[\\begin{array}{cc} ", " \\end{array}\\right]"],
+    ["[", "]"],
+    ["[(", ")]"],
+    ["\\left[", "\\right]"],
+    ["\\bigl[", "\\bigr]"],
+    ["\\Big[", "\\Big]"],
+    ["\\,[", "\\,]"],
+    ["np.array([", "])"],
+    ["np.asarray(", ")"],
+    ["Matrix([", "])"],
+    ["torch.tensor([", "])"],
+    ["vector(", ")"],
+    ["\\begin{bmatrix}", "\\end{bmatrix}"],
+    ["\\begin{array}{cc}", "\\end{array}"],
+    ["\\begin{bmatrix}[r]", "\\end{bmatrix}"],
+    ["\\left[\\begin{array}{cc} ", " \\end{array}\\right]"],
   ];
   for (const [open, close] of layouts)
-    checkAll([[`q = ${open}0.1, 0.2${close}`, null], [`q = 2*${open}0.1, 0.2${close}`, "2*"], [`q = ${open}0.1, 0.2${close}*2`, "*2"]]);
+    checkAll([
+      [`q = ${open}0.1, 0.2${close}`, null],
+      [`q = 2*${open}0.1, 0.2${close}`, "2*"],
+      [`q = ${open}0.1, 0.2${close}*2`, "*2"],
+    ]);
 });
 
 test("what stands before a bracket is found", () =>
   checkAll([
-    ["q = -[0.1, 0.2]", "-"], ["q: \u2212[0.1, 0.2]", "\u2212"], ["-[0.1, 0.2]", "-"], ["then\n-[0.1, 0.2]", "-"], ["(-[0.1, 0.2])", "-"], ["- [0.1, 0.2]", null],
-    ["3/[0.1, 0.2]", "3/"], ["3\\cdot[0.1, 0.2]", "3\\cdot"], ["3 \\times [0.1, 0.2]", "3 \\times"], ["10⁻³·[0.1, 0.2]", "10⁻³·"], ["10⁻¹²·[0.1, 0.2]", "10⁻¹²·"],
-    ["π[0.1, 0.2]", "π"], ["\\pi[0.1, 0.2]", "\\pi"], ["pi [0.1, 0.2]", "pi"], ["\\frac{1}{2}[0.1, 0.2]", "\\frac{1}{2}"], ["\\frac12[0.1, 0.2]", "\\frac12"],
-    ["10^{-3}[0.1, 0.2]", "10^{-3}"], ["10⁻³[0.1, 0.2]", "10⁻³"], ["q = 2 [0.1, 0.2]", "2"], ["q = 1/2 [0.1, 0.2]", "1/2"], ["3\\begin{bmatrix}0.1 & 0.2\\end{bmatrix}", "3"],
-    ["3 [0.1, 0.2]", null], ["J = 1.0e+03 * 0.1 0.2", "1.0e+03 *"],
-    ...["inv", "pinv", "transpose", "rad2deg", "np.degrees", "sin", "cos", "tan", "abs"].map((name) => [`${name}([0.1, 0.2])`, name]),
+    ["q = -[0.1, 0.2]", "-"],
+    ["q: \u2212[0.1, 0.2]", "\u2212"],
+    ["-[0.1, 0.2]", "-"],
+    ["then\n-[0.1, 0.2]", "-"],
+    ["(-[0.1, 0.2])", "-"],
+    ["- [0.1, 0.2]", null],
+    ["3/[0.1, 0.2]", "3/"],
+    ["3\\cdot[0.1, 0.2]", "3\\cdot"],
+    ["3 \\times [0.1, 0.2]", "3 \\times"],
+    ["10⁻³·[0.1, 0.2]", "10⁻³·"],
+    ["10⁻¹²·[0.1, 0.2]", "10⁻¹²·"],
+    ["π[0.1, 0.2]", "π"],
+    ["\\pi[0.1, 0.2]", "\\pi"],
+    ["pi [0.1, 0.2]", "pi"],
+    ["\\frac{1}{2}[0.1, 0.2]", "\\frac{1}{2}"],
+    ["\\frac12[0.1, 0.2]", "\\frac12"],
+    ["10^{-3}[0.1, 0.2]", "10^{-3}"],
+    ["10⁻³[0.1, 0.2]", "10⁻³"],
+    ["q = 2 [0.1, 0.2]", "2"],
+    ["q = 1/2 [0.1, 0.2]", "1/2"],
+    ["3\\begin{bmatrix}0.1 & 0.2\\end{bmatrix}", "3"],
+    ["3 [0.1, 0.2]", null],
+    ["J = 1.0e+03 * 0.1 0.2", "1.0e+03 *"],
+    ...["inv", "pinv", "transpose", "rad2deg", "np.degrees", "sin", "cos", "tan", "abs"].map(
+      (name) => [`${name}([0.1, 0.2])`, name],
+    ),
   ]));
 
 test("what stands behind a bracket is found", () =>
   checkAll([
-    ["[0.1, 0.2] × 3", "×"], ["[0.1, 0.2]·3", "·"], ["[0.1, 0.2]\\cdot 3", "\\cdot"], ["[0.1, 0.2]\\times 3", "\\times"], ["[0.1, 0.2]π", "π"], ["[0.1, 0.2]\\pi", "\\pi"],
-    ["[0.1, 0.2] pi", "pi"], ["[0.1, 0.2]/3", "/3"], ["[0.1, 0.2].*L", ".*L"], ["[0.1, 0.2]^{-1}", "^{-"],
-    ["[0.1, 0.2]*pi/180", null], ["[0.1, 0.2]*np.pi/180", null], ["[0.1, 0.2] rad/s", "rad/s"], ["[0.1, 0.2] deg/s", "deg/s"], ["[0.1, 0.2] °/s", "°/s"], ["[0.1, 0.2] N/m", "N/m"], ["[0.1, 0.2] kg m", "kg m"], ["[0.1, 0.2] N m", null],
+    ["[0.1, 0.2] × 3", "×"],
+    ["[0.1, 0.2]·3", "·"],
+    ["[0.1, 0.2]\\cdot 3", "\\cdot"],
+    ["[0.1, 0.2]\\times 3", "\\times"],
+    ["[0.1, 0.2]π", "π"],
+    ["[0.1, 0.2]\\pi", "\\pi"],
+    ["[0.1, 0.2] pi", "pi"],
+    ["[0.1, 0.2]/3", "/3"],
+    ["[0.1, 0.2].*L", ".*L"],
+    ["[0.1, 0.2]^{-1}", "^{-"],
+    ["[0.1, 0.2]*pi/180", null],
+    ["[0.1, 0.2]*np.pi/180", null],
+    ["[0.1, 0.2] rad/s", "rad/s"],
+    ["[0.1, 0.2] deg/s", "deg/s"],
+    ["[0.1, 0.2] °/s", "°/s"],
+    ["[0.1, 0.2] N/m", "N/m"],
+    ["[0.1, 0.2] kg m", "kg m"],
+    ["[0.1, 0.2] N m", null],
   ]));
 
 test("a matrix may not be transposed, lists and rows may", () => {
   for (const mark of ["'", ".T", ".transpose", "ᵀ", "^T", "^{T", "^\\top"]) {
-    checkAll([[`[0.1, 0.2]${mark}`, null], [`[[0.1],\n[0.2]]${mark}`, null], [`[[0.1, 0.2],\n[0.3, 0.4]]${mark}`, mark]]);
+    checkAll([
+      [`[0.1, 0.2]${mark}`, null],
+      [`[[0.1],\n[0.2]]${mark}`, null],
+      [`[[0.1, 0.2],\n[0.3, 0.4]]${mark}`, mark],
+    ]);
   }
   for (const mark of ["'", ".T", "^T"]) checkAll([[`[0.1, 0.2]${mark}\n[0.3, 0.4]${mark}`, null]]); // each row is a column of the matrix
 });
 
 test("a name that is a computation or another quantity is found", () => {
   for (const name of ["q", "θ", "theta", "\\theta", "tau", "τ", "J"]) {
-    const names = [`-${name}`, `2${name}`, `${name}*2`, `${name}_1/2`, `${name}1+${name}2`, `${name}_1 + ${name}_2`, `${name}^{-1}`];
-    checkAll([[`${name} = [0.1, 0.2]`, null], [`${name}_1 = [0.1, 0.2]`, null], ...names.map((each) => [`${each} = [0.1, 0.2]`, each])]);
+    const names = [
+      `-${name}`,
+      `2${name}`,
+      `${name}*2`,
+      `${name}_1/2`,
+      `${name}1+${name}2`,
+      `${name}_1 + ${name}_2`,
+      `${name}^{-1}`,
+    ];
+    checkAll([
+      [`${name} = [0.1, 0.2]`, null],
+      [`${name}_1 = [0.1, 0.2]`, null],
+      ...names.map((each) => [`${each} = [0.1, 0.2]`, each]),
+    ]);
   }
-  const names = ["inv J", "pinv(J)", "sin q", "cos q1", "tan(q)", "q̇", "\\dot{q}", "\\ddot\\theta", "qdot", "q_dot", "theta_1dot", "θ_dot", "\\dot{\\theta}", "dtheta1", "dq", "dθ1", "q_max", "q min", "joint limits"];
+  const names = [
+    "inv J",
+    "pinv(J)",
+    "sin q",
+    "cos q1",
+    "tan(q)",
+    "q̇",
+    "\\dot{q}",
+    "\\ddot\\theta",
+    "qdot",
+    "q_dot",
+    "theta_1dot",
+    "θ_dot",
+    "\\dot{\\theta}",
+    "dtheta1",
+    "dq",
+    "dθ1",
+    "q_max",
+    "q min",
+    "joint limits",
+  ];
   checkAll(names.map((name) => [`${name}: [0.1, 0.2]`, name]));
-  checkAll([["cos q1 = 1, q = [0.1, 0.2]", null], ["q = cos q1 = [0.1, 0.2]", null], ["the cos q1 [0.1, 0.2]", null], ["sine = [0.1, 0.2]", null]]);
+  checkAll([
+    ["cos q1 = 1, q = [0.1, 0.2]", null],
+    ["q = cos q1 = [0.1, 0.2]", null],
+    ["the cos q1 [0.1, 0.2]", null],
+    ["sine = [0.1, 0.2]", null],
+  ]);
 });
 
 test("a relation or words that reject a value are found", () => {
-  for (const relation of ["≠", "!=", "\\ne", "\\neq", "<", "≤", "≥", ">", "is not", "are not"]) assert.equal(findAround(`q ${relation} [0.1, 0.2]`, findRejection), relation);
+  for (const relation of ["≠", "!=", "\\ne", "\\neq", "<", "≤", "≥", ">", "is not", "are not"])
+    assert.equal(findAround(`q ${relation} [0.1, 0.2]`, findRejection), relation);
   for (const verb of ["", "is ", "are ", "was ", "were "])
-    for (const word of ["wrong", "incorrect", "false", "falsch", "faux"]) assert.equal(findAround(`[0.1, 0.2] ${verb}${word}`, findRejection), verb + word);
-  for (const words of ["is not the", "are not right", "is not correct"]) assert.equal(findAround(`[0.1, 0.2] ${words}`, findRejection), words);
-  for (const unit of ["°", "%", "N m", "Nm", "rad", "deg"]) assert.equal(findAround(`0.1 ${unit} is wrong`, findRejection), "is wrong", unit);
-  for (const text of ["q = [0.1, 0.2]", "> [0.1, 0.2]", "q -> [0.1, 0.2]", "[0.1, 0.2] is right", "0.1 radius wrong"]) assert.equal(findAround(text, findRejection), null, text);
+    for (const word of ["wrong", "incorrect", "false", "falsch", "faux"])
+      assert.equal(findAround(`[0.1, 0.2] ${verb}${word}`, findRejection), verb + word);
+  for (const words of ["is not the", "are not right", "is not correct"])
+    assert.equal(findAround(`[0.1, 0.2] ${words}`, findRejection), words);
+  for (const unit of ["°", "%", "N m", "Nm", "rad", "deg"])
+    assert.equal(findAround(`0.1 ${unit} is wrong`, findRejection), "is wrong", unit);
+  for (const text of [
+    "q = [0.1, 0.2]",
+    "> [0.1, 0.2]",
+    "q -> [0.1, 0.2]",
+    "[0.1, 0.2] is right",
+    "0.1 radius wrong",
+  ])
+    assert.equal(findAround(text, findRejection), null, text);
 });

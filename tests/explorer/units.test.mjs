@@ -7,26 +7,86 @@ import { findOtherUnit, readUnits } from "../../judge/reading/units.js";
 import { judgeWholeOrPart } from "../../judge/topics/first_joints.js";
 
 const DEGREES = [
-  "q [deg]: 1 2", "degrees\n1 2", "q1_deg, q2_deg\n1, 2", "1 2 °", "1, 2 and 3 deg", "q1 = 1 q2 = 2°", "1; 2 Grad", "Winkel (Grad): 1 2",
-  "en degrés : 1 2", "degres: 1 2", "in gradi: 1 2", "en grados: 1 2", "em graus: 1 2", "в градусах: 1 2", "角度(度): 1 2",
-  "np.radians([1, 2])", "deg2rad([1, 2])", "rad = deg2rad([1, 2])", "[1, 2]*pi/180", "[1 2] .* pi/180", "[1, 2] * np.pi/180",
+  "q [deg]: 1 2",
+  "degrees\n1 2",
+  "q1_deg, q2_deg\n1, 2",
+  "1 2 °",
+  "1, 2 and 3 deg",
+  "q1 = 1 q2 = 2°",
+  "1; 2 Grad",
+  "Winkel (Grad): 1 2",
+  "en degrés : 1 2",
+  "degres: 1 2",
+  "in gradi: 1 2",
+  "en grados: 1 2",
+  "em graus: 1 2",
+  "в градусах: 1 2",
+  "角度(度): 1 2",
+  "np.radians([1, 2])",
+  "deg2rad([1, 2])",
+  "rad = deg2rad([1, 2])",
+  "[1, 2]*pi/180",
+  "[1 2] .* pi/180",
+  "[1, 2] * np.pi/180",
 ];
 const LENGTHS = { "d3 (mm)": 1e-3, "in mm:": 1e-3, "d [cm]": 1e-2, "rows in mm/rad": 1e-3 };
-const MOMENTS = { tau_mNm: 1e-3, "[N mm]": 1e-3, "in N·mm": 1e-3, tau_Ncm: 1e-2, "(N cm)": 1e-2, tau_kNm: 1e3, "kN m": 1e3 };
+const MOMENTS = {
+  tau_mNm: 1e-3,
+  "[N mm]": 1e-3,
+  "in N·mm": 1e-3,
+  tau_Ncm: 1e-2,
+  "(N cm)": 1e-2,
+  tau_kNm: 1e3,
+  "kN m": 1e3,
+};
 const OTHER = [
-  "28° 38' 52''", "28°38′", "q_mrad = 1", "5 milliradians", "31.8 gon", "5 grads", "5 gradians", "5 arcmin", "q in grad: 1",
-  "0.08 turns", "0.08 revs", "0.08 revolutions", "in turns: 1", "[rev]", "(turns)", "5 ft-lb", "5 lbf ft", "5 lb in", "5 in-lb", "5 kgf m", "5 kgf·cm",
-  "(×10³) 1 2", "[x 10^-3]", "(10^-3 Nm) 1 2", "×10⁻³: 1 2",
+  "28° 38' 52''",
+  "28°38′",
+  "q_mrad = 1",
+  "5 milliradians",
+  "31.8 gon",
+  "5 grads",
+  "5 gradians",
+  "5 arcmin",
+  "q in grad: 1",
+  "0.08 turns",
+  "0.08 revs",
+  "0.08 revolutions",
+  "in turns: 1",
+  "[rev]",
+  "(turns)",
+  "5 ft-lb",
+  "5 lbf ft",
+  "5 lb in",
+  "5 in-lb",
+  "5 kgf m",
+  "5 kgf·cm",
+  "(×10³) 1 2",
+  "[x 10^-3]",
+  "(10^-3 Nm) 1 2",
+  "×10⁻³: 1 2",
 ];
-const NO_OTHER = ["gear of 3 revs", "T (rev 2)", "2 kg m_1", "1.5 × 10^3", "gradient 1 2", "turn 1"];
+const NO_OTHER = [
+  "gear of 3 revs",
+  "T (rev 2)",
+  "2 kg m_1",
+  "1.5 × 10^3",
+  "gradient 1 2",
+  "turn 1",
+];
 
 test("a unit is read in each of its spellings", () => {
   for (const text of DEGREES) assert.equal(readUnits(text).angles, "deg", text);
-  for (const text of ["q [rad]: 1 2", "radians: 1 2"]) assert.equal(readUnits(text).angles, "rad", text);
-  for (const text of ["1 2", "q [rad] q [deg]", "grad: 1 2", "gradient: 1 2"]) assert.equal(readUnits(text).angles, null, text);
-  for (const [text, factor] of Object.entries(LENGTHS)) assert.equal(readUnits(text).lengths, factor, text);
-  for (const [text, factor] of Object.entries(MOMENTS)) assert.equal(readUnits(text).moments, factor, text);
-  for (const text of ["d = 400 mm", "tau in N m"]) assert.deepEqual([readUnits(text).lengths, readUnits(text).moments], [null, null], text);
+  for (const text of ["q [rad]: 1 2", "radians: 1 2"])
+    assert.equal(readUnits(text).angles, "rad", text);
+  for (const text of ["1 2", "q [rad] q [deg]", "grad: 1 2", "gradient: 1 2"])
+    assert.equal(readUnits(text).angles, null, text);
+  for (const [text, factor] of Object.entries(LENGTHS))
+    assert.equal(readUnits(text).lengths, factor, text);
+  for (const [text, factor] of Object.entries(MOMENTS))
+    assert.equal(readUnits(text).moments, factor, text);
+  for (const text of ["d = 400 mm", "tau in N m"])
+    assert.deepEqual([readUnits(text).lengths, readUnits(text).moments], [null, null], text);
 });
 
 test("a unit that is not converted is found in each of its spellings", () => {
@@ -38,22 +98,94 @@ const LIST = "[0.5, 0.25]";
 const MATRIX = "[0.5 0.25; 1.5 2.5]";
 const LATEX = String.raw`\begin{bmatrix} 0.5 & 0.25 \\ 1.5 & 2.5 \end{bmatrix}`;
 const COMPUTED = [
-  `q = -${LIST}`, `q = - ${LIST}`, `-${LIST}`, `q: -${LIST}`, `10^-1 * ${LIST}`, String.raw`q = 2 \cdot ${LIST}`, String.raw`q = 2 \times ${LIST}`, `q = 3·${LIST}`, `π${LIST}`, String.raw`\pi ${LIST}`, `pi${LIST}`,
-  String.raw`\frac{1}{2}${LATEX}`, String.raw`\frac12 ${LATEX}`, `10^{-3}${LATEX}`, `J = 2 ${MATRIX}`, `2${LATEX}`,
-  `inv(${MATRIX})`, `pinv(${MATRIX})`, `rad2deg(${LIST})`, `np.degrees(${LIST})`, `sin(${LIST})`, `cos(${LIST})`, `tan(${LIST})`, `abs(${LIST})`,
-  `${LIST}*2`, `${LIST}/2`, `${LIST}*pi`, `${LIST} .* 2`, `${LIST}π`, `${LIST} × 2`, String.raw`${LIST} \cdot 2`, `${MATRIX}^-1`, `${MATRIX}^{-1}`,
-  `${MATRIX}'`, `${MATRIX}.'`, `${MATRIX}^T`, `${MATRIX}^{T}`, String.raw`${LATEX}^{\mathrm{T}}`, String.raw`${LATEX}^\top`, `${MATRIX}ᵀ`, "np.array([[0.5, 0.25], [1.5, 2.5]]).T", "np.array([[0.5, 0.25], [1.5, 2.5]]).transpose()",
-  `-q = ${LIST}`, `2q = ${LIST}`, `q/2 = ${LIST}`, `q + q = ${LIST}`, `sin(q) = ${LIST}`, `cos q = ${LIST}`, `tan q = ${LIST}`, `inv(J) = ${MATRIX}`, `J^{-1} = ${MATRIX}`,
-  `qdot = ${LIST}`, `q_dot = ${LIST}`, String.raw`\dot{q} = ${LIST}`, `dq = ${LIST}`, `tau_max = ${LIST}`, `tau min = ${LIST}`, `q limits = ${LIST}`,
+  `q = -${LIST}`,
+  `q = - ${LIST}`,
+  `-${LIST}`,
+  `q: -${LIST}`,
+  `10^-1 * ${LIST}`,
+  String.raw`q = 2 \cdot ${LIST}`,
+  String.raw`q = 2 \times ${LIST}`,
+  `q = 3·${LIST}`,
+  `π${LIST}`,
+  String.raw`\pi ${LIST}`,
+  `pi${LIST}`,
+  String.raw`\frac{1}{2}${LATEX}`,
+  String.raw`\frac12 ${LATEX}`,
+  `10^{-3}${LATEX}`,
+  `J = 2 ${MATRIX}`,
+  `2${LATEX}`,
+  `inv(${MATRIX})`,
+  `pinv(${MATRIX})`,
+  `rad2deg(${LIST})`,
+  `np.degrees(${LIST})`,
+  `sin(${LIST})`,
+  `cos(${LIST})`,
+  `tan(${LIST})`,
+  `abs(${LIST})`,
+  `${LIST}*2`,
+  `${LIST}/2`,
+  `${LIST}*pi`,
+  `${LIST} .* 2`,
+  `${LIST}π`,
+  `${LIST} × 2`,
+  String.raw`${LIST} \cdot 2`,
+  `${MATRIX}^-1`,
+  `${MATRIX}^{-1}`,
+  `${MATRIX}'`,
+  `${MATRIX}.'`,
+  `${MATRIX}^T`,
+  `${MATRIX}^{T}`,
+  String.raw`${LATEX}^{\mathrm{T}}`,
+  String.raw`${LATEX}^\top`,
+  `${MATRIX}ᵀ`,
+  "np.array([[0.5, 0.25], [1.5, 2.5]]).T",
+  "np.array([[0.5, 0.25], [1.5, 2.5]]).transpose()",
+  `-q = ${LIST}`,
+  `2q = ${LIST}`,
+  `q/2 = ${LIST}`,
+  `q + q = ${LIST}`,
+  `sin(q) = ${LIST}`,
+  `cos q = ${LIST}`,
+  `tan q = ${LIST}`,
+  `inv(J) = ${MATRIX}`,
+  `J^{-1} = ${MATRIX}`,
+  `qdot = ${LIST}`,
+  `q_dot = ${LIST}`,
+  String.raw`\dot{q} = ${LIST}`,
+  `dq = ${LIST}`,
+  `tau_max = ${LIST}`,
+  `tau min = ${LIST}`,
+  `q limits = ${LIST}`,
 ];
 const PLAIN = [
-  LIST, MATRIX, LATEX, `q = ${LIST}`, `- ${LIST}`, `* ${LIST}`, `1. ${LIST}`, `**${LIST}**`, `q/rad = ${LIST}`, `q = [0.5; 0.25]'`, `J = A*B = ${MATRIX}`, `q = ${LIST}*pi/180`,
-  "c1 = [0.5, 0.25]'\nc2 = [1.5, 2.5]'", "np.array([[0.5, 0.25], [1.5, 2.5]])", String.raw`\left[\begin{array}{cc} 0.5 & 0.25 \\ 1.5 & 2.5 \end{array}\right]`,
+  LIST,
+  MATRIX,
+  LATEX,
+  `q = ${LIST}`,
+  `- ${LIST}`,
+  `* ${LIST}`,
+  `1. ${LIST}`,
+  `**${LIST}**`,
+  `q/rad = ${LIST}`,
+  `q = [0.5; 0.25]'`,
+  `J = A*B = ${MATRIX}`,
+  `q = ${LIST}*pi/180`,
+  "c1 = [0.5, 0.25]'\nc2 = [1.5, 2.5]'",
+  "np.array([[0.5, 0.25], [1.5, 2.5]])",
+  String.raw`\left[\begin{array}{cc} 0.5 & 0.25 \\ 1.5 & 2.5 \end{array}\right]`,
 ];
-const readShape = (text) => numbers(text, "your answer", undefined, undefined, { wants: [{ rows: 2, columns: 2 }, { rows: 1, columns: 2 }, { rows: 2, columns: 1 }] }).shape;
+const readShape = (text) =>
+  numbers(text, "your answer", undefined, undefined, {
+    wants: [
+      { rows: 2, columns: 2 },
+      { rows: 1, columns: 2 },
+      { rows: 2, columns: 1 },
+    ],
+  }).shape;
 
 test("each computation around the numbers is refused", () => {
-  for (const text of COMPUTED) assert.throws(() => readShape(text), /beside your numbers would change them/, text);
+  for (const text of COMPUTED)
+    assert.throws(() => readShape(text), /beside your numbers would change them/, text);
   assert.throws(() => readShape(String.raw`\pi ${LIST}`), /'\\pi' beside/);
 });
 
@@ -67,7 +199,10 @@ test("a list far too long is not tried as a part of an answer", () => {
     const wants = [{ rows: 1, columns: 7 }];
     const text = Array.from({ length }, (_, k) => `0.${k + 10}`).join(" ");
     const read = () => numbers(text, "tau", undefined, undefined, { wants });
-    assert.throws(() => judgeWholeOrPart(text, read, () => ((isTried = true), null)), /expected: 7 numbers/);
+    assert.throws(
+      () => judgeWholeOrPart(text, read, () => ((isTried = true), null)),
+      /expected: 7 numbers/,
+    );
     return isTried;
   };
   assert.ok(isPartTried(70));
