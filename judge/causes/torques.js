@@ -46,8 +46,13 @@ const multiply = (factor, list) => list.map((x) => factor * x);
 /** @param {LoadAtPose} at */
 const computeWeight = ({ c, T, masses, centres, gravity }) =>
   chains.computeTorquesOfMasses(c, T, masses, centres, gravity);
+// Kept by the frames, which mistakes in forces and masses share.
+const jacobians = new WeakMap();
 /** @param {LoadAtPose} at */
-const computeJacobian = ({ c, T }) => chains.flatJacobian(c, T);
+function computeJacobian({ c, T }) {
+  if (!jacobians.has(T)) jacobians.set(T, chains.flatJacobian(c, T));
+  return jacobians.get(T);
+}
 /** @param {LoadAtPose} at */
 const computeForce = (at) =>
   at.F.some(Boolean) ? chains.multiplyByTranspose(computeJacobian(at), at.F) : at.c.at.map(() => 0);
@@ -271,18 +276,16 @@ function* listForceMistakes({ wrenches, c }) {
 function* listBodyMistakes(arm, load) {
   const makeBodyMistake = (key, change, fields = {}) => ({ cause: makeCause(key, fields), change });
   const g = Math.hypot(...load.gravity);
+  const _here = formatNumber(g, 4);
   const withGravity = (value) => ({ gravity: load.gravity.map((x) => (x / g) * value) });
   for (const other of [9.8, 10]) {
     // slip 8; handed in
-    const fields = { g: other, _here: formatNumber(g, 4) };
+    const otherGravity = (at) => ({ ...at, ...withGravity(other) });
     if (g && Math.abs(g - other) > 1e-9)
-      yield makeBodyMistake("tau.gravity", (at) => ({ ...at, ...withGravity(other) }), fields);
+      yield makeBodyMistake("tau.gravity", otherGravity, { g: other, _here });
   }
   // masses in kilograms taken for forces
-  if (g)
-    yield makeBodyMistake("tau.no g", (at) => ({ ...at, ...withGravity(1) }), {
-      _here: formatNumber(g, 4),
-    });
+  if (g) yield makeBodyMistake("tau.no g", (at) => ({ ...at, ...withGravity(1) }), { _here });
   yield* listMassMistakes(arm, load, makeBodyMistake);
   yield* listCentreMistakes(arm, load, makeBodyMistake);
   if (arm.lumped) {
@@ -295,13 +298,9 @@ function* listBodyMistakes(arm, load) {
       centres: at.centres.map((x, k) => (isLumped[k] ? arm.lumped.bodies[k].slice(1) : x)),
     });
     const fields = { _links: joinList(links), _report: report };
-    const withG = { ...fields, _g: gravity, _here: formatNumber(g, 4) };
     yield makeBodyMistake("tau.lumped", lumpLinks, fields);
-    yield makeBodyMistake(
-      "tau.report",
-      (at) => ({ ...lumpLinks(at), ...withGravity(gravity) }),
-      withG,
-    );
+    const asReported = (at) => ({ ...lumpLinks(at), ...withGravity(gravity) });
+    yield makeBodyMistake("tau.report", asReported, { ...fields, _g: gravity, _here });
   }
 }
 

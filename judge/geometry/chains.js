@@ -174,7 +174,9 @@ export const wrenchFromFrame = (frame, F) => [
 ];
 
 /** Return the joint torques J^T F. @param {number[]} J @param {number[]} F */
-export const multiplyByTranspose = (J, F) =>
-  Array.from({ length: J.length / 6 }, (_, k) =>
-    F.reduce((sum, f, i) => sum + J[(i * J.length) / 6 + k] * f, 0),
-  );
+export function multiplyByTranspose(J, F) {
+  const torques = new Array(J.length / 6).fill(0);
+  for (let i = 0, n = 0; i < 6; i++)
+    for (let k = 0; k < torques.length; k++) torques[k] += J[n++] * F[i];
+  return torques;
+}

@@ -48,6 +48,13 @@ export const pointInFrame = (frame, point) => vectorInFrame(frame, minus(point, 
 // Return the linear combination a u + b v.
 const combine = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]];
 
+const QUARTER_TURNS = [
+  [1, 0],
+  [0, 1],
+  [-1, 0],
+  [0, -1],
+];
+
 /**
  * Return cosine and sine of an angle, exact at multiples of a right angle so that structural zeros
  * stay zero.
@@ -57,12 +64,7 @@ const combine = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u
 export function cosSin(angle) {
   const turns = angle / (Math.PI / 2);
   if (Math.abs(turns - Math.round(turns)) > 1e-12) return [Math.cos(angle), Math.sin(angle)];
-  return [
-    [1, 0],
-    [0, 1],
-    [-1, 0],
-    [0, -1],
-  ][((Math.round(turns) % 4) + 4) % 4];
+  return QUARTER_TURNS[((Math.round(turns) % 4) + 4) % 4];
 }
 
 // Cache a function of an arm's rows for as long as the rows exist. The search for mistakes calls it

@@ -74,7 +74,13 @@ function callOnce(compute) {
 // Collect the rows that hold numbers of the question.
 /** @returns {import("./block.js").Lines} */
 function markGivenRows({ rows: all, words }, given) {
-  const isOfQuestion = ({ cells }) => given.some((values) => areGivenValues(cells, values));
+  const vectors = given.filter((values) => values.length > 1 && values.some(Boolean));
+  const isOfQuestion = ({ cells }) => {
+    const readCells = callOnce(() => cells.map(readWithHalfPlace));
+    return vectors.some(
+      (values) => values.length === cells.length && areGivenValues(readCells(), values),
+    );
+  };
   return { all, words, given: new Set(all.filter(isOfQuestion)) };
 }
 
@@ -94,15 +100,17 @@ function findBlocks(lines, names, keepsGiven) {
 
 // Return whether cells are numbers of the question, to their digits, in radians or degrees.
 const areGivenValues = (cells, given) =>
-  cells.length === given.length &&
-  given.length > 1 &&
-  given.some(Boolean) &&
-  cells.every(({ text }, k) => {
-    const bare = text.replace(/ ?deg$/, "");
-    const half = 0.51 * 10 ** -(bare.split(".")[1]?.length ?? 0);
-    const x = number(bare) ?? NaN;
-    return [given[k], given[k] / RAD].some((y) => Math.abs(x - y) <= half);
-  });
+  cells.every(
+    ({ value, half }, k) =>
+      Math.abs(value - given[k]) <= half || Math.abs(value - given[k] / RAD) <= half,
+  );
+
+// Read a cell's number, which is NaN for other texts, and half a unit of its last decimal place.
+function readWithHalfPlace({ text }) {
+  const bare = text.replace(/ ?deg$/, "");
+  const half = 0.51 * 10 ** -(bare.split(".")[1]?.length ?? 0);
+  return { value: number(bare) ?? NaN, half };
+}
 
 const isAnswerName = (name, names) => names?.test(bareName(name)) ?? false;
 

@@ -87,7 +87,7 @@ const MATRIX =
   String.raw`(?:\[[^\]\n]{0,9}\])?(?:\{[lcr|\s]{0,60}\})?`;
 // The end of a row of a column vector, where MATLAB has a semicolon.
 const END_IN_COLUMN = new RegExp(
-  String.raw`(?<=\[[^[\]&=]{0,200})${ROW_END}(?=[^[\]&=]{0,200}\])`,
+  String.raw`${ROW_END}(?<=\[[^[\]&=]{0,200}${ROW_END})(?=[^[\]&=]{0,200}\])`,
   "g",
 );
 const NOUNS = "wrist|joint|step|column|link|angle|torque|axis|branch|sol(?:ution)?|lösung";
