@@ -15,7 +15,10 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 const NAME = /(?<![A-Za-z0-9_.])[A-Za-z][A-Za-z]*_?\{?\w*\}?'?/g;
 const LIST_ENTRY = /(?<=\b[A-Za-z]{1,5}) ?[[(](\d{1,2})[\])]/g;
 // A number with its unit, but not the 3 of 3R.
-const NUMERAL = /(?<![\w.])\.?\d[\d.,]*(?:e[-+]?\d+)?(?=(?: ?(?:mm?|cm|deg))?(?![A-Za-z\d]))/gi;
+const NUMERAL = new RegExp(
+  String.raw`(?<![\w.])\.?\d[\d.,]*(?:e[-+]?\d+)?(?=(?:${LENGTH_UNIT})?(?![A-Za-z\d]))`,
+  "gi",
+);
 // A number that counts something.
 const COUNTED = "joint|row|link|frame|fig(?:ure)?\\.?|table|part";
 const COUNT = new RegExp(String.raw`^\s*[[(]?\d{1,2}[\]).:|\t]|(?:${COUNTED})s? ?\d+`, "gi");
@@ -65,14 +68,13 @@ export function maskSpans(text, spans) {
 // another symbol to it.
 /** @param {string} line @param {Set<string>} searched simple names */
 function findValuedSymbol(line, searched) {
-  if (!/[\d₀-₉]/.test(line)) return undefined;
   const text = plain(line).replace(LIST_ENTRY, "_$1");
   const hasValue = hasValues(text);
   const match = [...text.matchAll(NAME)].find(({ 0: typed, index }) => {
     const name = simple(typed);
     const behind = text.slice(index + typed.length);
     if (!searched.has(name)) return false;
-    if (ASSIGNED.test(behind)) return !MATRIX.test(behind) && (hasValue || /\d/.test(behind));
+    if (ASSIGNED.test(behind)) return !MATRIX.test(behind) && /\d/.test(behind);
     return hasValue && name.length > 1; // "a" is a word, too
   });
   return match?.[0];
