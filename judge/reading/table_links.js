@@ -1,9 +1,9 @@
 // Reads tables of calls of the Robotics Toolbox, such as Link(...) and RevoluteDH(...).
 
-import { number } from "./formula.js";
+import { number, plain } from "./formula.js";
 import { listEntries, makeEntry, makeUntyped } from "./table_named_entries.js";
 import { findUnusedText } from "./table_named_unread.js";
-import { ENTRIES } from "./table_rows.js";
+import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @typedef {import("./spans.js").Span} Span */
@@ -26,7 +26,7 @@ export function readLinks(text, brackets) {
   const table = {
     rows: links.map(({ values, slides }, k) => {
       const moving = slides ? "d" : "theta";
-      const variable = makeVariable(k + 1, values[moving], values.offset);
+      const variable = makeVariable(k + 1, moving, values[moving], values.offset);
       return ENTRIES.map((name) =>
         name === moving ? variable : (values[name] ?? makeUntyped("0")),
       );
@@ -41,14 +41,22 @@ export function readLinks(text, brackets) {
 
 /**
  * Make the entry of a joint's variable from what stands in its place and its offset. A number in
- * its place is the offset; another text in its place, as q1 or 0, only says that it moves.
- * @param {number} row @param {Entry} [typed] @param {Entry} [offset]
+ * its place is the offset; a mark or 0 in its place only says that it moves.
+ * @param {number} row @param {string} name of its column @param {Entry} [typed]
+ * @param {Entry} [offset]
  */
-function makeVariable(row, typed = makeUntyped("0"), offset = makeUntyped("0")) {
-  const still = number(typed.text) ? typed : offset;
-  const spans = still === typed ? typed.spans : [...typed.spans, ...offset.spans];
-  return { text: `q_${row} + (${still.text})`, spans };
+function makeVariable(row, name, typed = makeUntyped("0"), offset = makeUntyped("0")) {
+  const spans = [...typed.spans, ...offset.spans];
+  if (hasJointSymbol(typed.text)) return { text: `${typed.text} + (${offset.text})`, spans };
+  if (!number(typed.text)) return { text: `q_${row} + (${offset.text})`, spans };
+  if (number(offset.text) !== 0) {
+    const [one, other] = [typed, offset].map(({ text }) => quoteText(text));
+    throw new ArmError(formatMessage("row two values", { row, name, one, other }));
+  }
+  return { text: `q_${row} + (${typed.text})`, spans };
 }
+
+const hasJointSymbol = (text) => isVariable(text) && !VARIABLE.test(plain(text));
 
 const MODIFIED = /MDH\b|\bmodified\b|\bmdh\s*=\s*(?:True|1)/;
 const LISTED = ["d", "a", "alpha", "offset"]; // arguments of RevoluteDH without names
