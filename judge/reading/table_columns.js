@@ -20,13 +20,19 @@ const HEADERS = new Map([
 
 const LONGEST = 80; // characters of a header
 
+// The unit behind a header, a (mm), a [mm], a in mm, a, mm, a/mm, a_mm.
+const UNIT = new RegExp(
+  String.raw`\([^)]*\)?|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:${LENGTH_UNIT}|deg|rad)$`,
+  "g",
+);
+
 // Find the entry that a column header names, or "i" for the rows' numbers.
 export function findEntry(cell) {
   if (cell.length > LONGEST) return undefined;
   const words = plain(replaceSubscripts(cell).replace(/-\s*1/g, ""))
     .replaceAll("*", "")
     .toLowerCase();
-  const withoutUnit = words.replace(/\([^)]*\)?|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:mm|deg)$/g, "");
+  const withoutUnit = words.replace(UNIT, "");
   const last = withoutUnit
     .replace(/[\s_]+$/, "")
     .split(/\s+/)
