@@ -28,7 +28,12 @@ import {
 } from "./table_symbols.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows } from "./table_notations.js";
-import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
+import {
+  listCellSpans,
+  listNamedNumbers,
+  placeBlockNumbers,
+  placeMatrixNumbers,
+} from "./table_owners.js";
 import { isVariable, readRow, trimEntry } from "./table_rows.js";
 import { maskUnfinishedRows } from "./table_unfinished.js";
 import { findUnreadCell } from "./table_unread.js";
@@ -199,12 +204,6 @@ function readFirstBlock(text, blocks, request) {
 /** @param {import("./table_blocks.js").TableBlock} table */
 const hasEmptyCells = ({ block: { sources } }) =>
   sources.some(({ cells }) => cells.some(({ from, to }) => from === to));
-
-/** @param {import("./table_blocks.js").TableBlock} table */
-const listCellSpans = ({ block: { sources, rows } }) =>
-  [...sources.flatMap((row) => row.cells), ...rows.flat()].flatMap(
-    (cell) => cell.stretches ?? [cell],
-  );
 
 // Return the numbers of a block with their owners; refuse unread cells, and poses of frames in the
 // base, which are no link matrices.

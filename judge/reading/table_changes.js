@@ -31,7 +31,8 @@ const MOVED = new RegExp(
     String.raw`(?:${LENGTH_UNIT})\b|\b(?:doubled|halved|not to scale)\b`,
   "i",
 );
-const DOUBT_IN_ROW = /\b(?:or|oder|should|wrong|incorrect|falsch)\b|^\W*(?:sum|total)\b/i;
+const DOUBT_IN_ROW =
+  /\b(?:or|oder|should|wrong|incorrect|falsch)\b|^\W*(?:sum|total|summe|gesamt)\b/i;
 const DOUBT = /\b(?:row|line|joint|entry) \d.*\b(?:wrong|incorrect|falsch)\b/i;
 const FLIP = /\bflip ?= ?(?:True|true|1)\b/;
 const CORRECTION = /^\W*(?:correction|corrected|erratum)\b.*[=:].*\d/i;
@@ -58,14 +59,20 @@ function isChange(line, isRow, { rows }) {
   if (assignsField(line)) return true;
   const [, behindTool = ""] = TOOL.exec(line) ?? [];
   if (TRANSFORM.test(behindTool)) return true;
-  if (isRow)
-    return DOUBT_IN_ROW.test(line) || OFFSET_IN_ROW.test(line) || SHIFTED_IN_ROW.test(plain(line));
+  if (isRow) return changesRow(line);
   const text = plain(line);
   const match = SHIFTED.exec(text) ?? OFFSET.exec(text);
   if (!match) return false;
   const numbers = match.slice(1).filter(Boolean).map(Number);
   return numbers.some((number) => rows[number - 1] && !hasOffset(rows, number));
 }
+
+/**
+ * Return whether text beside the entries of a row changes the row, or says that it is no row.
+ * @param {string} text
+ */
+export const changesRow = (text) =>
+  DOUBT_IN_ROW.test(text) || OFFSET_IN_ROW.test(text) || SHIFTED_IN_ROW.test(plain(text));
 
 // Return whether a line assigns a value to an entry or a field.
 const assignsField = (line) =>

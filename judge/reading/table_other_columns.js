@@ -4,6 +4,7 @@ import { isNumber } from "./formula.js";
 import { Tokens } from "./owners.js";
 import { listLines, SpannedText } from "./spans.js";
 import { findEntry } from "./table_columns.js";
+import { changesRow } from "./table_changes.js";
 import { ENTRIES } from "./table_rows.js";
 
 /** @typedef {import("./owners.js").Token} Token */
@@ -15,7 +16,6 @@ import { ENTRIES } from "./table_rows.js";
 
 const SEPARATORS = ["\t", "|", "&", ";"];
 const KEPT = /offset|type|kind|variable/i; // headers of columns that belong to a table
-const SUM = /^\s*(?:sum|total|summe|gesamt)\b/i;
 const VECTOR = /^[([{]\s*[-+−.\d]/; // a centre of mass
 
 /**
@@ -43,13 +43,14 @@ export function dropOtherColumns(text) {
           : [each]),
         ...(j < lines.length - 1 ? ["\n"] : []),
       ]);
-      const others = headers.flatMap((header, i) => {
-        const column = cells.flatMap((row, j) => (isRow(j) && !isKept(i) ? [row[i]] : []));
-        const hasNumbers = column.slice(1).some((cell) => isNumberOrVector(cell.text.trim()));
-        return hasNumbers ? [{ header, cells: column }] : [];
-      });
-      // A row named "sum" is no row of the table, and without that column nothing shows it.
-      if (others.some((column) => column.cells.some((cell) => SUM.test(cell.text)))) break;
+      const columns = headers.flatMap((header, i) =>
+        isKept(i) ? [] : [{ header, cells: cells.flatMap((row, j) => (isRow(j) ? row[i] : [])) }],
+      );
+      // A note such as "q2 + 90" or "sum" changes its row, and without its column nothing shows it.
+      if (columns.some((column) => column.cells.some((cell) => changesRow(cell.text)))) break;
+      const others = columns.filter((column) =>
+        column.cells.slice(1).some((cell) => isNumberOrVector(cell.text.trim())),
+      );
       return { rest: new SpannedText(text).assemble(parts), others };
     }
   return { rest: new SpannedText(text), others: [] };
