@@ -47,14 +47,22 @@ export function dropOtherColumns(text) {
         isKept(i) ? [] : [{ header, cells: cells.flatMap((row, j) => (isRow(j) ? row[i] : [])) }],
       );
       // A note such as "q2 + 90" or "sum" changes its row, and without its column nothing shows it.
-      if (columns.some((column) => column.cells.some((cell) => changesRow(cell.text)))) break;
-      const others = columns.filter((column) =>
-        column.cells.slice(1).some((cell) => isNumberOrVector(cell.text.trim())),
+      const texts = columns.map((column) =>
+        column.cells.slice(1).map(({ text: cell }) => cell.trim()),
       );
+      if (texts.flat().some(changesRow) || texts.some(hasStrayNumber)) break;
+      const others = columns.filter((_, i) => texts[i].some(isNumberOrVector));
       return { rest: new SpannedText(text).assemble(parts), others };
     }
   return { rest: new SpannedText(text), others: [] };
 }
+
+// Return whether a cell of a column has more numbers than another cell, as "3.1 99" below "2.2".
+/** @param {string[]} cells */
+const hasStrayNumber = (cells) => new Set(cells.map(countNumbers).filter(Boolean)).size > 1;
+
+const countNumbers = (cell) =>
+  cell.split(VECTOR.test(cell) ? /[\s,;]+/ : /\s+/).filter((word) => /\d/.test(word)).length;
 
 // Split a line into its cells with their positions in the text.
 function splitLine({ from, text }, separator) {
