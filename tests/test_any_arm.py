@@ -284,7 +284,7 @@ def test_solutions_refuses_an_arm_without_structure():
         solutions(PANDA.lock(3), np.eye(4))
 
 
-def test_ur_keeps_joint_1_where_its_axis_meets_the_wrist():
+def test_ur_keeps_joint_1_if_axis_meets_wrist():
     """Without d_4 and d_5 an upright arm has its wrist on axis 1, so any plane will do."""
     arm = UR10E.with_values(d_4=0.0, d_5=0.0)
     T = forward_kinematics(arm, [0.4, -HALF, 0.0, 0.3, 0.8, 0.2])

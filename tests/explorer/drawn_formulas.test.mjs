@@ -17,7 +17,7 @@ function checkText(lines, expected) {
   );
 }
 
-test("a drawn matrix or list has the values that SymPy drew", () => {
+test("SymPy's drawn matrices and lists keep their values", () => {
   const both = [ROOT2 / 2, PI / 3, -PI / 4, 0.25, 0.5, ROOT3];
   const cases = [
     [

@@ -132,7 +132,7 @@ test("typed decimals give a formula its round-off", () => {
   }
 });
 
-test("a value in degrees replaces the equal value in radians", () => {
+test("degrees replace the equal value in radians", () => {
   const read = (text) => withoutRepeatedUnits(new SpannedText(text)).text.replaceAll(/\\,| /g, "");
   for (const _ of [" ", "\\,"])
     for (const unit of ["°", "^°", "^{°}", "deg", "degree", "degrees"])

@@ -163,7 +163,7 @@ test("values with names of joints are a vector", () => {
   ]);
 });
 
-test("a table with each cell on a line of its own is read", () => {
+test("tables with one cell a line are read", () => {
   const rows = "up\n0.1\n0.2\n0.3\ndown\n0.4\n0.5\n0.6";
   checkAll([
     [`q1\nq2\nq3\n${rows}`, [A, B]],
@@ -209,7 +209,7 @@ test("a value in radians and degrees is one value", () => {
   checkVectors(`2(45°)${other}`, [[1.571, 0.2, 0.3]]);
 });
 
-test("lists are one vector in each row or each column", () => {
+test("a joint vector is a row or a column", () => {
   const locked = { kinds: "RFR", taken: [LOCKED] };
   checkAll([
     [A, [A]],
@@ -319,7 +319,7 @@ test("lists are one vector in each row or each column", () => {
   ]);
 });
 
-test("a unit of a text holds for all its values that have none", () => {
+test("a stated unit applies to values without one", () => {
   const slide = { kinds: "RRP" };
   const turned = [0.183, 0.358, 0.4];
   checkAll([

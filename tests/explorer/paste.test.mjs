@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { readPastedTable } from "../../page/src/paste.js";
 
-test("a table without headers has the shown order and unit", () => {
+test("tables without headers take shown order and unit", () => {
   for (const [unit, size] of [
     ["rad", 1],
     ["deg", Math.PI / 180],

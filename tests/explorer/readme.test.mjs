@@ -7,7 +7,7 @@ import { numbers } from "../../judge/reading/numbers.js";
 
 const README = readFileSync(new URL("../../judge/reading/README.md", import.meta.url), "utf8");
 
-test("each number of the README's text has the owner that the README names", () => {
+test("numbers have the owners that the README names", () => {
   const [, text] = /```\n([\s\S]*?)```/.exec(README);
   const request = { wants: [{ rows: 2, columns: 1, by: "joint", turned: true }], names: /^tau/ };
   const { values, tokens } = numbers(text, "your torques", undefined, undefined, request);

@@ -158,7 +158,7 @@ test("a changed offset of a slide drops the limits", () => {
   assert.ok(store.state.arm.rows.every(({ lower }) => lower === null));
 });
 
-test("a pasted table is shown with all joints at 0", () => {
+test("a pasted table sets all joints to 0", () => {
   const store = start();
   store.dispatch({ type: "replaceTable", rows: changeRow(PANDA, 0, { d: 0.5 }) });
   assert.deepEqual(

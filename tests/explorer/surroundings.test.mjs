@@ -17,7 +17,7 @@ function findAround(text, find = findComputation) {
 const checkAll = (cases) =>
   cases.forEach(([text, expected]) => assert.equal(findAround(text), expected, text));
 
-test("a factor before a list or a matrix is found in each layout", () => {
+test("factors before lists and matrices are found", () => {
   const layouts = [
     ["[", "]"],
     ["[(", ")]"],
@@ -95,7 +95,7 @@ test("what stands behind a bracket is found", () =>
     ["[0.1, 0.2] N m", null],
   ]));
 
-test("a matrix may not be transposed, lists and rows may", () => {
+test("lists and rows may be transposed, matrices not", () => {
   for (const mark of ["'", ".T", ".transpose", "ᵀ", "^T", "^{T", "^\\top"]) {
     checkAll([
       [`[0.1, 0.2]${mark}`, null],
@@ -106,7 +106,7 @@ test("a matrix may not be transposed, lists and rows may", () => {
   for (const mark of ["'", ".T", "^T"]) checkAll([[`[0.1, 0.2]${mark}\n[0.3, 0.4]${mark}`, null]]); // each row is a column of the matrix
 });
 
-test("a name that is a computation or another quantity is found", () => {
+test("names of computations and other quantities are found", () => {
   for (const name of ["q", "θ", "theta", "\\theta", "tau", "τ", "J"]) {
     const names = [
       `-${name}`,
@@ -153,7 +153,7 @@ test("a name that is a computation or another quantity is found", () => {
   ]);
 });
 
-test("a relation or words that reject a value are found", () => {
+test("relations and words that reject values are found", () => {
   for (const relation of ["≠", "!=", "\\ne", "\\neq", "<", "≤", "≥", ">", "is not", "are not"])
     assert.equal(findAround(`q ${relation} [0.1, 0.2]`, findRejection), relation);
   for (const verb of ["", "is ", "are ", "was ", "were "])

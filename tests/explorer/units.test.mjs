@@ -89,7 +89,7 @@ test("a unit is read in each of its spellings", () => {
     assert.deepEqual([readUnits(text).lengths, readUnits(text).moments], [null, null], text);
 });
 
-test("a unit that is not converted is found in each of its spellings", () => {
+test("each spelling of an unconverted unit is found", () => {
   for (const text of OTHER) assert.ok(findOtherUnit(text), text);
   for (const text of NO_OTHER) assert.equal(findOtherUnit(text), null, text);
 });
@@ -193,7 +193,7 @@ test("brackets, bullets, names and transposed lists are no computation", () => {
   for (const text of PLAIN) assert.equal(readShape(text).length, 2, text);
 });
 
-test("a list far too long is not tried as a part of an answer", () => {
+test("far too long lists are not tried as parts", () => {
   const isPartTried = (length) => {
     let isTried = false;
     const wants = [{ rows: 1, columns: 7 }];
