@@ -4,14 +4,12 @@
 import { listLines } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
-import { LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @typedef {import("./spans.js").Span & { text: string }} Line */
 
-const ANY_UNIT = `deg|degrees|°|rad|${LENGTH_UNIT}`;
-const UNIT = new RegExp(String.raw`^[([](?:${ANY_UNIT})[)\]]$`); // on a line below its header
-const ROW_NAME = /^(?:[\p{L}#]+[ _]?)?\d{1,2}(?:[.)]| ?[-–→] ?\d{1,2})?$/u; // Link 1, 1., 0-1
+const UNIT = /^[([]\D+[)\]]$/; // on a line below its header
+const ROW_NAME = /^(?:[\p{L}#]+[ _]?)?\d{1,2}(?: ?[-–→] ?\d{1,2})?$/u; // Link 1, 0-1
 
 /**
  * Join the cells of such a table to rows; other texts are returned as they are. No character moves:
@@ -27,14 +25,13 @@ export function joinCellLines(text, isEntry) {
   const headerLines = lines.slice(start, behind);
   const cells = takeCells(lines.slice(behind), isEntry);
   const headers = headerLines.filter((line) => !UNIT.test(line.text.trim()));
-  const width = cells.length && findWidth(headers, cells, lines[behind + cells.length]);
+  const width = findWidth(headers, cells, lines[behind + cells.length]);
   const lasts = cells.filter((_, k) => (k + 1) % width === 0);
   const rowEnds = new Set([headerLines.at(-1), ...lasts]);
   const characters = text.split("");
   lines.slice(start, behind + cells.length - 1).forEach((line, k) => {
-    const next = lines[start + k + 1];
     const end = line.from + line.text.trimEnd().length;
-    characters.fill(" ", end, next.from);
+    characters.fill(" ", end, lines[start + k + 1].from);
     characters[line.to] = rowEnds.has(line) ? "\n" : "|";
   });
   return characters.join("");
@@ -48,9 +45,9 @@ function countHeaderLines(lines) {
   for (const { text } of lines) {
     const header = text.trim();
     const name = findEntry(header);
-    const isOffset = name === "d" && /offset/i.test(header);
+    const isOffset = /offset/i.test(header); // of the joint, beside theta and d
     if (!UNIT.test(header)) {
-      if (name === undefined || /[|&\t;=]/.test(header)) break;
+      if (name === undefined || /[=:]/.test(header)) break;
       if (names.has(name) && !isOffset) break;
       names.add(name);
     }
@@ -62,11 +59,7 @@ function countHeaderLines(lines) {
 // Take the lines that hold one cell each, up to the first other one.
 /** @param {Line[]} lines @param {(cell: string) => boolean} isEntry */
 function takeCells(lines, isEntry) {
-  const isCell = ({ text }) => {
-    const cell = text.trim();
-    const words = cell.replace(/ ?[-+*/] ?/g, "+").split(/\s+/);
-    return (words.length <= 2 && isEntry(cell)) || ROW_NAME.test(cell);
-  };
+  const isCell = ({ text }) => isEntry(text.trim()) || ROW_NAME.test(text.trim());
   const end = lines.findIndex((line) => !isCell(line));
   return end < 0 ? lines : lines.slice(0, end);
 }
@@ -78,14 +71,12 @@ function takeCells(lines, isEntry) {
  */
 function findWidth(headers, cells, next) {
   const { length } = headers;
-  const widths = headers.some((line) => findEntry(line.text.trim()) === "i")
-    ? [length]
-    : [length + 1, length];
-  const isWhole = (width) => cells.length % width === 0 && cells.length >= 2 * width;
-  const isCounted = (width) =>
-    cells.every(({ text }, k) => k % width || Number(/\d+/.exec(text)) === k / width + 1);
-  const width = widths.find((w) => isWhole(w) && (w === length || isCounted(w)));
-  if (width) return width;
+  const namesCount = headers.some((line) => findEntry(line.text.trim()) === "i");
+  const isCounted = cells.every(
+    ({ text }, k) => k % (length + 1) > 0 || Number(/\d+/.exec(text)) === k / (length + 1) + 1,
+  );
+  const width = isCounted && !namesCount ? length + 1 : length;
+  if (cells.length % width === 0) return width;
   const fields = { columns: length, count: cells.length };
   const behind = next ? ` before ${quoteText(next.text.trim())}` : "";
   throw new ArmError(formatMessage("cell lines", { ...fields, behind }));

@@ -19,8 +19,8 @@ const LINK = /(?<!\p{L})(?:(?:DH)?Link|(?:Revolute|Prismatic)[\p{L}\d_]*)\s*$/u;
  */
 export function readLinks(text, brackets) {
   const links = brackets.flatMap((bracket) => {
-    const [call] = (bracket.open === "(" && LINK.exec(bracket.before)) || [""];
-    return call ? [readLink(call, bracket)] : [];
+    const call = bracket.open === "(" ? LINK.exec(bracket.before) : null;
+    return call ? [readLink(call[0], bracket)] : [];
   });
   if (!links.length) return null;
   const table = {
@@ -58,7 +58,7 @@ function makeVariable(row, name, typed = makeUntyped("0"), offset = makeUntyped(
 
 const hasJointSymbol = (text) => isVariable(text) && !VARIABLE.test(plain(text));
 
-const MODIFIED = /MDH\b|\bmodified\b|\bmdh\s*=\s*(?:True|1)/;
+const MODIFIED = /MDH\b|\bmodified\b|\bmdh['"]?\s*[=,]\s*[T1]/;
 const LISTED = ["d", "a", "alpha", "offset"]; // arguments of RevoluteDH without names
 
 const POSITIONS = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
@@ -106,7 +106,7 @@ function listNamedValues(body, start) {
     const [from, to] = [start + index, start + index + all.length];
     return makeInput(name, makeEntry(value, to - value.length), { from, to });
   });
-  return pairs.length || !body.trim() ? pairs : null;
+  return pairs.length > 0 ? pairs : null;
 }
 
 // List arguments by their order, which only Revolute and Prismatic of the Robotics Toolbox fix.

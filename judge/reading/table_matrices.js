@@ -7,8 +7,7 @@ import { ArmError, formatMessage, formatNumber } from "../sentences.js";
 // Split rows of cells into link matrices; null if they are none.
 export function splitMatrices(cells) {
   const last = (row) => row.every((text, k) => number(text) === (k === 3 ? 1 : 0));
-  if (cells.length < 8 || cells.length % 4 || !cells.every((row) => row.length === 4)) return null;
-  if (!cells.every((row, i) => i % 4 !== 3 || last(row))) return null;
+  if (cells.length % 4 > 0 || !cells.every((row, i) => i % 4 !== 3 || last(row))) return null;
   return Array.from({ length: cells.length / 4 }, (_, k) => cells.slice(4 * k, 4 * k + 4));
 }
 
@@ -34,7 +33,7 @@ export function readLinkMatrix(i, A, known) {
   requireLinkMatrix(i, zero, numbers);
   requireLinkMatrix(i, one, numbers);
   const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
-  const backwards = (slides ? slid : turned) < 0;
+  const backwards = slid + turned < 0; // one of the two is 0
   return { kind, numbers, texts, backwards, radians: new Set(), metres: new Set() };
 }
 

@@ -26,7 +26,7 @@ export function listBrackets(text) {
     const character = text[at];
     if ("[({".includes(character))
       unclosed.push({ from: at, open: character, hasSign: false, isOuter: false });
-    else if ("=:".includes(character) && unclosed.length) unclosed.at(-1).hasSign = true;
+    else if ("=:".includes(character) && unclosed.length > 0) unclosed.at(-1).hasSign = true;
     const opening = "[({"["])}".indexOf(character)];
     const mate = opening ? unclosed.findLastIndex(({ open }) => open === opening) : -1;
     if (mate >= 0) {
@@ -48,7 +48,7 @@ export function listBrackets(text) {
 export function makeEntry(text, from) {
   const inner = text.trim().replace(/^['"]+|['"]+$/g, "");
   const start = from + text.indexOf(inner);
-  return { text: inner, spans: inner ? [{ from: start, to: start + inner.length }] : [] };
+  return { text: inner, spans: [{ from: start, to: start + inner.length }] };
 }
 
 /** Make an entry that the text leaves out. @param {string} text @returns {Entry} */

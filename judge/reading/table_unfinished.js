@@ -3,17 +3,16 @@
 
 import { isPlaceholder } from "./unfilled.js";
 
-const LABEL = String.raw`(?:(?:joint|link|row)?[ _]*\d{1,2}[.):]?|J\d)`;
-const FIRST_LABEL = new RegExp(String.raw`^[ \t|&,]*${LABEL}(?=[ \t|&,;])`, "i");
+const LABEL = String.raw`(?:\p{L}+[ _]*)?\d{1,2}[.):]?`; // 3, J3, joint 3
+const FIRST_LABEL = new RegExp(String.raw`^[ \t|&,]*${LABEL}(?=[ \t|&,;])`, "u");
 const ROW_END = /\\\\[ \t]*$/;
-const VARIABLE = String.raw`\$?(?:q|θ|theta|\\theta|th)_?\{?\d{1,2}\}?\$?`;
+const VARIABLE = String.raw`\$?\\?\p{L}+_?\{?[\d₀-₉]{1,2}\}?\$?`;
 // | 3 | | | | q3 |
 const BLANK = new RegExp(
   String.raw`^[ ]*\|?(?:[ ]*${LABEL}[ ]*)?(?:[|&\t;][ ]*){3,}${VARIABLE}[ ]*\|?(?:\\\\)?[ \t]*$`,
-  "i",
+  "u",
 );
 const EMPTY_CELL = /[|&;\t][ ]*(?=[|&;\t])/;
-const DRAWN = /^[\s|:+=_-]*$/;
 
 // Return whether a line holds placeholders and at most the joint's label before them.
 function hasOnlyPlaceholders(line) {
@@ -31,14 +30,14 @@ function hasOnlyPlaceholders(line) {
  * @param {string} text
  */
 export function maskUnfinishedRows(text) {
-  if (!text.includes("\n")) return text;
   const lines = text.split("\n");
   const last = lines.findLastIndex(
     (line) => /\d/.test(line) && !hasOnlyPlaceholders(line) && !BLANK.test(line),
   );
+  if (last < 0) return text;
   const isBlankZero = lines
     .slice(0, last + 1)
-    .some((line) => !DRAWN.test(line) && EMPTY_CELL.test(line));
+    .some((line) => /\d/.test(line) && EMPTY_CELL.test(line));
   const isUnfinished = (line) => hasOnlyPlaceholders(line) || (!isBlankZero && BLANK.test(line));
   return lines
     .map((line, k) => (k > last && isUnfinished(line) ? line.replace(/./g, " ") : line))
