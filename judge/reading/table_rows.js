@@ -17,13 +17,13 @@ export const VARIABLE = /^(?:var(?:iab(?:le|el))?|[-*?qd]|th(?:eta)?)\*?$/i;
 
 const LOCKED = /\s*\((?:locked|fixed)[^()]*\)\s*$/i;
 
-// Trim a cell: drop the name it is assigned to, a note behind it and a footnote mark.
+// Trim a cell: drop the name it is assigned to, a note behind it and a star.
 export const trimEntry = (cell) =>
   cell
     .replace(/^['"]|['"]$/g, "")
     .replace(/^[^=]*=\s*/, "")
     .replace(LOCKED, (note, at, all) => (isVariable(all.slice(0, at)) ? note : ""))
-    .replace(/(?<=.)\^?\{?\*+\}?(?=\s*(?:[-+]|$))|(?<=.)[¹²³†‡]+$/g, "")
+    .replace(/(?<=.)\^?\{?\*+\}?(?=\s*(?:[-+]|$))/g, "")
     .trim();
 
 export function isVariable(text) {
@@ -91,7 +91,7 @@ function fillDashes(texts) {
   return {
     a: zero(a),
     alpha: zero(alpha),
-    d: isDash(d) && (free || (isVariable(theta) && !isDash(theta))) ? "0" : d,
+    d: isDash(d) && isVariable(theta) ? "0" : d,
     theta: free ? theta : zero(theta),
   };
 }
@@ -104,7 +104,7 @@ function parseEntry(cell, name, i, known) {
   const text = plain(cell);
   const moves = name === "theta" || name === "d";
   const free = moves && VARIABLE.test(text) && !known.has(simple(text));
-  return parse(free ? `q_${i}` : text || "0", `${name} in row ${i}`);
+  return parse(free ? `q_${i}` : text, `${name} in row ${i}`);
 }
 
 // Return a variable with its number; null if it has none.
@@ -114,12 +114,12 @@ function parseVariable(name) {
 }
 
 // A symbol that may be a joint's variable: l0 for 10 is none.
-const MOVING = /^(?:q|th|phi|t|d|s|x)/i;
+const MOVING = /^(?:[dqstx]|phi)/i;
 
 // Find the joint's variable; refuse a row that holds another symbol.
 function findVariable(i, free, mover) {
   const moving = mover === null ? [] : free[mover];
-  const joint = moving.find((one) => /^(?:q|th|phi)/.test(one)) ?? moving[0];
+  const joint = moving.find((one) => /^[qt]/.test(one)) ?? moving[0];
   const isStray = (name) => (one) => name !== mover || one !== joint || !MOVING.test(one);
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
   if (stray === undefined) return parseVariable(joint);
