@@ -172,11 +172,11 @@ function findFirstFit(partings, question) {
 
 const NONE = /(?!)/; // no name
 
-// Return whether a block is hardly the answer: it only counts without the answer's name, may be the
-// halves of decimal numbers, or is called another quantity or an old answer.
+// Return whether a block is hardly the answer: it only counts and is not assigned to the answer's
+// name, may be the halves of decimal numbers, or is called another quantity or an old answer.
 const isUnlikely = (block, names = NONE) =>
   (block.splitsCommas && textsOf(block.rows.flat()).every((text) => WHOLE.test(text))) ||
-  (countsAlone(block) && !names.test(bareName(block.name))) ||
+  (countsAlone(block) && !(block.sources[0].isAssigned && names.test(bareName(block.name)))) ||
   isOtherQuantity(block, names) ||
   block.sources.every(isCalledOld);
 

@@ -80,10 +80,12 @@ function offsetOfHeaders({ headers, rows, sources }) {
   const tails = sources.map(({ tail }) => tail);
   const offset = more - Math.min(more, ...tails);
   // The column that counts rows is not that of a joint, if there may be a header for words behind.
-  return Math.max(...tails) > 0 && isCounted && isJointHeader(headers[offset])
-    ? offset - 1
-    : offset;
+  const mayHaveTail = Math.max(...tails) > 0 || sources.every(isCountOfNoun);
+  return mayHaveTail && isCounted && isJointHeader(headers[offset]) ? offset - 1 : offset;
 }
+
+// Return whether a word stands before the first number of a row, as in "Pose 1".
+const isCountOfNoun = ({ words, isAssigned }) => words.length > 0 && !isAssigned;
 
 const isJointHeader = (header) => readLabels([[header]])?.kind === "joint";
 

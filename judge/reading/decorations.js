@@ -51,7 +51,7 @@ const END_OF_VALUE =
 // A star, an exclamation mark or an arrow behind a value, at its cell's end or before its unit.
 const MARK_BEHIND =
   String.raw`(?<=[\d\])}°mπ])(?:[*!]|[ ]*<-+)` +
-  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?(?:k?N|rad))`;
+  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?(?:k?N|rad|deg|°))`;
 const FOOTNOTE_MARK =
   String.raw`(?<=[\w°π)}*])(?:(?:\\[,;:! ])?[ ]*[✓✔✅☑†‡§](?!\w)|\[\^\w{1,3}\]|\^\{\*\}|` +
   String.raw`(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})|<sup>\s*[\w*†‡]\s*<\/sup>)`;
@@ -166,7 +166,7 @@ const COMMENTS = [
   /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
-  /(?<=(?:[\d\])},;:°m*π]|rad|deg)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t])).*$/gm,
+  /(?<=(?:[\d\])},;:°m*π]|rad|deg)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t°])).*$/gm,
 ];
 
 const blank = (comment) => comment.replace(/[^\n]/g, " ");

@@ -251,11 +251,11 @@ function addCell(cell, line, state) {
 }
 
 function addWord(typed, state) {
-  if (state.row && !/[\p{L}\d]/u.test(typed.text)) {
-    state.row.tail++; // an empty cell, as - or ✓
+  if (state.row && !/[\p{L}\d°]/u.test(typed.text)) {
+    state.row.tail++; // an empty cell, as - or ✓, but no unit without its number
     return;
   }
-  if (!/[\p{L}\d#<>]/u.test(typed.text)) return;
+  if (!/[\p{L}\d#<>°]/u.test(typed.text)) return;
   const cell = { ...typed, line: state.line };
   state.words.push(cell);
   state.allWords.push(cell);

@@ -12,7 +12,7 @@ import { units } from "../digits.js";
 import { findAnswer, NoFitError } from "./answers.js";
 import { withoutOtherComments } from "./odd_texts.js";
 import { OTHER_LIST } from "./owners.js";
-import { findOtherUnit, fitsJoint, readUnitBehind, readUnits } from "./units.js";
+import { endInDegrees, findOtherUnit, fitsJoint, readUnitBehind, readUnits } from "./units.js";
 import {
   formulaSlack,
   isNumber,
@@ -179,6 +179,8 @@ function readText(text, { known, ...question }) {
   const { taken, unusedLines, hasRowNames, tokens } = answer;
   for (const { owner, index, to } of tokens)
     if (owner === "entry") entries[index].unitBehind = readUnitBehind(text, to);
+  /** @param {import("./owners.js").Token} token */
+  const isDegrees = ({ index }) => entries[index].worth === RAD;
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
   return {
     ...read,
@@ -186,7 +188,7 @@ function readText(text, { known, ...question }) {
     taken,
     unusedLines,
     hasRowNames,
-    statedUnits: readUnits(withoutOtherComments(text, tokens)),
+    statedUnits: readUnits(withoutOtherComments(text, tokens), endInDegrees(tokens, isDegrees)),
     tokens,
   };
 }

@@ -242,11 +242,12 @@ function claimOtherRows(tokens, block, beside) {
   const others = lines.all.filter((row) => !rowsOfBlock.has(row));
   claimWords(tokens, block, beside, others);
   const inside = others.filter(({ line }) => isNear(line));
-  const perRow = inside.length % sources.length === 0;
+  const isLeading = ({ line, cells }) => cells[0].from < starts.get(line);
+  const perRow = inside.filter(isLeading).length % sources.length === 0;
   for (const row of others) {
     const owner = isNear(row.line)
       ? chooseOwnerInside(row, {
-          leads: row.cells[0].from < starts.get(row.line),
+          leads: isLeading(row),
           perRow,
           alone: !starts.has(row.line),
         })

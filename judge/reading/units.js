@@ -1,5 +1,7 @@
 // Units of angles, lengths and moments that a text names for several numbers, as "q (deg)" does.
 
+import { foldCharacters } from "./characters.js";
+
 /** Units of lengths with their factors to m, and a pattern of their names. */
 export const LENGTH_UNITS = { mm: 1e-3, cm: 1e-2, m: 1 };
 export const LENGTH_UNIT = Object.keys(LENGTH_UNITS).join("|");
@@ -14,14 +16,6 @@ const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
 const IN_DEGREES = // np.radians([...]), [...]*pi/180
   /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
 const RADIANS = /\brad(?:ians?)?\b/i;
-// "10, 20 and 30 deg", "q1 = 10 q2 = 20 deg": the unit at a line's end belongs to the whole list.
-const LIST_IN_DEGREES = new RegExp(
-  String.raw`\d(?:\s*[,;]\s*(?:and\s)?|\s+(?:and\s+)?)` +
-    String.raw`(?:[\p{L}_{}\d]{1,9}\s?[=:]\s?)?[-+\u2212]?\d[\d.,]{0,20}` +
-    String.raw`\s?(?:${DEGREE}|Grad)[\s)\].;}]*$`,
-  "imu",
-);
-const ANY_DEGREES = [DEGREES, GERMAN_DEGREES, LIST_IN_DEGREES];
 
 /** @param {"mm" | "cm"} unit that no number stands before @returns {[RegExp, number]} */
 function makeLengthFactor(unit) {
@@ -45,19 +39,36 @@ const findFactor = (text, kind) => FACTORS[kind].find(([unit]) => unit.test(text
 
 /**
  * Find the units that a text names.
- * @param {string} text
+ * @param {string} typed a text
+ * @param {boolean} [hasDegrees] whether degrees were found already
  * @returns {{ angles: string | null, lengths: number | null, moments: number | null }} "deg" or
  *   "rad", null if neither or both are named; factors to m and N m, null if no unit is named
  */
-export function readUnits(text) {
+export function readUnits(typed, hasDegrees = false) {
+  const text = foldCharacters(typed);
   const [degrees, radians] = IN_DEGREES.test(text)
     ? [true, false]
-    : [ANY_DEGREES.some((pattern) => pattern.test(text)), RADIANS.test(text)];
+    : [hasDegrees || DEGREES.test(text) || GERMAN_DEGREES.test(text), RADIANS.test(text)];
   return {
     angles: degrees === radians ? null : degrees ? "deg" : "rad",
     lengths: findFactor(text, "lengths"),
     moments: findFactor(text, "moments"),
   };
+}
+
+/**
+ * Return whether only the last of several entries on each line is in degrees, as in "10, 20 and 30
+ * deg": its unit is that of the whole line.
+ * @param {import("./owners.js").Token[]} tokens
+ * @param {(token: import("./owners.js").Token) => boolean} isDegrees
+ */
+export function endInDegrees(tokens, isDegrees) {
+  const entries = tokens.filter(({ owner }) => owner === "entry");
+  return entries.every((token, k) => {
+    const isLast = token.line !== entries[k + 1]?.line;
+    const isAlone = isLast && token.line !== entries[k - 1]?.line;
+    return !isAlone && isDegrees(token) === isLast;
+  });
 }
 
 // Units that are not converted: minutes of arc, milliradians, turns and gon, which English also
