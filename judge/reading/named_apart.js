@@ -7,7 +7,7 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const JOINT = new RegExp(
   String.raw`(?<![\p{L}\d])(?:q|θ|\\?theta|tau|τ|joint|axis|motor|Gelenk|Achse|articulation)` +
-    String.raw`[ _{]{0,2}([1-9])(?!\d|\.\d)`,
+    String.raw`[ _{]{0,2}([1-9])(?!\.?\d)`,
   "giu",
 );
 
@@ -19,14 +19,14 @@ const JOINT = new RegExp(
 export function refuseContraryNames(text, tokens, rows) {
   const entries = tokens.filter(({ owner }) => owner === "entry");
   const isList = rows.length === 1 || rows[0].length === 1;
-  if (!isList || entries.length !== rows.length * rows[0].length || entries.length < 2) return;
+  if (!isList) return;
   const ends = entries.map(({ to }) => to);
   const starts = entries.map(({ from }) => from);
-  const before = starts.map((from, k) => text.slice(k ? ends[k - 1] : 0, from));
+  const before = starts.map((from, k) => text.slice(ends[k - 1] ?? 0, from));
   const behind = ends.map((to, k) => text.slice(to, starts[k + 1] ?? endOfLine(text, to)));
   const [joints, jointsBehind] = [before, behind].map((parts) => parts.map(findOnlyJoint));
   const named = joints.includes(null) ? jointsBehind : joints;
-  if (named.includes(null) || (named === jointsBehind && !areDistinct(named))) return;
+  if (named.includes(null)) return;
   const order = entries.map(({ index }, k) => ({ index, joint: named[k] }));
   order.sort((p, q) => p.index - q.index);
   const isContrary = order.some(({ joint }, k) => k > 0 && joint <= order[k - 1].joint);
@@ -41,5 +41,3 @@ function findOnlyJoint(text) {
   const all = new Set([...text.matchAll(JOINT)].map(([, number]) => Number(number)));
   return all.size === 1 ? [...all][0] : null;
 }
-
-const areDistinct = (joints) => new Set(joints).size === joints.length;

@@ -10,7 +10,7 @@ const ODD = [
   ["doubtful sign", /(?<!~)~\s*[\d.]/],
   ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
   ["two signs", /±|\\pm/],
-  ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],
+  ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])/],
   ["no text", /[\0-\x08\ufffd]/],
 ];
 
@@ -48,7 +48,7 @@ export function refuseDashes(text, rows) {
   const leads = ({ from, to }) =>
     /^[-\u2212\u2013][ \t]/.test(text.slice(from, to)) &&
     LEADING_DASH.test(text.slice(Math.max(0, from - 50), from));
-  if (rows.length < 2 || !rows.every(({ cells }) => cells.length === 1 && leads(cells[0]))) return;
+  if (!rows.every(({ cells }) => leads(cells[0]))) return;
   const line = quoteText(text.slice(rows[0].cells[0].from, rows[0].cells[0].to));
   throw new ArmError(formatMessage("dashes", { line }));
 }
@@ -63,7 +63,7 @@ export const hasHalfNumbers = (text, { splitsCommas, sources }) =>
   sources.some(({ cells }) => {
     const gaps = cells.slice(1).map(({ from }, k) => text.slice(cells[k].to, from));
     const isSum = cells.some(({ from, to }) => /\d\s+[-+\u2212]?\d/.test(text.slice(from, to)));
-    return gaps.includes(",") && (isSum || gaps.some((gap) => !gap.trim()));
+    return isSum || gaps.some((gap) => !gap.trim());
   });
 
 const QUOTIENT = /\d[.,]\d+ ?°?[ \t]+\/[ \t]+[-+\u2212]?\d*[.,]\d+/;
@@ -91,5 +91,5 @@ export const withoutOtherComments = (text, tokens) =>
   text.replace(COMMENT, (comment, from) => {
     const to = from + comment.length;
     const isEntry = ({ owner, from: at }) => owner === "entry" && at >= from && at < to;
-    return tokens.some(isEntry) || !/\d[.,]\d|\bnot\b|\blater\b/.test(comment) ? comment : "";
+    return tokens.some(isEntry) || !/\d[.,]\d|\bnot\b/.test(comment) ? comment : "";
   });

@@ -5,8 +5,8 @@ import { RAD } from "../geometry/angles.js";
 import { isUnit } from "./cells.js";
 import { isJointCount } from "./counts.js";
 import { hasDecimals } from "./formula.js";
-import { findLabel, findValueLabel } from "./labels.js";
-import { isCalledOld, namesOtherQuantity } from "./row_names.js";
+import { findLabel } from "./labels.js";
+import { namesOtherQuantity } from "./row_names.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /**
@@ -35,7 +35,7 @@ export class Tokens {
     let line = 0;
     /** @type {Token[]} */
     this.list = [...text.matchAll(DIGITS)].map(({ 0: digits, index }) => {
-      while (line < ends.length && ends[line] <= index) line++;
+      while (ends[line] <= index) line++;
       return { text: digits, from: index, to: index + digits.length, line, owner: "" };
     });
   }
@@ -69,16 +69,13 @@ export class Tokens {
  */
 export function tokensOf(text, block) {
   const tokens = new Tokens(text);
-  const starts = new Set(block.rows.flat().map(({ from }) => from));
   const strayRows = findUnlabelledRows(block);
-  const misplaced = findMisplacedCells(block);
   block.rows.forEach((cells, row) =>
     cells.forEach((cell, column) => {
-      const unread =
-        strayRows.has(row) || misplaced.has(cell) || hasUnreadFactor(text, cell, starts);
+      const owner = strayRows.has(row) ? "unread" : "entry";
       const index = row * cells.length + column;
       for (const stretch of cell.stretches ?? [cell])
-        tokens.claim(stretch, unread ? "unread" : "entry", { row, column, index });
+        tokens.claim(stretch, owner, { row, column, index });
     }),
   );
   for (const cell of [...block.labels.flat(), ...block.headers]) claimWord(tokens, cell, "label");
@@ -116,7 +113,7 @@ const OR = /^[^#%\n]{0,20}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2
 const listAlternatives = (text, tokens) =>
   tokens.filter((token, k) => {
     const entry = tokens[k - 1];
-    if (entry?.owner !== "entry" || token.owner === "entry") return false;
+    if (entry?.owner !== "entry") return false;
     if (!OR.test(text.slice(entry.to, token.from))) return false;
     const [value, before] = [token, entry].map((each) => signedValue(text, each));
     const ratio = value / before;
@@ -132,8 +129,8 @@ const signedValue = (text, { text: digits, from }) =>
 const leadsLine = (text, { from }) =>
   /(?:^|\n)[ \t]*$/.test(text.slice(Math.max(0, from - 20), from));
 
-// List the numbers that a comma may hold together, 115,2111 or 24,246.81, as their two halves. In
-// "1,0,-1.571" commas part, and at a line's start the first half may be the row's index.
+// List the numbers that a comma may join, 115,2111, as their two halves. In "1,0,-1" it separates
+// entries, and at the start of a line the first half may be the number of the row.
 /** @param {string} text @param {Token[]} tokens */
 function listSplitNumbers(text, tokens) {
   return tokens.flatMap((half, k) => {
@@ -142,17 +139,14 @@ function listSplitNumbers(text, tokens) {
     const isListed = /,[-+−]?$/.test(text.slice(0, half.from).slice(-2));
     if (isListed || /^,\S/.test(text.slice(rest.to, rest.to + 2))) return [];
     if (leadsLine(text, half)) return [];
-    const isDecimal = /^\d+$/.test(rest.text) || /^\d{3}\./.test(rest.text);
-    return /^\d+$/.test(half.text) && isDecimal ? [[half, rest]] : [];
+    return /^\d+$/.test(half.text) && /^\d+$/.test(rest.text) ? [[half, rest]] : [];
   });
 }
 
 // Return whether a number leads its line and is set off, as in "2: 0.5" or "2 | 0.5".
 /** @param {string} text @param {Token} token */
 const isLineNumber = (text, token) =>
-  leadsLine(text, token) &&
-  token.to - token.from < 4 &&
-  /^[ \t]*[|:.)\t]/.test(text.slice(token.to, token.to + 4));
+  leadsLine(text, token) && /^[ \t]*[|:.)\t]/.test(text.slice(token.to, token.to + 4));
 
 // Find the rows without a label in a block whose other rows are named after those of a Jacobian.
 function findUnlabelledRows({ labels }) {
@@ -162,40 +156,17 @@ function findUnlabelledRows({ labels }) {
   return new Set(isNamed.includes(true) ? unlabelled : []);
 }
 
-// Find the cells whose labels name no higher joint than the label of the cell before.
-function findMisplacedCells({ rows, sources }) {
-  const labels = new Map();
-  for (const row of sources)
-    if (row.cells.length === 1) labels.set(row.cells[0].from, findValueLabel(row));
-  const jointOf = ({ from }) =>
-    labels.get(from)?.kind === "joint" ? labels.get(from).number : null;
-  const isMisplaced = (cell, before) =>
-    before &&
-    jointOf(before) !== null &&
-    jointOf(cell) !== null &&
-    jointOf(cell) <= jointOf(before);
-  return new Set(rows.flatMap((row) => row.filter((cell, k) => isMisplaced(cell, row[k - 1]))));
-}
-
 const MOST_LABELLED = 6; // rows of a Jacobian
-
-const FACTOR_BEHIND = /^([ \t]?(?:[*·×][ \t]?)?)(?:π|pi\b)/;
-
-// Return whether a factor π stands behind an entry that was read without it. The factor may begin
-// the next entry.
-function hasUnreadFactor(text, { to }, starts) {
-  const match = FACTOR_BEHIND.exec(text.slice(to, to + 12));
-  return match !== null && !starts.has(to + match[1].length);
-}
 
 // Claim the numbers of a label or a column's header, unless it may be a misspelt entry.
 const claimWord = (tokens, cell, owner) => {
   if (!isMisspelt(cell.text)) tokens.claim(cell, owner);
 };
 
-// Dates, times and versions; the seconds since 1970; the time that a program took; -2.9..2.9
+// Times, dates as 28.11.2026 and versions; the seconds since 1970; the time that a program took;
+// -2.9..2.9
 const DATES = [
-  /\d([-/])\d{1,2}\1\d|\d:\d\d|(?<![\d.])\d{1,3}\.\d{1,3}\.\d{1,4}(?![\d.]|,\d)/,
+  /\d:\d\d|(?<![\d.])\d{1,3}\.\d{1,3}\.\d{1,4}(?![\d.])/,
   /^\[?\d{9,}\.\d|^(?:\d+m)?[\d.]+ ?m?s$|\d\.{2,3}[-+−]?[\d.]/,
 ];
 export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
@@ -214,43 +185,32 @@ const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && 
  */
 function findLinesBeside(text, { from, to }) {
   const lines = text.split(LINE_END);
-  const isBlank = (k) => lines[k] !== undefined && !/[\p{L}\d]/u.test(lines[k]);
-  let [above, below] = [from - 1, to + 1];
-  while (isBlank(above)) above--;
-  while (isBlank(below)) below++;
-  return new Set([above, below].filter((k) => lines[k] !== undefined && mayBeRow(lines[k])));
+  const hasText = (line) => /[\p{L}\d]/u.test(line);
+  const above = lines.findLastIndex((line, k) => k < from && hasText(line));
+  const below = lines.findIndex((line, k) => k > to && hasText(line));
+  return new Set([above, below].filter((k) => k >= 0 && mayBeRow(lines[k])));
 }
 
-// Return whether a line has cells, or two numbers or more and neither a name nor a sentence.
+// Return whether a line has neither a name nor a sentence.
 function mayBeRow(line) {
-  if ((line.match(/[&|\t;]/g) ?? []).length > 2) return true;
   if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
   const words = (line.match(/\p{L}[\p{L}-]{2,}/gu) ?? []).filter((word) => !isUnit(word));
-  return words.length < 2 && (hasDecimals(line) || TWO_NUMBERS.test(line));
+  return words.length < 2;
 }
-
-const TWO_NUMBERS = /(?:^|\s)-?\d+\S?\s+-?\d+\S?(?:\s|$)/;
 
 // The words and rows that are no part of the block.
 function claimOtherRows(tokens, block, beside) {
   const { from, to, sources, lines } = block;
-  const rowsOfBlock = new Set(sources);
   const starts = new Map(
     sources.flatMap(({ line, last, cells: [cell] }) => [line, last].map((k) => [k, cell.from])),
   );
   const isNear = (line) => line >= from && line <= to;
-  const others = lines.all.filter((row) => !rowsOfBlock.has(row));
-  claimWords(tokens, block, beside, others);
-  const inside = others.filter(({ line }) => isNear(line));
-  const isLeading = ({ line, cells }) => cells[0].from < starts.get(line);
-  const perRow = inside.filter(isLeading).length % sources.length === 0;
-  for (const row of others) {
+  claimWords(tokens, block, beside);
+  const isLeading = ({ line, cells }) => isNear(line) && cells[0].from < starts.get(line);
+  const perRow = lines.all.filter(isLeading).length % sources.length === 0;
+  for (const row of lines.all) {
     const owner = isNear(row.line)
-      ? chooseOwnerInside(row, {
-          leads: isLeading(row),
-          perRow,
-          alone: !starts.has(row.line),
-        })
+      ? chooseOwnerInside(row, perRow && isLeading(row))
       : chooseOwnerOutside(row, block, beside);
     for (const cell of row.cells) tokens.claim(cell, owner, { reason: OTHER_LIST });
   }
@@ -258,12 +218,12 @@ function claimOtherRows(tokens, block, beside) {
 
 // Claim the numbers in words. In the block, beside it or in a row of its length a misspelt number
 // is unread; all others are parts of names and sentences.
-function claimWords(tokens, block, beside, others) {
+function claimWords(tokens, block, beside) {
   const { from, to, lines } = block;
-  const isBrokenRow = findBrokenRows(block, others, tokens);
+  const isBrokenRow = findBrokenRows(block, tokens);
   for (const word of lines.words) {
     const [token] = tokens.within(word);
-    if (!token || token.owner) continue;
+    if (!token) continue;
     const { line } = token;
     const isNear = (line >= from && line <= to) || beside.has(line);
     const unread =
@@ -274,14 +234,12 @@ function claimWords(tokens, block, beside, others) {
 
 // Return a function that tests whether a line apart from the block holds as many numbers, read or
 // not, as a row of the block.
-function findBrokenRows({ rows, sources, lines }, others, tokens) {
+function findBrokenRows({ rows, lines }, tokens) {
   const width = rows[0].length;
   if (width < LEAST_ROW) return () => false;
   const counts = new Map();
   const add = (line, count) => counts.set(line, (counts.get(line) ?? 0) + count);
-  for (const row of others)
-    if (isCalledAlike(row, sources) && !namesOtherQuantity(row) && !isCalledOld(row))
-      add(row.line, row.cells.length);
+  for (const row of lines.all) add(row.line, row.cells.length);
   for (const word of lines.words)
     if (beginsAsNumber(word.text)) add(tokens.within(word)[0]?.line, 1);
   return (line) => counts.get(line) === width;
@@ -292,10 +250,10 @@ const hasDecimalCell = ({ cells }) => cells.some(({ text }) => hasDecimals(text)
 
 // Return the owner of numbers on the block's lines. They are context below a name of their own, a
 // label if they are a time or an index for each row, or else unread if they may be entries.
-function chooseOwnerInside(row, { leads, perRow, alone }) {
+function chooseOwnerInside(row, mayBeLabel) {
   if (row.name || hasWord(row)) return "context";
-  if (leads && perRow && row.cells.length === 1) return "label";
-  return !hasDecimalCell(row) && (alone || row.cells.length === 1) ? "context" : "unread";
+  if (mayBeLabel && row.cells.length === 1) return "label";
+  return hasDecimalCell(row) ? "unread" : "context";
 }
 
 // Return whether a row holds two numbers or more that do not count joints, as 1, 2, 3 do.
@@ -315,25 +273,18 @@ function chooseOwnerOutside(row, block, beside) {
 const widthOf = ({ sources }) => Math.max(...sources.map(({ cells }) => cells.length));
 
 // Return whether a row anywhere in the text may be a row of the block. It is as long as the block's
-// rows, holds values, repeats none of the rows, and is not called something else.
+// rows, holds values, repeats none of the rows, and has no name.
 function mayBePart(row, { rows, sources }) {
   const { length } = row.cells;
-  const isAsLong = length === rows[0].length || length === widthOf({ sources });
-  if (rows.length < 2 || length < LEAST_ROW || !isAsLong) return false;
-  if (!hasDecimalCell(row) && !hasValues(row)) return false;
+  if (rows.length < 2 || length < LEAST_ROW || length !== widthOf({ sources })) return false;
+  if (!hasValues(row)) return false;
   if (rows.some((cells) => textsOf(cells) === textsOf(row.cells))) return false;
-  return isCalledAlike(row, sources) && !namesOtherQuantity(row) && !isCalledOld(row);
+  return !/\p{L}/u.test(row.name) && !namesOtherQuantity(row);
 }
 
 const textsOf = (cells) => cells.map(({ text }) => text).join();
 
 const LEAST_ROW = 3; // numbers of a row that its length distinguishes from other numbers
-
-// Return whether a row has no name, or the name of a source but for its number.
-function isCalledAlike({ name }, sources) {
-  const stem = (text) => text.toLowerCase().replace(/[^\p{L}]/gu, "");
-  return !stem(name) || sources.some((source) => stem(source.name) === stem(name));
-}
 
 /**
  * Raise an error that quotes the first number that was not read.
@@ -343,7 +294,7 @@ export function refuseUnread(text, tokens, what) {
   const token = tokens.find(({ owner }) => owner === "unread");
   if (!token) return;
   const rest = tokens[tokens.indexOf(token) + 1];
-  const isHalf = rest?.owner === "unread" && text[token.to] === "," && rest.from === token.to + 1;
+  const isHalf = text[token.to] === "," && rest?.from === token.to + 1;
   const word = findWordAround(text, { from: token.from, to: isHalf ? rest.to : token.to });
   const where = describeLabel(text, token);
   const fields = {
@@ -372,7 +323,7 @@ export function refuseUnreadCell(text, tokens, { from, to }, what) {
 // Drop the name of the arm from a phrase such as "UR10e: your torques".
 const dropArmName = (what) => what.slice(what.lastIndexOf(": ") + 1).trim();
 
-const PLAIN_NUMBER = /^[-+−–]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+−–]?\d+)?$/i;
+const PLAIN_NUMBER = /^[-+−–]?\d*(?:[.,]\d*)?(?:e[-+−–]?\d+)?$/i;
 
 // Return the word around a number, up to blanks and separators of cells.
 function findWordAround(text, { from, to }) {
@@ -390,6 +341,6 @@ function describeLabel(text, { from }) {
     .filter(Boolean);
   const label = findLabel(words.map((word) => ({ text: word })));
   if (!label || label.kind === "row") return "";
-  const [key, number] = [label.kind === "joint" ? "joint" : "row", label.number];
-  return ` (${formatMessage(key, { [key]: number })})`;
+  const key = label.kind === "joint" ? "joint" : "row";
+  return ` (${formatMessage(key, { [key]: label.number })})`;
 }

@@ -19,10 +19,10 @@ export function listUnusedLines(text, block, live = null) {
   const rest = lines.filter((_, i) => i < from || i > to);
   const linesWithText = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
   const kept = live && live.text.length === text.length ? linesOf(live.text) : lines;
-  const comments = lines.slice(from, to + 1).flatMap((line, i) => {
-    const end = kept[from + i].trimEnd().length;
-    return kept[from + i] === line ? [] : [line.slice(end).trim()].filter(Boolean);
-  });
+  const comments = lines
+    .slice(from, to + 1)
+    .map((line, i) => line.slice(kept[from + i].trimEnd().length).trim())
+    .filter(Boolean);
   return [...linesWithText.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
 }
 
