@@ -1,7 +1,6 @@
 // Reads tables of dictionaries, {'a': 0, 'alpha': pi/2}, and of lines of pairs, a = 0, alpha =
 // pi/2.
 
-import { number } from "./formula.js";
 import { listLines } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { makeEntry, makeUntyped } from "./table_named_entries.js";
@@ -65,7 +64,7 @@ export function readDictionaries(text, brackets) {
   return isCraig ? { ...table, convention: "craig" } : table;
 }
 
-// List the lines of a text. Lines of one pair each, as in YAML, are joined up to a repeated name.
+// List the lines of a text. Lines of pairs, as in YAML, are joined up to a repeated name.
 /** @param {string} text @returns {Body[]} */
 function listLineBodies(text) {
   const lines = listLines(text).map((line) => ({ ...line, body: line.text, start: line.from }));
@@ -73,9 +72,8 @@ function listLineBodies(text) {
   const bodies = [];
   let names = [];
   for (const [k, line] of lines.entries()) {
-    const [column, ...others] = columns[k];
-    const isNext = ENTRIES.includes(column) && !others.length && names.length > 0;
-    if (isNext && !names.includes(column)) {
+    const hasEntries = columns[k].length > 0 && columns[k].every((name) => ENTRIES.includes(name));
+    if (hasEntries && names.length > 0 && !columns[k].some((name) => names.includes(name))) {
       const { from } = bodies.at(-1);
       bodies[bodies.length - 1] = {
         from,
@@ -83,10 +81,10 @@ function listLineBodies(text) {
         body: text.slice(from, line.to),
         start: from,
       };
-      names.push(column);
+      names.push(...columns[k]);
     } else {
       bodies.push(line);
-      names = ENTRIES.includes(column) && !others.length ? [column] : [];
+      names = hasEntries ? [...columns[k]] : [];
     }
   }
   return bodies;
@@ -152,7 +150,7 @@ function mapColumns(pairs, row) {
   for (const pair of pairs) {
     const column = namesD && pair.name === OFFSET ? OFFSET : pair.column;
     const before = columns.get(column)?.entry.text;
-    if (before !== undefined && !isSameValue(before, pair.entry.text)) {
+    if (before !== undefined && before !== pair.entry.text) {
       const values = [before, pair.entry.text].map(quoteText);
       const fields = { row, name: column, one: values[0], other: values[1] };
       throw new ArmError(formatMessage("row two values", fields));
@@ -161,11 +159,6 @@ function mapColumns(pairs, row) {
   }
   return columns;
 }
-
-const isSameValue = (one, other) => {
-  const [bare, otherBare] = [one, other].map((text) => text.replace(/\s*m?$/, ""));
-  return bare === otherBare || (number(bare) !== null && number(bare) === number(otherBare));
-};
 
 // Refuse a row that lacks an entry that another row has.
 /** @param {Map<string, Pair>[]} columnsByRow */
@@ -187,7 +180,9 @@ function countsTwistsFromZero(pairs) {
 }
 
 const countFromOne = (pair) =>
-  isTwist(pair) && pair.index ? { ...pair, index: String(Number(pair.index) + 1) } : pair;
+  isTwist(pair) && pair.index !== undefined
+    ? { ...pair, index: String(Number(pair.index) + 1) }
+    : pair;
 
 // List the entries that a text names; a value reaches to the next name.
 /** @param {Body} body @returns {Pair[]} */
@@ -197,7 +192,7 @@ function listPairs({ body, start }) {
     const from = at + all.length;
     const [value] = body.slice(from, names[k + 1]?.index).split(/[,;[]/);
     const entry = makeEntry(value, start + from);
-    const column = findEntry(index ? name.replace(index, "") : name);
+    const column = findEntry(name.replace(/\d+/, ""));
     if (!ENTRIES.includes(column) || !entry.text) return [];
     const use = { from: start + at, to: start + from + value.length };
     return [{ column, name: index ? column : name, index, entry, use }];

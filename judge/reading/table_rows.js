@@ -15,7 +15,7 @@ const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 // A cell for a joint's variable without its name: q, theta, ?, *.
 export const VARIABLE = /^(?:var(?:iab(?:le|el))?|[-*?qd]|th(?:eta)?)\*?$/i;
 
-const LOCKED = /\s*\((?:locked|fixed)[^()]*\)\s*$/i;
+const LOCKED = /\s*\(locked[^()]*\)\s*$/i;
 
 // Trim a cell: drop the name it is assigned to, a note behind it and a star.
 export const trimEntry = (cell) =>
@@ -87,12 +87,11 @@ const isDash = (text) => ["-", "–", "—"].includes(text);
 function fillDashes(texts) {
   const { a, alpha, d, theta } = texts;
   const zero = (text) => (isDash(text) ? "0" : text);
-  const free = isDash(theta) && !isVariable(zero(d));
   return {
     a: zero(a),
     alpha: zero(alpha),
     d: isDash(d) && isVariable(theta) ? "0" : d,
-    theta: free ? theta : zero(theta),
+    theta: isVariable(zero(d)) ? zero(theta) : theta,
   };
 }
 
