@@ -30,8 +30,8 @@ function spent(reader, text) {
 
 // Return the times of a short and a long text, the least of three measurements each. The long one is read
 // again only while it takes too many times as long, since other processes may have slowed it down.
-function measurePace({ as, text, counts, factor }) {
-  const [short, long] = counts.map((n) => text.repeat(n / text.length));
+function measurePace({ as, text, before = "", behind = "", counts, factor }) {
+  const [short, long] = counts.map((n) => before + text.repeat(n / text.length) + behind);
   const measure = (repeated) => spent(READERS[as], repeated);
   const few = Math.min(measure(short), measure(short), measure(short));
   let many = measure(long);

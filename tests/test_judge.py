@@ -45,6 +45,17 @@ def test_sympy_latex_of_sums_is_read(arm, form):
     assert checks.compare_jacobian(sp.latex(J), arm).agrees
 
 
+@pytest.mark.parametrize("answer", [np.zeros((33, 3)), "0.1 0.2 0.3\n" * 33], ids=["array", "text"])
+def test_more_joint_vectors_than_branches_are_refused(answer):
+    with pytest.raises(ArmError, match="33 joint vectors; expected: one for each branch"):
+        checks.compare_branches(answer, inverse.elbow(ELBOW, [0.3, 0.2, 0.7]))
+
+
+def test_far_too_many_numbers_for_branches_are_refused():
+    with pytest.raises(ArmError, match="I find 1000 numbers"):
+        checks.compare_branches("[1,2]," * 500, inverse.elbow(ELBOW, [0.3, 0.2, 0.7]))
+
+
 # The page's questions
 
 ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]

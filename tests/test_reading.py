@@ -401,6 +401,20 @@ def test_reading_time_grows_linearly_with_length(text, kind):
     assert long < 9 * short, (short, long)
 
 
+@pytest.mark.parametrize("kind", ["table", "numbers"])
+@pytest.mark.parametrize("gap", [" ", "\n", "\u2028", "\u00a0"])
+def test_reading_time_grows_linearly_with_gap(gap, kind):
+    question = {"as": kind, "text": gap, "counts": [8_000, 32_000], "factor": 9}
+    short, long = reading.ask_reader("pace", before="0.5 1", behind="2 3", **question)
+    assert long < 9 * short, (short, long)
+
+
+def test_text_of_far_too_many_numbers_is_no_table():
+    expected = "Your table: I find 1100 numbers; expected: at most 32 rows of four entries"
+    with pytest.raises(ArmError, match=expected):
+        reading.read_tables("1\n" * 1100)
+
+
 def test_right_angles_of_table_become_formulas():
     quarters = "-3 * pi / 2", "-pi", "-pi/2", 0, "pi/2", "pi", "3 * pi / 2"
     for k, wanted in zip(range(-3, 4), quarters, strict=True):

@@ -186,9 +186,10 @@ def test_text_of_long_trajectory_is_read():
     assert compare(text, q).agrees
 
 
-def test_text_of_far_too_many_numbers_is_refused():
+@pytest.mark.parametrize("text", ["tau: 0.5\n", "{1} ", "\\tau_{1} = 0.5\n"])
+def test_text_of_far_too_many_numbers_is_refused(text):
     with pytest.raises(ArmError, match="I find 510 numbers; expected: 3 numbers"):
-        compare("tau: 0.5\n" * 510)
+        compare(text * 510)
 
 
 def test_function_is_called_for_each_pose():

@@ -53,12 +53,13 @@ const LONGEST = 2_000_000; // characters of a text: a trajectory of 20 000 steps
 /**
  * How many rows and columns are asked for, any number where null; what its rows are named after,
  * "row" or "joint"; whether a column is turned into a row; whether of several the largest is meant.
+ * `most` is the largest count of numbers in an answer with any number of rows, if there is one.
  * `names` are those of the answer, `given` the numbers that the question itself holds, `wanted` the
  * shape in words.
  * @typedef {{ rows: number | null, columns: number | null, by?: string, turned?: boolean,
  *   largest?: boolean }} Want
  * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
- *   given?: number[][], which?: number | null, wanted?: string }} Question
+ *   given?: number[][], which?: number | null, wanted?: string, most?: number }} Question
  */
 /** @typedef {import("./lines.js").Cell} Cell */
 /** @typedef {import("./blocks.js").Block} Block */
@@ -78,7 +79,7 @@ export function findAnswer(text, question) {
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
   const { what, wants, wanted = describeWant(wants[0]) } = question;
-  refuseManyNumbers(text, Math.max(...wants.map(sizeOf)), { what, wanted });
+  refuseManyNumbers(text, largestSizeOf(question), { what, wanted });
   const typed = foldCharacters(new SpannedText(text));
   const pasted = joinFrameParts(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);
@@ -363,6 +364,9 @@ const isFarTooLong = (block, wants) =>
 
 // Return how many numbers an answer has; Infinity if any number of rows or columns is wanted.
 const sizeOf = ({ rows, columns }) => (rows ?? Infinity) * (columns ?? Infinity);
+
+/** @param {Question} question */
+const largestSizeOf = ({ wants, most }) => most ?? Math.max(...wants.map(sizeOf));
 
 const describeWant = ({ rows, columns }) =>
   columns === null ? "numbers" : describeSize(rows, columns);

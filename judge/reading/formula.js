@@ -57,7 +57,8 @@ const LATEX = [
   [/\\var(?=theta|phi)/g, "\\"],
   [/\\(?:boldsymbol|(?:math|text)[a-z]*)\s*\{([^{}]*)\}/g, "$1"],
   [/\^\s*\{?\s*°\s*\}?/g, "°"],
-  [/(?<=[\d.)]\s*)deg(?:rees?|\.)(?!\s*[\w(])/g, " deg"], // the unit in words: 45 degrees
+  // The unit in words: 45 degrees. The first test keeps the next one off long runs of blanks.
+  [/(?=deg)(?<=[\d.)]\s*)deg(?:rees?|\.)(?!\s*[\w(])/g, " deg"],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
 ];
 /** @type {[RegExp, string][]} */

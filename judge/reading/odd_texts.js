@@ -24,7 +24,7 @@ export function refuseOdd(text, { what, wanted = "numbers" }) {
 }
 
 const MOST_OTHERS = 500; // numbers beside an answer
-const NUMBER = /(?<![\p{L}\d_.{])\d/gu; // the first digit of a number that is no index of a name
+const NUMBER = /(?<![\p{L}\d_.]|_\{)\d/gu; // the first digit of a number that is no index of a name
 
 /**
  * Raise an error if a text has far more numbers than the answer.

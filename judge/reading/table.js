@@ -27,7 +27,7 @@ import {
   refuseUnreadValues,
 } from "./table_symbols.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
-import { readNamedTable, refuseManyRows } from "./table_notations.js";
+import { readNamedTable, refuseManyRows, refuseSize } from "./table_notations.js";
 import {
   listCellSpans,
   listNamedNumbers,
@@ -78,7 +78,6 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  */
 /** @typedef {{ options: Options, known: Map<string, number> }} Request `known` are symbols */
 
-const LONGEST = 100_000; // characters of a text
 const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 and 0T2
 
 /**
@@ -150,13 +149,6 @@ function readWithLengths(typedText, request) {
   const readWithout = (spannedText) =>
     readFirstBlock(text, listTableBlocks(text, known, spannedText), request);
   return (uncommented && tryOrNull(() => readWithout(uncommented))) ?? readWithout(pasted);
-}
-
-function refuseSize(text) {
-  const what = formatMessage("your table");
-  if (text.length > LONGEST)
-    throw new ArmError(formatMessage("too long", { what, count: text.length }));
-  if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
 }
 
 function refuseOtherUnit(text) {

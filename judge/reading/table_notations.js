@@ -8,6 +8,7 @@ import { readLinks } from "./table_links.js";
 import { listBrackets, listEntries, makeUntyped } from "./table_named_entries.js";
 import { findUnusedList } from "./table_named_unread.js";
 import { ENTRIES, isVariable } from "./table_rows.js";
+import { refuseManyNumbers } from "./odd_texts.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const MOST_ROWS = 32;
@@ -135,4 +136,20 @@ function addTheta(table, distances) {
 /** Refuse a table of too many rows. @param {number} count */
 export function refuseManyRows(count) {
   if (count > MOST_ROWS) throw new ArmError(formatMessage("many rows", { count, most: MOST_ROWS }));
+}
+
+const LONGEST = 100_000; // characters of a text
+const MATRIX_SIZE = 16; // numbers of a link matrix, the longest form of a row
+
+/**
+ * Refuse an empty text, and one with far more numbers than a table has.
+ * @param {string} text
+ */
+export function refuseSize(text) {
+  const what = formatMessage("your table");
+  if (text.length > LONGEST)
+    throw new ArmError(formatMessage("too long", { what, count: text.length }));
+  if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
+  const wanted = formatMessage("table size", { most: MOST_ROWS });
+  refuseManyNumbers(text, MOST_ROWS * MATRIX_SIZE, { what, wanted });
 }

@@ -82,7 +82,7 @@ const OTHER_UNIT = new RegExp(
     String.raw`(?<=[[(]\s?|\bin )(?:turns?|revs?|revolutions?)(?=\s?[\]):])`,
     String.raw`(?<!\p{L})(?:lbf?[ ·*-]?(?:ft|in)|(?:ft|in)[ ·*-]?lbf?|kgf?[·*]?cm|kgf ?m)(?!\p{L})`,
     String.raw`[([]\s*(?:[×x]\s*${POWER_OF_TEN}|${POWER_OF_TEN}\s*\p{L})[^()\n]{0,9}[)\]]`,
-    String.raw`^\s*[×x]\s*${POWER_OF_TEN}`,
+    String.raw`^[ \t\u00a0]*[×x]\s*${POWER_OF_TEN}`, // \s would cross empty lines at each of them
   ].join("|"),
   "imu",
 );

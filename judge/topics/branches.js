@@ -11,7 +11,7 @@ import { readJointVectors } from "../reading/joint_vectors.js";
 import { listGivenRows } from "../reading/numbers.js";
 import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
-import { joinList, uncapitalize, formatMessage } from "../sentences.js";
+import { ArmError, joinList, uncapitalize, formatMessage } from "../sentences.js";
 import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -44,6 +44,10 @@ function judgeBranches(mine, arm, typedTarget, options = {}) {
   );
 }
 
+// Joint vectors of an answer: twice the 16 branches that an arm of six joints can have. Each wrong
+// one is searched for mistakes.
+const MOST_ANSWERS = 32;
+
 function judgeAnswers(mine, solutions, target, options) {
   const { arm } = solutions;
   const { angles, tolerance = null } = options;
@@ -75,9 +79,11 @@ function judgeAnswers(mine, solutions, target, options) {
 // Read answers as rows, or as columns if the list is square and only its columns are branches.
 function readAnswers(mine, solutions, target, { angles = "rad", tolerance = null, which = null }) {
   const { arm } = solutions;
-  const request = { given: listGivenRows(target), which };
+  const request = { given: listGivenRows(target), which, most: MOST_ANSWERS * arm.rows.length };
   const rows = readJointVectors(mine, arm, angles, request);
   const count = rows.answers.length;
+  if (count > MOST_ANSWERS)
+    throw new ArmError(formatMessage("many branches", { count, most: MOST_ANSWERS }));
   if (count < 2 || count !== movingRows(arm).length) return rows;
   if (matchAnswers(solutions, rows.answers, tolerance).answerByBranch.size) return rows;
   const columns = readJointVectors(mine, arm, angles, { ...request, byColumns: true });
