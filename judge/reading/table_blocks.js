@@ -4,15 +4,13 @@
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { listUnusedLines } from "./unused_lines.js";
 import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
-import { linesOf, ROW_END } from "./characters.js";
+import { foldCharacters, linesOf, ROW_END } from "./characters.js";
 import { flattenFormulas } from "./drawn_formulas.js";
 import { withoutMargins } from "./decorations.js";
 import { SpannedText } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { ENTRIES, trimEntry, VARIABLE } from "./table_rows.js";
 import { formatMessage } from "../sentences.js";
-
-const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
 
 /**
  * Rows of cells as they were typed, the headers above them, and the rest of the text.
@@ -32,7 +30,7 @@ const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
  */
 export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
   const isDrawn = DRAWN_MATRIX.test(text);
-  const flat = isDrawn ? flattenFormulas(pasted, formatMessage("your table")) : pasted;
+  const flat = flattenFormulas(pasted, formatMessage("your table"));
   const plain = makePlainText(withoutMargins(flat)).replace(DEFINITIONS, "");
   const marked = markColumnHeaders(nameToolRow(dropStars(plain)));
   const partings = makeBlockFinders(marked.plain, { isEntry: makeEntryTest(known) });
@@ -47,11 +45,11 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
     .flatMap((listBlocks) => listBlocks().reverse())
     .map(dropDrawnRows)
     .flatMap((block) => addHeaders(block, lines, marked.headers))
-    .filter(({ cells: [row = []] }) => row.length >= 4 && row.length <= MOST_COLUMNS)
+    .filter(({ cells: [row = []] }) => row.length >= 4)
     .sort((left, right) => rank(right) - rank(left))
     .map((table) => ({
       ...table,
-      context: collectContext(typedLines, table.block),
+      context: foldCharacters(text),
       unusedLines: listUnusedLines(text, table.block).filter(
         (line) => !usedLines.includes(line) || hasDecimals(line),
       ),
@@ -65,25 +63,14 @@ const DRAWN_MATRIX = /[⎡⎢⎣]|^\[.*\][ \t]*\n\[.*\]/m; // of SymPy, with a b
 const LENGTH = String.raw`(?!al|th|q)[a-z]\w{0,6}[ \t]*=[ \t]*-?[\d.]{1,12}(?:[ \t]*m{1,2})?`;
 const DEFINITIONS = new RegExp(String.raw`^[ \t]*(?:${LENGTH}[ \t]*(?:[,;][ \t]*|$)){2,}$`, "gim");
 
-// Collect the text around a block: the other lines, and the words beside and above its rows.
-const collectContext = (lines, { from, to, labels, headers }) =>
-  [
-    ...lines.filter((_, i) => i < from || i > to),
-    ...[...labels.flat(), ...headers].map(({ text }) => text),
-  ].join("\n");
-
 // Stars that mark a joint's variable, or stand for it, mean no product.
-const STARRED =
-  /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?[\d₀-₉]*\}?)\^?\{?(?:[*∗⋆]|\\(?:ast|star))\}?(?=\s|$)/g;
+const STARRED = /([A-Za-zθϑφ]_?\{?[\d₀-₉]*\}?)\^?\{?(?:[*∗⋆]|\\(?:ast|star))\}?(?!\S)/g;
 const ALONE = /(?<=\s)\*(?=[ \t]*$)/gm;
 const dropStars = (plain) => plain.replace(STARRED, "$1").replace(ALONE, "?");
 
 // Other names of the row of the tool, which is the last row of a table and has four numbers.
-const TOOL_ROW = new RegExp(
-  String.raw`^([ \t|]*)(?:T|EE|TCP|flange)(?=(?:[ \t|&;,]+[-+−]?[\d.][^\s|&;,]*){4}[ \t|&;,\\]*` +
-    String.raw`(?:\n[ \t]*)?(?:\n|$(?![\s\S])))`,
-  "gm",
-);
+const TOOL_ROW =
+  /^([ \t|]*)(?:T|EE|TCP|flange)(?=(?:[ \t|&;,]+[-+−]?[\d.][^\s|&;,]*){4}[\s|&;,\\]*(?![\s\S]))/gm;
 const nameToolRow = (plain) => plain.replace(TOOL_ROW, "$1tool");
 
 // Drop rows that draw a line, | - | - |.
@@ -97,7 +84,6 @@ function dropDrawnRows(block) {
 // the columns of a table, the block is turned.
 function addHeaders(block, lines, allHeaders) {
   const { rows, labels, from } = block;
-  if (!rows.length) return [];
   const names = labels.map((words) => findMarkedHeaders(listTexts(words), allHeaders)?.[0]);
   const named = names.flatMap((name, i) => (name ? [i] : []));
   if (new Set(named.map((i) => findEntry(names[i]))).size < 3) {
@@ -138,15 +124,14 @@ function markColumnHeaders(plain) {
   const headerLines = lines.filter(({ line }) => listHeaders(line));
   for (const one of headerLines) mark(one, listHeaders(one.line), one.line.length);
   for (const one of lines) {
-    const above = headerLines.filter(({ at }) => at < one.at);
-    if (headerLines.length && !headerLines.includes(one)) edits.push(...listZeros(one, above));
+    if (!headerLines.includes(one)) edits.push(...listZeros(one, headerLines));
     const rest = trimOpening(one.line);
-    const [start, header] = (!headerLines.length && ROW_HEADER.exec(rest)) || [];
+    const [start, header] = (headerLines.length ? null : ROW_HEADER.exec(rest)) ?? [];
     if (header && ENTRIES.includes(findEntry(header)))
       mark(one, [header], one.line.length - rest.length + start.length);
   }
   edits.sort((left, right) => left.from - right.from);
-  return { plain: edits.length ? plain.edit(edits) : plain, headers: allHeaders };
+  return { plain: plain.edit(edits), headers: allHeaders };
 }
 
 const LINE = new RegExp(`[^\n${ROW_END}]+`, "g");
@@ -157,14 +142,13 @@ function listZeros({ line, at }, headerLines) {
   if (!line.trim()) return [];
   for (const headerLine of headerLines) {
     const separator = ["\t", ";", ",", "|", "&"].find((one) => headerLine.line.includes(one));
-    if (!separator) continue;
     const [cells, headers] = [line, headerLine.line].map((one) => one.split(separator));
-    if (cells.length !== headers.length || cells.length < 4) continue;
+    if (cells.length !== headers.length) continue;
     let from = at;
     return cells.flatMap((cell, k) => {
       const start = from;
       from += cell.length + 1;
-      const isEmpty = !cell.trim() && headers[k].trim();
+      const isEmpty = !cell.trim() && headers[k].trim() !== "";
       return isEmpty ? [{ from: start, to: start + cell.length, text: "0" }] : [];
     });
   }
@@ -181,14 +165,12 @@ const SEPARATORS = [/\| {2}\||[|&\t;]/, /\s{2,}/, /,/, /\s+/];
 
 // List the headers of a line that names three of the four columns or more; null for other lines.
 function listHeaders(typed) {
-  const line = trimOpening(typed).replace(
-    /^(?:#|%|\/\/)+(?![ \t]*[|&\t;,])\s*|[|\s\])}]+$/g,
-    (sign) => sign.replace(/[|\s#%/]/g, ""),
+  const line = trimOpening(typed).replace(/^(?:%|\/\/)+\s*|[|\s\])}]+$/g, (sign) =>
+    sign.replace(/[|\s%/]/g, ""),
   );
   for (const sign of SEPARATORS) {
     const cells = line.split(sign);
-    if (cells.length > 2 * MOST_COLUMNS) continue;
-    const headers = joinUnits(cells.map((head) => head.trim().replace(/^"|"$/g, ""))).filter(
+    const headers = joinUnits(cells.map((header) => header.trim())).filter(
       (head, k, all) => !k || findEntry(head) !== "i" || findEntry(all[k - 1]) !== "i", // "Link, i"
     );
     const named = headers.map(findEntry).filter((word) => ENTRIES.includes(word));
@@ -202,7 +184,7 @@ function listHeaders(typed) {
 function joinUnits(cells) {
   const headers = [];
   for (const cell of cells)
-    if (headers.length && /^[([].*[)\]]$/.test(cell)) headers.push(`${headers.pop()} ${cell}`);
+    if (/^[([].*[)\]]$/.test(cell)) headers.push(`${headers.pop() ?? ""} ${cell}`);
     else headers.push(cell);
   return headers;
 }
@@ -218,7 +200,7 @@ const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
 // A joint's variable, or a length with its number or one letter.
 const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbe])$/i;
 // The kind of a joint, and what stands for the number of a row that has none.
-const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
+const WORD = /^(?:p|revolute|prismatic|fixed|base|tool)$/i;
 // Return whether a cell may stand in a table: a number, a formula of symbols, what stands for a
 // variable.
 export function makeEntryTest(known) {

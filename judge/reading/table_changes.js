@@ -47,7 +47,7 @@ const COMMENT = /^\s*(?:%|#(?!\d)|\/\/)/;
 export function refuseChanges(table, masked, text) {
   const typedLines = text.split("\n");
   for (const [k, line] of masked.split("\n").entries()) {
-    if (!line.trim() || COMMENT.test(line)) continue;
+    if (COMMENT.test(line)) continue;
     const isRow = line.trim() !== typedLines[k].trim();
     if (isChange(line, isRow, table)) refuseLine("changed", {}, k, table.tokens ?? [], text);
   }

@@ -15,7 +15,7 @@ const HEADERS = new Map([
   ...listSpellings("d offset linkoffset", "d"),
   ...listSpellings("a r linklength length aprev", "a"),
   ...listSpellings("alpha twist linktwist al alphaprev", "alpha"),
-  ...listSpellings("i link joint j n frame row # no k", "i"),
+  ...listSpellings("i link joint j row # k", "i"),
 ]);
 
 const LONGEST = 80; // characters of a header
@@ -33,10 +33,7 @@ export function findEntry(cell) {
     .replaceAll("*", "")
     .toLowerCase();
   const withoutUnit = words.replace(UNIT, "");
-  const last = withoutUnit
-    .replace(/[\s_]+$/, "")
-    .split(/\s+/)
-    .at(-1); // "Link length a_i [mm]"
+  const last = withoutUnit.trim().split(/\s+/).at(-1); // "Link length a_i [mm]"
   return findSpelling(withoutUnit) ?? findSpelling(last);
 }
 
@@ -87,9 +84,8 @@ const KNOWN_ORDERS = [
 // the first header is dropped: nobody typed its column, or it is half of "Joint type".
 export function dropIndexColumn(block) {
   const rest = cutIndexColumn(block);
-  const widths = new Set(rest.cells.map((row) => row.length));
-  const fits = [4, rest.headers.length].some((width) => widths.has(width));
-  if (widths.size === 1 && !fits && nameTableColumns(rest.headers))
+  const fits = rest.cells.every(({ length }) => [4, rest.headers.length].includes(length));
+  if (!fits && nameTableColumns(rest.headers) !== null)
     refuseHeaders(block.headers.length, block.cells[0].length);
   return rest;
 }
@@ -99,7 +95,7 @@ function cutIndexColumn({ cells, headers }) {
   const counted = isCounted(cells.map((row) => plain(row[0])));
   const short = cells.every((row) => row.length === headers.length - 1);
   if (short && !counted && !ENTRIES.includes(words[0])) return { cells, headers: headers.slice(1) };
-  if (short && counted && headers.length === 5) refuseShortRows(headers, words);
+  if (short && counted && headers.length === 5) refuseHeaders(5, 4);
   const at = words.indexOf("i");
   const cut = (row) => row.filter((_, k) => k !== at);
   if (at >= 0) return { cells: cells.map(cut), headers: cut(headers) };
@@ -108,11 +104,6 @@ function cutIndexColumn({ cells, headers }) {
     cells: cells.map((row) => row.slice(1)),
     headers: headers.length > 4 ? headers.slice(1) : headers,
   };
-}
-
-// Refuse rows that number the joints and lack an entry, though a header names it.
-function refuseShortRows({ length }, words) {
-  if (ENTRIES.every((name) => words.includes(name))) refuseHeaders(length, length - 1);
 }
 
 function refuseHeaders(headers, count) {
@@ -189,9 +180,9 @@ function orderByContent(cells, headers) {
 
 // Add the offset in a column of its own to the variable of its row.
 function addOffset(i, row, still) {
-  const [d, theta] = [2, 3].map((k) => number(row[k] || "0") === null);
+  const [d, theta] = [2, 3].map((k) => number(row[k]) === null);
   const at = d && !theta ? 2 : 3;
-  const moves = VARIABLE.test(plain(row[at])) ? `q_${i}` : row[at] || "0";
+  const moves = VARIABLE.test(plain(row[at])) ? `q_${i}` : row[at];
   return row.map((cell, k) => (k === at ? `${moves} + (${still})` : cell));
 }
 
@@ -203,22 +194,14 @@ const permutations = (list) =>
       );
 
 function requireFourColumns(cells) {
-  const sorted = [...new Set(cells.map((row) => row.length))].sort((p, q) => p - q);
-  const widths = sorted.join(", ");
-  if (sorted.length > 1) {
-    const row = cells.findIndex((one) => one.length !== 4);
-    throw new ArmError(
-      formatMessage("row widths", { widths, row: row + 1, count: cells[row].length }),
-    );
-  }
-  if (sorted[0] !== 4) throw new ArmError(formatMessage("row width", { widths }));
+  const row = cells.find(({ length }) => length !== 4);
+  if (row) throw new ArmError(formatMessage("row width", { widths: row.length }));
 }
 
 // Describe what a cell looks like, apart from its position.
 function describeCell(text) {
   return {
-    variable: isVariable(text),
-    angular: /pi|deg|°|π/.test(text),
+    angular: /pi|deg/.test(plain(text)),
     number: number(text),
   };
 }
@@ -226,9 +209,8 @@ function describeCell(text) {
 // Return whether the variables stand in theta or d, and no length looks like a twist.
 function isPossibleOrder(looks, order) {
   const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
-  if ([...a, ...alpha].some(({ variable }) => variable)) return false;
   if ([...a, ...d].some(({ angular }) => angular)) return false;
-  return alpha.every((look) => look.number === null || isAngleLike(look.number));
+  return alpha.every((look) => isAngleLike(look.number));
 }
 
 function isAngleLike(x) {

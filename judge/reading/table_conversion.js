@@ -53,9 +53,7 @@ export function convertTable(table, kinds) {
 // Return whether the lengths count as millimetres though nobody said so.
 const isInMillimetres = ({ lengths, rows }) =>
   lengths === null &&
-  rows.some(({ numbers, metres }) =>
-    LENGTHS.some((name) => !metres.has(name) && Math.abs(numbers[name]) >= LEAST_MILLIMETRES),
-  );
+  rows.some(({ numbers }) => LENGTHS.some((name) => Math.abs(numbers[name]) >= LEAST_MILLIMETRES));
 
 // List the angles typed without pi and without a unit; 0 stands for each other one.
 const listBareAngles = ({ rows }) =>
@@ -85,8 +83,7 @@ function refuseLargeAngles({ angles: unit, isOrderGuessed }, angles) {
 }
 
 // Return whether a number is pi/2 or pi, to two decimals or more.
-const isRightAngle = (x) =>
-  [Math.PI / 2, Math.PI].some((turn) => !Number.isInteger(x) && Math.abs(x - turn) < 0.005);
+const isRightAngle = (x) => [Math.PI / 2, Math.PI].some((angle) => Math.abs(x - angle) < 0.005);
 
 function convertRows(table, kinds, length, angle) {
   const rowKinds = listKinds(table, kinds);
@@ -142,15 +139,15 @@ export function describeReading(table, { assumptions, length, angle }) {
   const columns = order.map((name) => COLUMN_SYMBOLS[name]).join(" ");
   const unit = nameLengthUnit(length);
   const hasBareLength = rows.some(({ numbers, metres }) =>
-    LENGTHS.some((name) => numbers[name] && !metres.has(name)),
+    LENGTHS.some((name) => numbers[name] !== 0 && !metres.has(name)),
   );
   const hasBareAngle = listBareAngles(table).some(Boolean);
   const parts = [
-    columns && formatMessage("taken: columns", { columns }),
+    ...(columns ? [formatMessage("taken: columns", { columns })] : []),
     formatMessage(convention === "craig" ? "taken: craig" : "taken: standard"),
-    hasBareLength && formatMessage("taken: lengths", { unit }),
-    hasBareAngle && formatMessage(angle === 1 ? "taken: radians" : "taken: degrees"),
-  ].filter(Boolean);
+    ...(hasBareLength ? [formatMessage("taken: lengths", { unit })] : []),
+    ...(hasBareAngle ? [formatMessage(angle === 1 ? "taken: radians" : "taken: degrees")] : []),
+  ];
   const stated = ["taken: millimetres", "taken: degrees", "taken: craig"].map((key) =>
     formatMessage(key),
   );

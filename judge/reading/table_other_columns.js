@@ -15,7 +15,7 @@ import { ENTRIES } from "./table_rows.js";
  */
 
 const SEPARATORS = ["\t", "|", "&", ";"];
-const KEPT = /offset|type|kind|variable/i; // headers of columns that belong to a table
+const KEPT = /offset/i; // in the header of a column that belongs to the table
 const VECTOR = /^[([{]\s*[-+−.\d]/; // a centre of mass
 
 /**
@@ -27,13 +27,13 @@ const VECTOR = /^[([{]\s*[-+−.\d]/; // a centre of mass
 export function dropOtherColumns(text) {
   const lines = listLines(text);
   for (const separator of SEPARATORS)
-    for (const [k, line] of lines.entries()) {
+    for (const line of lines) {
       const headers = line.text.split(separator).map((cell) => cell.trim());
       const words = headers.map(findEntry);
       if (!ENTRIES.every((entry) => words.includes(entry))) continue;
       const isKept = (i) => words[i] !== undefined || !headers[i] || KEPT.test(headers[i]);
       const cells = lines.map((each) => splitLine(each, separator));
-      const isRow = (j) => j >= k && cells[j].length === headers.length;
+      const isRow = (j) => cells[j].length === headers.length;
       const parts = lines.flatMap((each, j) => [
         ...(isRow(j)
           ? joinSpans(
@@ -41,7 +41,7 @@ export function dropOtherColumns(text) {
               separator,
             )
           : [each]),
-        ...(j < lines.length - 1 ? ["\n"] : []),
+        "\n",
       ]);
       const columns = headers.flatMap((header, i) =>
         isKept(i) ? [] : [{ header, cells: cells.flatMap((row, j) => (isRow(j) ? row[i] : [])) }],

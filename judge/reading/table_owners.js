@@ -19,10 +19,14 @@ function labelName(token, text) {
   return NAME_BEFORE.test(before) ? makeLabel(token, IN_NAME) : token;
 }
 
-function makeLabel({ text, from, to, line }, reason) {
-  const label = { text, from, to, line, owner: "label" };
-  return reason ? { ...label, reason } : label;
-}
+const makeLabel = ({ text, from, to, line }, reason) => ({
+  text,
+  from,
+  to,
+  line,
+  owner: "label",
+  reason,
+});
 
 /**
  * Place the numbers of a block whose columns are known. A number that numbers a row is a label; a
