@@ -20,6 +20,8 @@ const UR_JOINTS = new Map(
   ].flatMap((words, k) => words.map((word) => [word, k + 1])),
 );
 
+const ROW_OF_MATRIX = /[[({]\d{1,2}, ?:[\])}] ?=?$/; // J(1,:) is no column of a joint
+
 /**
  * A label: its kind "row", "joint" or "count", and its number. Rows count from 0, joints from 1.
  * @typedef {{ kind: string, number: number }} Label
@@ -40,7 +42,8 @@ function parseLabel(text) {
   if (urJoint || ordinal >= 0) return { kind: "joint", number: urJoint ?? ordinal + 1 };
   const [, stem, digits] = /^(\D*|[\p{L}\d]*joint)(\d{1,5})$/u.exec(word) ?? [];
   if (digits === undefined) return null;
-  return { kind: JOINT_STEM.test(stem) ? "joint" : "count", number: Number(digits) };
+  const isJoint = JOINT_STEM.test(stem) && !ROW_OF_MATRIX.test(text);
+  return { kind: isJoint ? "joint" : "count", number: Number(digits) };
 }
 
 const UNIT_END = /(?:1\/s|(?:deg(?:rees?)?|rad(?:ians?)?|nm|mm?)(?:\/(?:s|rad))?|\/rad)$/;
