@@ -137,9 +137,9 @@ function judgeReadAnswers(solutions, answers, tolerance, taken) {
 function findCommonCause(explanations) {
   const [first] = explanations;
   const nameFirst = ({ causes }) => (causes.length ? causeName(causes[0]) : "");
-  if (explanations.length < 2 || !nameFirst(first)) return null;
+  if (explanations.length < 2) return null;
   const isCommon = explanations.every((other) => nameFirst(other) === nameFirst(first));
-  return isCommon ? first.causes[0] : null;
+  return isCommon ? (first.causes[0] ?? null) : null;
 }
 
 function chooseGrade(hasWrong, isUnfinished, isExact) {
@@ -168,7 +168,7 @@ function listFindings({ commonCause, explanations, found, missing }) {
 function formatHeadline(grade, { arm, branches }, { commonCause, found, isUnfinished }) {
   const fields = { arm: arm.name, count: found.length, all: branches.length };
   if (!branches.length) return formatMessage("ik none", fields);
-  if (grade === WRONG && commonCause)
+  if (commonCause)
     return formatMessage("ik wrong", { cause: uncapitalize(causeMessage(commonCause)), ...fields });
   if (grade === WRONG) return formatMessage("ik some wrong", fields);
   if (grade === SO_FAR)

@@ -33,7 +33,7 @@ export function askAboutDegrees(verdict, question) {
   const isExplained = verdict.causes.some((name) => name.split(" + ").includes(key));
   if (angles === "deg" || large < 0 || isExplained) return verdict;
   if (![WRONG, SO_FAR].includes(verdict.grade)) return verdict;
-  if (judgeInDegrees && makeHeadline && [RIGHT, ROUNDED, SO_FAR].includes(judgeInDegrees().grade)) {
+  if (judgeInDegrees && [RIGHT, ROUNDED, SO_FAR].includes(judgeInDegrees().grade)) {
     const cause = makeCause(key);
     const words = causeMessage(cause);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];

@@ -31,22 +31,14 @@ export function judgeFirstRows(pair, length, angle) {
   if (count >= all) return null;
   const axesWithNext = describeAxes([...rows, NEXT_JOINT]);
   // Fixed rows after the last typed joint may be typed or still missing.
-  const ends = expectedRows.map((_, end) => end);
-  const isFirst = ends
-    .filter((end) => end >= expectedAxes.joints[count - 1] && end < expectedAxes.joints[count])
-    .some((end) => {
-      const first = describeAxes([...expectedRows.slice(0, end), NEXT_JOINT]);
-      const { differences, upsideDown, baseHigher } = compareAxes(
-        axesWithNext,
-        first,
-        length,
-        angle,
-      );
-      const isElsewhere = upsideDown || Math.abs(baseHigher) > length;
-      return (
-        !isElsewhere && differences.every((difference) => isAlongNextAxis(difference, rows.length))
-      );
-    });
+  const isFirst = expectedRows.some((_, end) => {
+    const first = describeAxes([...expectedRows.slice(0, end), NEXT_JOINT]);
+    const { differences, upsideDown, baseHigher } = compareAxes(axesWithNext, first, length, angle);
+    const isElsewhere = upsideDown || Math.abs(baseHigher) > length;
+    return (
+      !isElsewhere && differences.every((difference) => isAlongNextAxis(difference, rows.length))
+    );
+  });
   if (!isFirst) return null;
   const missing = expectedAxes.joints
     .slice(count)
