@@ -233,7 +233,7 @@ function refuseTwoTables({ rows, tokens }, text) {
   const half = rows.length / 2;
   const numbers = rows.map(({ joint }) => joint?.number);
   const isAgain = (number, k) => number !== undefined && number === numbers[half + k];
-  if (half > 1 && Number.isInteger(half) && numbers.slice(0, half).every(isAgain))
+  if (half > 1 && numbers.slice(0, half).every(isAgain))
     throw new ArmError(formatMessage("two tables"), [], tokens, text);
 }
 

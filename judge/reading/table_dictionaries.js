@@ -84,7 +84,7 @@ function listLineBodies(text) {
       names.push(...columns[k]);
     } else {
       bodies.push(line);
-      names = hasEntries ? [...columns[k]] : [];
+      names = [...columns[k]];
     }
   }
   return bodies;
