@@ -1,7 +1,6 @@
 // Finds text of a table whose entries have names that no entry used: a misspelt name of an entry or
 // of a call, a row that was not read.
 
-import { isNumber } from "./formula.js";
 import { listLines } from "./spans.js";
 
 /** @typedef {import("./spans.js").Span} Span */
@@ -20,10 +19,10 @@ const OTHER_NAME =
   "name|type|kind|joint(?:_?type)?|link|i|index|id|qlim|limits?|mdh|flip|m|mass|r|I|G|B|Jm|Tc";
 const OTHER_PAIR = new RegExp(
   String.raw`(?<![\p{L}\p{N}_])(['"]?)(?:${OTHER_NAME})\1\s*[:=,]\s*` +
-    String.raw`(?:\[[^\]]*\]|'[^']*'|"[^"]*"|[^,;\n]*)`,
+    String.raw`(?:\[[^\]]*\]|[^,;\n]*)`,
   "gu",
 );
-const KIND = /(['"])(?:revolute|prismatic|standard|modified|sym|[RP])\1/gi;
+const KIND = /(['"])(?:revolute|prismatic|standard|modified)\1/gi;
 
 /**
  * Find the first piece of text within the rows of a table, between them or next to them that may be
@@ -62,9 +61,7 @@ function findUnusedRow(text, rows, brackets) {
   const parts = rows.map(({ part }) => part).sort((one, other) => one.from - other.from);
   const [first, last] = [parts[0], parts.at(-1)];
   const lines = listLines(text);
-  const [start, end] = [first.from, last.to].map((at) =>
-    lines.findIndex(({ from, to }) => from <= at && at <= to),
-  );
+  const [start, end] = [first.from, last.to].map((at) => lines.findIndex(({ to }) => at <= to));
   const readPrefix = ({ text: line }) => line.replace(/[\d\s]/g, "").slice(0, PREFIX);
   const isBeside = (line) => line && readPrefix(line) === readPrefix(lines[start]);
   const [above, below] = [lines[start - 1], lines[end + 1]];
@@ -98,15 +95,15 @@ function hasBracket(text, { from, to }, brackets) {
   const opens = new Set(brackets.map((one) => one.from));
   const closes = new Set(brackets.map((one) => one.to - 1));
   for (let at = from; at < to; at++) {
-    if ("({".includes(text[at]) && !opens.has(at) && /[=:,]/.test(text.slice(at, to))) return true;
+    if ("({".includes(text[at]) && !opens.has(at)) return true;
     if (")}".includes(text[at]) && !closes.has(at) && /[=:,]/.test(text.slice(from, at)))
       return true;
   }
   return false;
 }
 
-const countNumbers = (text) =>
-  text.split(/[\s,;()[\]{}=:'"]+/).filter((word) => /\d/.test(word) && isNumber(word)).length;
+const NUMBER = /(?<![\p{L}\p{N}_.])\.?\d/gu; // its first digit
+const countNumbers = (text) => [...text.matchAll(NUMBER)].length;
 
 /** @param {string} text @param {Span} gap @returns {Span} */
 function trimSpan(text, { from, to }) {
@@ -128,7 +125,7 @@ export function findUnusedList(text, parts, count) {
   const first = Math.max(0, lines.findIndex(isUsed) - 1);
   const candidates = lines.slice(first, lines.findLastIndex(isUsed) + 2);
   const countEntries = (line) => line.trim().split(/[,;]\s*(?=.)/).length;
-  const isList = (line) => !isUsed(line) && count > 1 && countEntries(line.text) === count;
+  const isList = (line) => !isUsed(line) && countEntries(line.text) === count;
   const list = candidates.find(isList);
   return list ? trimSpan(text, list) : null;
 }
