@@ -23,7 +23,7 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 export const IN_DEFINITION = "value of a symbol";
 
 const NUMERAL = String.raw`(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?`;
-const DECIMAL_COMMA = String.raw`\d+,\d+(?![\d.]|,\d)`;
+const DECIMAL_COMMA = String.raw`\d+,\d+`;
 const SYMBOL = String.raw`\p{L}(?:_?\{?\w{1,4}\}?|[₀-₉]{1,2})?`;
 // A symbol with an index, d1 or d_f, which is no unit.
 // An index of digits fits one alternative only, so that the steps do not double with each symbol.
@@ -32,7 +32,8 @@ const NUMBERED = String.raw`\p{L}{1,3}(?:_?\{?\d{1,2}\}?|[₀-₉]{1,2}|${WORD_I
 const WHOLE_NAME = new RegExp(`^${NUMBERED}$`, "u");
 const ROOT = String.raw`\\?sqrt[ ]?[({]${NUMERAL}[)}]`;
 const TERM = `(?:${ROOT}|${DECIMAL_COMMA}|${NUMERAL}|${NUMBERED})`;
-const FORMULA = String.raw`[-+]?${TERM}(?:[ ]?[-+*/·×∗][ ]?${TERM})*`; // L1 = 2 * 0.15
+const OPERATOR = String.raw`(?:[ ]?[-+*/·×∗][ ]?|\s*=\s*[-+]?)`;
+const FORMULA = `[-+]?${TERM}(?:${OPERATOR}${TERM}){0,20}`; // 2 * 0.15 = 0.3
 const UNIT = String.raw`[ \t]*(?:([[(])[ ]?(?:in )?)?(${LENGTH_UNIT})(?![\p{L}\p{N}])[ ]?[\])]?`;
 const END =
   String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=·×∗⋅%]|[ ]+(?:x[ ])?[.\d]|` +
@@ -42,7 +43,7 @@ const STRICT_END = String.raw`(?=[ \t]*(?:,(?!\d)|[;)\]}$]|\.?[ \t]*$))`;
 const SIGN = String.raw`["'$]*\s*:?={1,2}\s*`;
 const OTHER_SIGN = String.raw`["'$]*[ ]*(?:->|:(?!=))[ ]*`;
 const START = String.raw`(?<![\p{L}\p{N}_.\\])`;
-const VALUE = String.raw`(${FORMULA}(?:\s*=\s*${FORMULA}){0,4})(?:${UNIT})?`;
+const VALUE = `(${FORMULA})(?:${UNIT})?`;
 const DEFINITIONS = [
   new RegExp(`${START}(${SYMBOL})(${SIGN})${VALUE}${END}`, "gu"),
   new RegExp(`${START}(${NUMBERED})(${OTHER_SIGN})${VALUE}${STRICT_END}`, "gmu"),
@@ -139,7 +140,7 @@ const DEEPEST = 5; // definitions that refer to another one
  * @param {TypedDefinition[]} definitions @param {Map<string, number>} known
  * @returns {number | null}
  */
-function evaluateLength(formula, unit, definitions, known, depth = 0) {
+function evaluateLength(formula, unit = "m", definitions, known, depth = 0) {
   const lookUp = (name) => {
     const other = definitions.find((one) => simple(one.name) === simple(name));
     if (!other) return known.get(simple(name));
@@ -149,30 +150,25 @@ function evaluateLength(formula, unit, definitions, known, depth = 0) {
   };
   const numbers = formula.split("=").map((part) => {
     const tree = tryOrNull(() => parse(part.replace(/(\d),(\d)/g, "$1.$2")));
-    const isMixed = tree && unit && unit !== "m" && symbols(tree).size > 0;
+    const isMixed = tree && unit !== "m" && symbols(tree).size > 0;
     return tree && !isMixed ? tryOrNull(() => value(tree, lookUp)) : null;
   });
   const last = numbers.at(-1);
   const isEqual = numbers.every((x) => x !== null && Math.abs(x - last) < ROUND_OFF);
-  return isEqual ? toMetres(last, LENGTH_UNITS[unit ?? "m"]) : null;
+  return isEqual ? toMetres(last, LENGTH_UNITS[unit]) : null;
 }
 
 const ROUND_OFF = 1e-9; // m
 
 /**
  * List the symbols of a table that a text defines, with their lengths. A joint's variable is no
- * length. A column's name is one if it is a symbol of the arm and the text gives it one length.
+ * length. A column's name is one if it is a symbol of the arm.
  * @param {Definition[]} definitions
  * @param {Set<string>} symbolsOfArm
  * @returns {[string, number][]}
  */
 export function listDefinedLengths(definitions, symbolsOfArm) {
-  const countLengths = (symbol) =>
-    new Set(definitions.filter(({ name }) => name === symbol).map(({ length }) => length)).size;
-  const isLength = (name) =>
-    findEntry(name)
-      ? symbolsOfArm.has(simple(name)) && countLengths(name) === 1
-      : !isVariable(name);
+  const isLength = (name) => (findEntry(name) ? symbolsOfArm.has(simple(name)) : !isVariable(name));
   return definitions.filter(({ name }) => isLength(name)).map(({ name, length }) => [name, length]);
 }
 
@@ -257,6 +253,5 @@ export const dropDefinitions = (lines, definitions) =>
       foldCharacters(line),
     );
     if (rest === foldCharacters(line)) return [line];
-    const trimmed = rest.replace(/^[\s,;]+|[\s,;]+$/g, "");
-    return /\d/.test(trimmed) ? [trimmed] : [];
+    return /\d/.test(rest) ? [rest.replace(/^[\s,;]+/, "")] : [];
   });
