@@ -22,6 +22,8 @@ const FUNCTIONS = {
   deg2rad: (x) => x * RAD,
   float64: (x) => x, // NumPy 2 prints np.float64(0.5)
 };
+// They need a bracket: "0 radians 1" is no product.
+const CONVERSIONS = new Set(["radians", "deg2rad", "float64"]);
 const OPERATORS = {
   "+": (left, right) => left + right,
   "-": (left, right) => left - right,
@@ -188,8 +190,8 @@ function product(tokens, k, depth) {
       const [right, after] = signed(tokens, next + 1, depth);
       [left, next] = [[word, left, right], after];
     } else if (word === "(" || kind !== "sign") {
-      // 1 234.5 is no product
-      if (kind === "num" && tokens[next - 1][0] === "num") throw new NoFormula();
+      // 1 234.5 and 0 rad 99.125 are no products; (1+2)2 is one
+      if (kind === "num" && tokens[next - 1][0] !== "sign") throw new NoFormula();
       const [right, after] = power(tokens, next, depth);
       [left, next] = [["*", left, right], after];
     } else break;
@@ -218,7 +220,8 @@ function power(tokens, k, depth) {
 function atom(tokens, k, depth) {
   const [kind, word] = at(tokens, k);
   if (kind === "num") return [["num", Number(word), halfPlace(word)], k + 1];
-  if (isFunction(word) && k + 1 < tokens.length) {
+  const isCall = CONVERSIONS.has(word) ? tokens[k + 1]?.[1] === "(" : k + 1 < tokens.length;
+  if (isFunction(word) && isCall) {
     if (tokens[k + 1][1] === "^") {
       const [exponent, after] = atom(tokens, k + 2, depth + 1); // sin^2 x
       if (exponent[0] !== "num") throw new NoFormula(); // sin^-1 is another function
