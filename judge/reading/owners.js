@@ -78,6 +78,7 @@ export function tokensOf(text, block) {
         tokens.claim(stretch, owner, { row, column, index });
     }),
   );
+  for (const word of listOddLabels(block.labels)) tokens.claim(word, "unread");
   for (const cell of [...block.labels.flat(), ...block.headers]) claimWord(tokens, cell, "label");
   for (const { cells } of block.sources)
     for (const cell of cells) tokens.claim(cell, "label", { reason: "another column" });
@@ -94,6 +95,12 @@ export function tokensOf(text, block) {
   markUnclear(text, tokens.list);
   return tokens.list;
 }
+
+// List the words with decimals before rows, unless one stands before each row, as a time does.
+const listOddLabels = (labels) => {
+  const found = labels.map((words) => words.filter(({ text }) => hasDecimals(text)));
+  return found.every(({ length }) => length > 0) ? [] : found.flat();
+};
 
 // Mark numbers as unread that a comma may join to an entry or that "or" offers in its place.
 /** @param {string} text @param {Token[]} tokens */

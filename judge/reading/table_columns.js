@@ -1,7 +1,7 @@
 // Finds the entry that each column of a table holds: by the headers above the columns, else by
 // what stands in them.
 
-import { isNumber, number, plain } from "./formula.js";
+import { hasDecimals, isNumber, number, plain } from "./formula.js";
 import { findLabel } from "./labels.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
 import { LENGTH_UNIT } from "./units.js";
@@ -98,12 +98,20 @@ function cutIndexColumn({ cells, headers }) {
   if (short && counted && headers.length === 5) refuseHeaders(5, 4);
   const at = words.indexOf("i");
   const cut = (row) => row.filter((_, k) => k !== at);
-  if (at >= 0) return { cells: cells.map(cut), headers: cut(headers) };
+  if (at >= 0) {
+    requireRowNumbers(cells.map((row) => row[at]));
+    return { cells: cells.map(cut), headers: cut(headers) };
+  }
   if (!counted || cells.some((row) => row.length <= 4)) return { cells, headers };
   return {
     cells: cells.map((row) => row.slice(1)),
     headers: headers.length > 4 ? headers.slice(1) : headers,
   };
+}
+
+function requireRowNumbers(texts) {
+  const text = texts.find(hasDecimals);
+  if (text) throw new ArmError(formatMessage("row number", { text: quoteText(text) }));
 }
 
 function refuseHeaders(headers, count) {
