@@ -38,6 +38,13 @@ export const namesOtherTopic = ({ name, cells, isAssigned }) =>
 const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
 
 /**
+ * Return whether a line begins with words that call what it tells old, as "before: 0.5" does.
+ * @param {string} line
+ */
+export const beginsAsOld = (line) =>
+  /^\W*(?:old|before|first (?:try|attempt|run)|previous)\b/i.test(line);
+
+/**
  * Return whether the words before a row call it an old answer.
  * @param {Row} row
  */

@@ -2,6 +2,7 @@
 // an entry, or a tool. The judge does not apply such a change, so it stops the verdict.
 
 import { plain } from "./formula.js";
+import { isRemark } from "./remarks.js";
 import { refuseLine } from "./table_symbols.js";
 import { LENGTH_UNIT } from "./units.js";
 
@@ -31,11 +32,8 @@ const MOVED = new RegExp(
     String.raw`(?:${LENGTH_UNIT})\b|\b(?:doubled|halved|not to scale)\b`,
   "i",
 );
-const DOUBT_IN_ROW =
-  /\b(?:or|oder|should|wrong|incorrect|falsch)\b|^\W*(?:sum|total|summe|gesamt)\b/i;
-const DOUBT = /\b(?:row|line|joint|entry) \d.*\b(?:wrong|incorrect|falsch)\b/i;
+const DOUBT_IN_ROW = /\b(?:or|oder|should)\b|^\W*(?:sum|total|summe|gesamt)\b/i;
 const FLIP = /\bflip ?= ?(?:True|true|1)\b/;
-const CORRECTION = /^\W*(?:correction|corrected|erratum)\b.*[=:].*\d/i;
 const COMMENT = /^\s*(?:%|#(?!\d)|\/\/)/;
 
 /**
@@ -55,7 +53,7 @@ export function refuseChanges(table, masked, text) {
 
 /** @param {string} line @param {boolean} isRow @param {TypedTable} table */
 function isChange(line, isRow, { rows }) {
-  if ([FLIP, CORRECTION, MOVED, DOUBT].some((pattern) => pattern.test(line))) return true;
+  if (isRemark(line, isRow) || [FLIP, MOVED].some((pattern) => pattern.test(line))) return true;
   if (assignsField(line)) return true;
   const [, behindTool = ""] = TOOL.exec(line) ?? [];
   if (TRANSFORM.test(behindTool)) return true;
@@ -72,7 +70,10 @@ function isChange(line, isRow, { rows }) {
  * @param {string} text
  */
 export const changesRow = (text) =>
-  DOUBT_IN_ROW.test(text) || OFFSET_IN_ROW.test(text) || SHIFTED_IN_ROW.test(plain(text));
+  isRemark(text, true) ||
+  DOUBT_IN_ROW.test(text) ||
+  OFFSET_IN_ROW.test(text) ||
+  SHIFTED_IN_ROW.test(plain(text));
 
 // Return whether a line assigns a value to an entry or a field.
 const assignsField = (line) =>

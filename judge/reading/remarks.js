@@ -1,0 +1,75 @@
+// Finds remarks beside an answer that correct it, doubt it or take it back, as "Correction: joint 3
+// is -93.3" and "draft, do not mark". The judge does not apply them, so they stop the verdict.
+
+import { beginsAsOld } from "./row_names.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
+
+const NUMBER = String.raw`[-+\u2212]? ?\.?\d`;
+const SIGNED = `(?:${NUMBER}|negativ|positiv|minus|plus|reversed|the opposite)`;
+
+// Write the pattern of words, and of what follows them.
+const word = (words, behind = "") => String.raw`(?<!\p{L})(?:${words})${behind}(?!\p{L})`;
+
+const INDEX = String.raw`_?[ ({[]{0,2}\d+`;
+// An entry, a row or an answer that a remark speaks about.
+const PART = [
+  word("joints?|gelenk|lines?|rows?|zeile|columns?|spalte|entry|link", INDEX),
+  word("no\\.|solution|theta|th|q|tau|alpha|[adj]", INDEX),
+  String.raw`[θτα]_?\{?[\d₀-₉]`,
+  word("(?:first|second|third|fourth|fifth|sixth|last) (?:joint|row|column|entry)"),
+].join("|");
+const DOUBT = [
+  "wrong|incorrect|falsch|typo|mistyped|opposite sign|other sign|reversed|please read",
+  "not as written|(?:positive|negative),? of course|natürlich (?:positiv|negativ)",
+].join("|");
+const MUST =
+  String.raw`(?:should|must|ha[sd] to|have to|needs to|muss) (?:be|have|read|sein)(?: an?| the)? ` +
+  SIGNED;
+const NEAR = "[^?!]{0,120}"; // a question doubts, but corrects nothing
+const CORRECTION = "(?:correction|corrected|erratum|errata|korrektur|edit|sorry)";
+
+const compile = (patterns) => patterns.map((pattern) => new RegExp(pattern, "iu"));
+
+const REMARKS = compile([
+  `(?:${PART})${NEAR}(?:${word(DOUBT)}(?! ?[?])|${MUST})`,
+  `${word(DOUBT)}${NEAR}(?:${PART})`,
+  String.raw`^\W*${CORRECTION}\b${NEAR}(?:${PART})${NEAR}${NUMBER}`,
+  word("(?:do not|don't) (?:use|mark|grade|count)|not my (?:final |own )?answer|discarded"),
+  String.raw`^\W*(?:draft(?!\p{L})|(?:wrong, )?ignore(?: this| these)?[:. ]*$)`,
+  word("still (?:missing|to be divided)|to be multiplied by|divide by the gear"),
+  String.raw`in multiples of (?:pi|π)`,
+]);
+
+// On a line with an entry, the entry is what a remark speaks about.
+const BESIDE_ENTRY = compile([
+  word(DOUBT),
+  MUST,
+  String.raw`[✗✘❌]|^\W*not(?!\p{L})`,
+  String.raw`\((?:no|non|nein|rather|actually)(?!\p{L})[^)]{0,80}\d`,
+]);
+
+const COMMENT = /(?:#(?!\d)|%|\/\/).*/;
+
+/**
+ * Refuse an answer beside which a remark would change it.
+ * @param {string[]} lines of the pasted text
+ * @param {import("./owners.js").Token[]} tokens @param {string} what the answer
+ */
+export function refuseRemark(lines, tokens, what) {
+  const entries = tokens.filter(({ owner }) => owner === "entry");
+  const ownLines = new Set(entries.map(({ line }) => line));
+  const line = lines.findIndex((text, k) => isRemark(text, ownLines.has(k)));
+  if (line < 0) return;
+  const fields = { what, line: line + 1, quoted: quoteText(lines[line].trim()) };
+  throw new ArmError(formatMessage("remark", fields));
+}
+
+/**
+ * Return whether a line changes an answer by a remark. A comment is none.
+ * @param {string} line @param {boolean} hasEntry whether the line holds an entry
+ */
+export function isRemark(line, hasEntry) {
+  const text = line.replace(COMMENT, "");
+  if (!hasEntry && beginsAsOld(text)) return false;
+  return [...REMARKS, ...(hasEntry ? BESIDE_ENTRY : [])].some((pattern) => pattern.test(text));
+}
