@@ -141,8 +141,10 @@ function readWithLengths(typedText, request) {
     if (!named) continue;
     const tokens = listNamedNumbers(plainText, text, named);
     const { unread } = named;
-    const span = unread && plainText.span(unread.from, unread.to);
-    if (span) refuseUnreadCell(text, tokens, span, formatMessage("your table"));
+    if (unread) {
+      const span = plainText.span(unread.from, unread.to);
+      refuseUnreadCell(text, tokens, span, formatMessage("your table"));
+    }
     const cellSpans = named.sources.map(({ from, to }) => plainText.span(from, to));
     return readCells(named, request).map((table) => ({ ...table, tokens, cellSpans }));
   }
@@ -222,10 +224,8 @@ function requireReadable(table, text, { known }) {
 function findOddLine({ block: { lines, from, rows } }, unreadLine) {
   const length = lines.all.find(({ line }) => line === unreadLine)?.cells.length ?? 0;
   const alike = lines.all.filter(({ cells }) => cells.length === length);
-  return length >= FEWEST_CELLS && alike.length > rows.length ? from : unreadLine;
+  return alike.length > rows.length ? from : unreadLine;
 }
-
-const FEWEST_CELLS = 4;
 
 // Refuse a text of two tables: its second half names the joints of the first half once more.
 /** @param {TypedTable} table @param {string} text as it was pasted */
@@ -309,7 +309,7 @@ function readStatedLengths(context) {
   const matches = [LENGTHS_IN, UNITS_ALONE].flatMap((pattern) => [...context.matchAll(pattern)]);
   const names = matches.map(([, unit]) => unit.toLowerCase());
   const [lengths, ...others] = new Set(names.map((name) => UNIT_NAMES[name] ?? name));
-  return lengths && !others.length ? { lengths } : {};
+  return others.length ? {} : { lengths };
 }
 
 const dropMissing = (fields) =>
@@ -330,24 +330,16 @@ function readMatrices(matrices, known, options) {
   return { ...chooseUnits(options), rows, assumptions: [formatMessage("taken: matrices")] };
 }
 
-// Read rows in each possible order of columns. If the order was stated and fails because the
-// joints' variables stand in alpha, the headers of alpha and theta are exchanged.
+// Read rows in each possible order of columns. If the stated order fails, the headers of alpha and
+// theta may be exchanged: the joints' variables then stand in alpha.
 function readOrders({ orders, isStated, rows }, known) {
   const attempts = orders.map((order) => readOrder(rows, order, known, isStated));
   const tables = attempts.filter((attempt) => attempt.rows);
   if (tables.length) return tables;
-  if (!isStated || !hasVariablesInAlpha(rows, orders[0])) throw attempts[0].error;
   const exchangedOrder = orders[0].map((name) => EXCHANGED[name] ?? name);
   const table = readOrder(rows, exchangedOrder, known, isStated);
-  if (!table.rows) throw table.error;
+  if (!isStated || !table.rows) throw attempts[0].error;
   return [{ ...table, isExchanged: true }];
-}
-
-function hasVariablesInAlpha(rows, order) {
-  const [alphas, thetas] = ["alpha", "theta"].map((name) =>
-    rows.map((row) => row[order.indexOf(name)]),
-  );
-  return alphas.some(isVariable) && !thetas.some(isVariable);
 }
 
 // Read rows in one order of columns; return the error if they do not fit.

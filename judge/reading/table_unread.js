@@ -16,7 +16,6 @@ import { MOST_RADIANS } from "./table_conversion.js";
  */
 
 const FEWEST = 2; // entries on a line that make it look like a row
-const FEWEST_ANYWHERE = 4; // the same, apart from the table
 const FEWEST_SEPARATORS = 3; // a row has four entries
 const MARK = "·"; // begins a word that the judge wrote, as for column headers
 
@@ -56,7 +55,7 @@ function findUnreadInLines(table, text, isEntry) {
   for (const line of lines) {
     const [rest, plainLine] = [rests.get(line), plainLines[line]];
     const [first] = [...rest.candidates, ...rest.words];
-    const inList = findWordInList(rest, list, sources, text);
+    const inList = findWordInList(rest, list, sources);
     if (inList) return { line, cell: inList };
     const isOtherList = namesOtherList(plainLine, sources);
     if (starts.has(line)) {
@@ -105,7 +104,7 @@ function findUnclearComma(text, sources) {
   );
   const isUnclear = ({ entry }) => UNCLEAR_COMMA.test(entry);
   const hasDecimalComma = typed.some((one) => /\d,\d/.test(one.entry) && !isUnclear(one));
-  return (!hasDecimalComma && typed.find(isUnclear)) || null;
+  return hasDecimalComma ? undefined : typed.find(isUnclear);
 }
 
 // Find an entry of more than a turn with the unit of radians, such as 90 rad.
@@ -135,9 +134,9 @@ function findUnreadInRow({ rows, words, candidates }, line, start) {
 /** @param {number[]} lines @param {TableBlock} table */
 function makeBesideTest(lines, { block: { from, to }, isTurned }) {
   if (isTurned) return () => false;
-  const above = lines.findLast((line) => line < from);
-  const below = lines.find((line) => line > to);
-  return (line) => (line >= from && line <= to) || line === above || line === below;
+  const above = lines.findLast((line) => line < from) ?? from;
+  const below = lines.find((line) => line > to) ?? to;
+  return (line) => line >= above && line <= below;
 }
 
 // List the numbers of cells that a row has as typed; none of a turned table.
@@ -147,16 +146,15 @@ const listWidths = ({ cells, block, isTurned }) =>
 
 const isPartOfRow = ({ cells, name }) => cells.length >= FEWEST && !name;
 
-// Find a word within the list of the rows that is neither a row's label nor a list's name.
-/** @param {Rest} rest @param {Span | null} list @param {Row[]} sources @param {string} text */
-const findWordInList = ({ words }, list, sources, text) =>
-  list &&
-  words.find((word) => isWithin(word, list) && !isLabel(word, sources) && !isName(word, text));
+// Find a word within the list of the rows that is no row's label.
+/** @param {Rest} rest @param {Span | null} list @param {Row[]} sources */
+const findWordInList = ({ words }, list, sources) =>
+  list && words.find((word) => isWithin(word, list) && !isLabel(word, sources));
 
 // Return whether a line with an unread cell has as many cells as a row.
 function isAsWide({ entries, candidates }, widths) {
   const count = entries.length + candidates.length;
-  return candidates.length > 0 && count >= FEWEST_ANYWHERE && widths.has(count);
+  return candidates.length > 0 && widths.has(count);
 }
 
 // List what each line holds beside the rows of a block; a line of column headers holds nothing.
@@ -236,9 +234,6 @@ function findList(text, sources) {
 }
 
 const isWithin = ({ from, to }, list) => from >= list.from && to <= list.to;
-
-// Return whether a list is assigned to the word, as in DH = [...].
-const isName = ({ to }, text) => /^\s*=/.test(text.slice(to, to + 9));
 
 // Return whether a line begins with a name and "=" or ":", as no row of the table does, or holds
 // several.
