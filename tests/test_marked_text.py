@@ -73,6 +73,12 @@ def test_wrong_table_shows_wrong_entry():
     assert 'title="entry of row 3, a, read as 0.35 m, wrong"' in verdict._repr_markdown_()
 
 
+def test_headers_of_more_columns_than_rows_have_keep_entries():
+    rows = "0 90 0.5 q1\n0.4 0 0 q2\n0.35 0 0 q3"
+    verdict = compare_tables(f"a alpha d theta offset\n{rows}", ELBOW)
+    assert 'title="entry of row 3, a, read as 0.35 m, wrong"' in verdict._repr_markdown_()
+
+
 @pytest.mark.parametrize(
     "verdict",
     [

@@ -39,10 +39,13 @@ const makeLabel = ({ text, from, to, line }, reason) => ({
  */
 export function placeBlockNumbers(tokens, { cells, headers, isTurned = false }, table, text) {
   const columns = listColumns(headers, table.order);
-  const names = table.isExchanged ? columns.map((name) => EXCHANGED[name] ?? name) : columns;
+  const exchange = (name) => (table.isExchanged ? (EXCHANGED[name] ?? name) : name);
   return tokens.map((token) => {
     if (token.owner !== "entry") return token;
     const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];
+    // A row of four cells has no others, even where the headers name more columns.
+    const isBare = cells[row].length === table.order.length;
+    const names = (isBare ? table.order : columns).map(exchange);
     const k = at - (cells[row].length - names.length);
     const column = ENTRIES.indexOf(names[k] === "offset" ? getJointEntry(table, row) : names[k]);
     if (column >= 0) return labelName({ ...token, row, column }, text);
