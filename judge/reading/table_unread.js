@@ -1,7 +1,7 @@
 // Finds an unread cell of a table. It stands on the line of a row, or on a line that looks like one
 // more row.
 
-import { isDate, isMisspelt } from "./owners.js";
+import { isDate } from "./owners.js";
 import { listLines } from "./spans.js";
 import { MOST_RADIANS } from "./table_conversion.js";
 
@@ -48,26 +48,23 @@ function findUnreadInLines(table, text, isEntry) {
     .sort((p, q) => p - q);
   const isBeside = makeBesideTest(lines, table);
   const starts = new Map(sources.map(({ line, cells: [first] }) => [line, first.from]));
-  const widths = listWidths(table);
   const separators = countSeparators(plainLines[sources[0].line]);
   const typedLines = listLines(text);
   const list = findList(text, sources);
   for (const line of lines) {
     const [rest, plainLine] = [rests.get(line), plainLines[line]];
     const [first] = [...rest.candidates, ...rest.words];
-    const inList = findWordInList(rest, list, sources);
+    const inList = findWordInList(rest, list);
     if (inList) return { line, cell: inList };
-    const isOtherList = namesOtherList(plainLine, sources);
     if (starts.has(line)) {
       const unread = findUnreadInRow(rest, line, starts.get(line));
       if (unread) return unread;
     } else if (isBeside(line)) {
-      const isEntries = !isOtherList && isMostlyEntries(rest, plainLine);
+      const isEntries = !namesOtherList(plainLine, sources) && isMostlyEntries(rest, plainLine);
       if (isEntries || hasSameSeparators(plainLine, separators)) return { line, cell: first };
       if (hidesCells(typedLines[line].text, plainLine, separators))
         return { line, cell: typedLines[line] };
     }
-    if (!isOtherList && isAsWide(rest, widths)) return { line, cell: first };
   }
   return null;
 }
@@ -76,25 +73,23 @@ function findUnreadInLines(table, text, isEntry) {
 const hidesCells = (typedLine, plainLine, separators) =>
   !plainLine.includes(MARK) && hasSameSeparators(typedLine, separators);
 
-// Find an entry whose sign was typed before it and is no part of its cell, as in !-$\pi/2$. Before
-// the first entry of a row a minus with a blank behind it is a bullet or a dash.
+// Find an entry whose sign was typed before it and is no part of its cell, as in !-$\pi/2$.
 /** @param {string} text @param {Row[]} sources */
 function findLostSign(text, sources) {
   for (const { line, cells } of sources)
     for (const [k, { from, to }] of cells.entries()) {
       if (from === to) continue; // an empty cell, whose dash was taken off
       const gap = text.slice(Math.max(cells[k - 1]?.to ?? 0, from - NEAR), from);
-      const sign = (k ? LOST_SIGN : ADJOINING_SIGN).exec(gap.replace(NO_SIGN, blank));
+      const sign = LOST_SIGN.exec(gap.replace(NO_SIGN, blank));
       if (sign) return { line, cell: { from: from - sign[0].length, to } };
     }
   return null;
 }
 
 const NEAR = 20; // characters before an entry in which its sign may stand
-const NO_SIGN = /\\h?phantom\{[^}]*\}|<?-{1,3}>|<-{1,3}/g; // of LaTeX, and arrows
+const NO_SIGN = /\\h?phantom\{[^}]*\}|-+>/g; // of LaTeX, and arrows
 const blank = (match) => " ".repeat(match.length);
 const LOST_SIGN = /\S*[-−–—][^\p{L}\d\n|&;,\t-]*$/u;
-const ADJOINING_SIGN = /\S*[-−–—][^\p{L}\d\s|&;,-]*$/u;
 
 // Find an entry such as 1,000, which may be 1 or a thousand. A comma of another entry shows which.
 /** @param {string} text @param {Row[]} sources */
@@ -139,23 +134,11 @@ function makeBesideTest(lines, { block: { from, to }, isTurned }) {
   return (line) => line >= above && line <= below;
 }
 
-// List the numbers of cells that a row has as typed; none of a turned table.
-/** @param {TableBlock} table */
-const listWidths = ({ cells, block, isTurned }) =>
-  new Set(isTurned ? [] : [cells[0].length, ...block.sources.map((row) => row.cells.length)]);
-
 const isPartOfRow = ({ cells, name }) => cells.length >= FEWEST && !name;
 
-// Find a word within the list of the rows that is no row's label.
-/** @param {Rest} rest @param {Span | null} list @param {Row[]} sources */
-const findWordInList = ({ words }, list, sources) =>
-  list && words.find((word) => isWithin(word, list) && !isLabel(word, sources));
-
-// Return whether a line with an unread cell has as many cells as a row.
-function isAsWide({ entries, candidates }, widths) {
-  const count = entries.length + candidates.length;
-  return candidates.length > 0 && widths.has(count);
-}
+// Find a word within the list of the rows, as in [[...], [...], *wrist].
+/** @param {Rest} rest @param {Span | null} list */
+const findWordInList = ({ words }, list) => list && words.find((word) => isWithin(word, list));
 
 // List what each line holds beside the rows of a block; a line of column headers holds nothing.
 /**
@@ -179,8 +162,7 @@ function listRests({ sources, lines }, isEntry) {
     const { words, candidates } = at(word.line);
     if (word.text.startsWith(MARK)) continue;
     words.push(word);
-    const isCandidate = isEntry(trimMarks(word.text)) || /\d/.test(word.text);
-    if (isCandidate || isMisspelt(word.text)) candidates.push(word);
+    if (isEntry(trimMarks(word.text)) || /\d/.test(word.text)) candidates.push(word);
   }
   return rests;
 }
@@ -240,9 +222,3 @@ const isWithin = ({ from, to }, list) => from >= list.from && to <= list.to;
 const namesOtherList = (line, sources) =>
   /^[^=:]*\p{L}[^=:]*[=:]/u.test(line) &&
   (line.split("=").length > 2 || !sources.some(({ name }) => name));
-
-// Return whether a word stands before a row of a table whose rows all have names.
-const isLabel = (word, sources) =>
-  sources.length > 1 &&
-  sources.every(({ words }) => words.length > 0) &&
-  sources.some(({ words }) => words.includes(word));
