@@ -18,6 +18,7 @@ import {
   withoutMargins,
   withoutStruckText,
 } from "./decorations.js";
+import { refuseContraryRows, refuseUnequalLists } from "./contradictions.js";
 import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
@@ -35,6 +36,7 @@ import {
   refuseDashes,
   refuseManyNumbers,
   refuseOdd,
+  refusePowers,
   refuseQuotients,
 } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
@@ -112,9 +114,7 @@ function findIn(pasted, text, question) {
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
-  refuseDashes(text, block.sources);
-  refuseQuotients(text, block.sources, what);
-  if (want.by !== "row") refuseContraryNames(text, tokens, rows);
+  refuseUnclear(text, { block, want, rows, tokens, what });
   const rejection = findRejection(text, block.sources);
   if (rejection) throw new ArmError(formatMessage("rejected", { what, text: rejection }));
   const computation = findComputation(text, block.sources);
@@ -131,6 +131,16 @@ function findIn(pasted, text, question) {
     pasted,
   );
   return { ...block, rows, taken, unusedLines, tokens };
+}
+
+// Refuse entries with two meanings, and an answer that its own text contradicts.
+function refuseUnclear(text, { block, want, rows, tokens, what }) {
+  refuseUnequalLists(text, block);
+  refuseDashes(text, block.sources);
+  refusePowers(text, block.sources, what);
+  refuseQuotients(text, block.sources, what);
+  if (want.by !== "row") refuseContraryNames(text, tokens, rows);
+  else if (!block.hasRowNames) refuseContraryRows(block, what);
 }
 
 // Make an error for an entry that has no number yet.

@@ -107,6 +107,7 @@ const countsColumns = (cells) => isCount(textsOf(cells)) || isJointCount(cells);
 
 // Return whether cells count from 0 or from 1.
 const isCount = (texts) =>
+  texts.every((text) => !/^0\.0*$/.test(text) || texts.length > 1) &&
   [0, 1].some((start) => texts.every((text, k) => Number(text) === k + start));
 
 /**

@@ -1,5 +1,6 @@
 // Reads joint vectors, one in each row or each column, with the units of their last digits.
 
+import { RAD } from "../geometry/angles.js";
 import { transpose } from "../geometry/chains.js";
 import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -54,6 +55,7 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
     toRows(list).filter((_, i) => width === dof || moving.includes(i % width));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(dropLocked);
   refuseMisfitUnits(entries, arm, what, false);
+  refuseMixedUnits({ ...typed, entries }, arm, what);
   const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
   const [valueRows, unitRows] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
   const locked = width > dof ? [noteLockedValues(arm, toRows(typed.values))] : [];
@@ -78,6 +80,17 @@ export const describeUnits = ({ statedUnits }, angles, arm) => [
     ? [formatMessage("taken: lengths", { unit: nameLengthUnit(statedUnits.lengths) })]
     : []),
 ];
+
+// Refuse an angle without unit beside angles in degrees, unless it is 0 or a multiple of pi.
+/** @param {Pick<import("./numbers.js").Typed, "entries" | "statedUnits">} typed @param {Arm} arm */
+function refuseMixedUnits({ entries, statedUnits }, arm, what) {
+  if (statedUnits?.angles) return;
+  const turning = revoluteFlags(arm);
+  const angles = entries.filter((_, i) => turning[i % turning.length]);
+  const bare = angles.find(({ text, angle, unitBehind }) => !angle && !unitBehind && Number(text));
+  if (bare && angles.some(({ worth }) => worth === RAD))
+    throw new ArmError(formatMessage("mixed units", { what, text: quoteText(bare.text) }));
+}
 
 const noteColumns = (areColumns, { length }) =>
   areColumns && length > 1 ? [formatMessage("taken: answer per column")] : [];

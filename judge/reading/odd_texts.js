@@ -80,6 +80,18 @@ export function refuseQuotients(text, rows, what) {
     throw new ArmError(formatMessage("quotient", { what, text: quoteText(quotient.trim()) }));
 }
 
+const POWER = /^[-+\u2212]?(?!10\D)(?:\d+(?:[.,]\d*)?|[.,]\d+)[⁰¹²³⁴-⁹]+$/u;
+
+/**
+ * Raise an error if an entry is a number and a raised one: a power, or the mark of a footnote.
+ * @param {string} text @param {import("./lines.js").Row[]} rows @param {string} what the answer
+ */
+export function refusePowers(text, rows, what) {
+  const typed = rows.flatMap(({ cells }) => cells.map(({ from, to }) => text.slice(from, to)));
+  const power = typed.map((cell) => cell.trim()).find((cell) => POWER.test(cell));
+  if (power) throw new ArmError(formatMessage("power", { what, text: quoteText(power) }));
+}
+
 const COMMENT = /(?:#|%|\/\/).*/g;
 
 /**

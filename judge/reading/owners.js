@@ -108,9 +108,14 @@ function markUnclear(text, tokens) {
   for (const token of listAlternatives(text, tokens)) token.owner = "unread";
   for (const halves of listSplitNumbers(text, tokens)) {
     const entries = halves.filter(({ owner }) => owner === "entry");
-    if (entries.length === 1) for (const half of halves) half.owner = "unread";
+    if (entries.length === 1 || isThousands(halves))
+      for (const half of halves) half.owner = "unread";
   }
 }
+
+// Return whether a comma may separate thousands, as in 1,234.5.
+const isThousands = (halves) =>
+  /^[1-9]\d{0,2}$/.test(halves[0].text) && /^\d{3}\./.test(halves[1].text);
 
 const OR = /^[^#%\n]{0,20}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2}[-+\u2212]?$/iu;
 

@@ -191,7 +191,7 @@ test("single values with two indices are a matrix", () => {
 });
 
 test("a value in radians and degrees is one value", () => {
-  const [turned, other] = [[0.5, 0.2, 0.3], ", 0.2, 0.3"];
+  const [turned, other] = [[0.5, 0.2, 0.3], ", 0.2 rad, 0.3 rad"];
   const pairs = [
     "0.500 rad (28.65°)",
     "0.500 (28.65°)",
@@ -204,7 +204,7 @@ test("a value in radians and degrees is one value", () => {
     String.raw`0.500\,rad\;(28.65^{\circ})`,
   ];
   for (const pair of pairs) checkVectors(pair + other, [turned]);
-  checkVectors("0,500 rad (28,65°); 0,2; 0,3", [turned]);
+  checkVectors("0,500 rad (28,65°); 0,2 rad; 0,3 rad", [turned]);
   checkVectors(`0.500 rad (29.65°)${other}`, null);
   checkVectors(`2(45°)${other}`, [[1.571, 0.2, 0.3]]);
 });
