@@ -105,7 +105,7 @@ def test_table_mistake_is_named(name):
 
 
 RIGHT = [case for case in QUESTIONS if case["grade"] == "right" and case["answer"]]
-BLANK_OR_TAG = re.compile(r"<[a-z/][^<>]*>|(\s)")
+BLANK_OR_HIDDEN = re.compile(r"<[a-z/][^<>]*>|# .*\n?|(\s)")
 DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 
 
@@ -117,10 +117,11 @@ DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 def test_stray_number_is_never_ignored(case, place):
     """A number put into right work at any blank makes it rejected, wrong, or is quoted.
 
-    Blanks within a tag of HTML do not count: no reader sees a number there.
+    Blanks within a tag of HTML do not count, since no reader sees a number there, nor do those of
+    a comment.
     """
     text = case["answer"]
-    blanks = [0, *(blank.start(1) for blank in BLANK_OR_TAG.finditer(text) if blank[1]), len(text)]
+    blanks = [0, *(blank.start(1) for blank in BLANK_OR_HIDDEN.finditer(text + "\n") if blank[1])]
     at = blanks[round(place * (len(blanks) - 1))]
     try:
         report = judge_in_python(
