@@ -54,7 +54,7 @@ function findUnreadInLines(table, text, isEntry) {
   for (const line of lines) {
     const [rest, plainLine] = [rests.get(line), plainLines[line]];
     const [first] = [...rest.candidates, ...rest.words];
-    const inList = findWordInList(rest, list);
+    const inList = findWordInList(rest, list, text);
     if (inList) return { line, cell: inList };
     if (starts.has(line)) {
       const unread = findUnreadInRow(rest, line, starts.get(line));
@@ -136,9 +136,13 @@ function makeBesideTest(lines, { block: { from, to }, isTurned }) {
 
 const isPartOfRow = ({ cells, name }) => cells.length >= FEWEST && !name;
 
-// Find a word within the list of the rows, as in [[...], [...], *wrist].
-/** @param {Rest} rest @param {Span | null} list */
-const findWordInList = ({ words }, list) => list && words.find((word) => isWithin(word, list));
+// Find a word within the list of the rows that is no name of the list, as in [[...], *wrist].
+/** @param {Rest} rest @param {Span | null} list @param {string} text */
+const findWordInList = ({ words }, list, text) =>
+  list && words.find((word) => isWithin(word, list) && !isName(word, text));
+
+// Return whether a list is assigned to the word, as in \\[ DH = \\begin{pmatrix}.
+const isName = ({ to }, text) => /^\s*=/.test(text.slice(to, to + 9));
 
 // List what each line holds beside the rows of a block; a line of column headers holds nothing.
 /**
