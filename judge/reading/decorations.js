@@ -146,7 +146,9 @@ const listNumbers = ({ text }, pattern) =>
 
 const countUp = (numbers) => numbers.every((number, k) => number === numbers[0] + k);
 
-const ENUMERATOR = /^([ \t]*)(?:[([]?(\d{1,2})[\]).]|#(\d{1,2})[.:)]?)[ \t]+(?=[-+(["'\d.])/gm;
+// [1], (1), 1), 1. and #1; [1. begins a row of NumPy.
+const ENUMERATOR =
+  /^([ \t]*)(?:\[(\d{1,2})\]|\(?(\d{1,2})\)|(\d{1,2})\.|#(\d{1,2})[.:)]?)[ \t]+(?=[-+(["'\d.])/gm;
 
 /**
  * Write the numbers of numbered lines, (1) 0.5, as labels, 1: 0.5.
@@ -155,7 +157,7 @@ const ENUMERATOR = /^([ \t]*)(?:[([]?(\d{1,2})[\]).]|#(\d{1,2})[.:)]?)[ \t]+(?=[
 export function labelNumberedLines(text) {
   const numbers = listNumbers(text, ENUMERATOR);
   if (numbers.length < 2 || numbers[0] > 1 || !countUp(numbers)) return text;
-  return text.replace(ENUMERATOR, "$1$2$3: ");
+  return text.replace(ENUMERATOR, "$1$2$3$4$5: ");
 }
 
 const STRUCK = /~~[^~\n]{1,300}~~|<s>[^<>\n]{1,300}<\/s>|\\(?:phantom|cancel)\{[^{}\n]*\}/g;
@@ -172,14 +174,15 @@ const COMMENTS = [
 const blank = (comment) => comment.replace(/[^\n]/g, " ");
 
 // Long runs of blanks or of one mark. Patterns look back over them at each of their characters.
-const LONG_RUN = /([^\S\r\n]{200})[^\S\r\n]+|(([^\p{L}\p{N}\s])\3{199})\3+/gu;
+const LONG_BLANK = /([^\S\r\n]{200})[^\S\r\n]+/g;
+const LONG_RULE = /(([^\p{L}\p{N}\s])\2{199})\2+/gu;
 
 /**
  * Take text out that was struck through, and shorten long runs of blanks or of one mark.
  * @param {import("./spans.js").SpannedText} pasted
  */
 export const withoutStruckText = (pasted) =>
-  pasted.replace(STRUCK, blank).replace(LONG_RUN, "$1$2");
+  pasted.replace(STRUCK, blank).replace(LONG_BLANK, "$1").replace(LONG_RULE, "$1");
 
 /**
  * Take comments and struck text out; null where there are none.
