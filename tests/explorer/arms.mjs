@@ -9,11 +9,7 @@ const within = (lower, upper, effort) => ({ lower, upper, effort, speed: 2, body
 export const ELBOW = {
   name: "Elbow arm",
   home: [0, 0.8, -1.5],
-  rows: [
-    row("revolute", 0, H, 0.5, 0),
-    row("revolute", 0.4, 0, 0, 0),
-    row("revolute", 0.3, 0, 0, 0),
-  ],
+  rows: [row("revolute", 0, H, 0.5, 0), row("revolute", 0.4, 0, 0, 0), row("revolute", 0.3, 0, 0, 0)],
 };
 export const STANFORD = {
   name: "Stanford arm",

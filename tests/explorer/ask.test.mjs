@@ -3,30 +3,14 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeOffer } from "../../page/src/check/form.js";
-import {
-  findArm,
-  EMPTY,
-  parseQuestionLink,
-  makeStartingQuestion,
-  formatQuestionLink,
-} from "../../page/src/check/question.js";
+import { findArm, EMPTY, parseQuestionLink, makeStartingQuestion, formatQuestionLink } from "../../page/src/check/question.js";
 import { formatNumber } from "../../judge/sentences.js";
 
 const ARMS = ["PANDA", "ELBOW"];
-const asked = {
-  ...EMPTY,
-  arm: "ELBOW",
-  q: "0.5, 0.7, -0.4",
-  unit: "deg",
-  frame: "2",
-  answer: "[1 2;\n 3 4]",
-};
+const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
 
 test("a question link restores the question", () => {
-  assert.deepEqual(parseQuestionLink(formatQuestionLink(asked), ARMS), {
-    question: asked,
-    message: "",
-  });
+  assert.deepEqual(parseQuestionLink(formatQuestionLink(asked), ARMS), { question: asked, message: "" });
 });
 
 for (const [fragment, words] of [
@@ -51,46 +35,20 @@ test("other fragments contain no question", () => {
 });
 
 test("a typed table reports how it was read", () => {
-  const own = {
-    ...EMPTY,
-    arm: "own",
-    table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, 0, d2, 0",
-  };
+  const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, 0, d2, 0" };
   assert.equal(findArm(own, []).reading, "columns a α d θ; the standard convention; lengths in m");
 });
 
 test("a typed table takes joint kinds from its variables", () => {
-  const own = {
-    ...EMPTY,
-    arm: "own",
-    table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0",
-  };
+  const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0" };
   const { rows } = findArm(own, []);
   assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
   assert.equal(rows[1].alpha, -Math.PI / 2);
-  assert.equal(
-    findArm({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta,
-    Math.PI / 2,
-  );
+  assert.equal(findArm({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta, Math.PI / 2);
   const headed = "theta d(mm) a alpha(deg)\nq1 500 0 90\nq2 0 400 0"; // by the column headers, in their units
-  assert.deepEqual(
-    findArm({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]),
-    [
-      [0, 0.5],
-      [0.4, 0],
-    ],
-  );
-  for (const table of [
-    "",
-    "1, 2, 3",
-    "0, 0, l_1, q1",
-    "0, 0, 1000, q1",
-    "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0",
-  ]) {
-    assert.throws(
-      () => findArm({ ...own, table }, []),
-      /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/,
-    );
+  assert.deepEqual(findArm({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]), [[0, 0.5], [0.4, 0]]);
+  for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "0, 0, 1000, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
+    assert.throws(() => findArm({ ...own, table }, []), /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/);
   }
 });
 
@@ -108,13 +66,7 @@ for (const [advice, patch, key, value, words] of [
   [["angles", "deg"], { ask: "table" }, "angles", "deg", "Angles in: deg"],
   [["angularFirst", true], {}, "first", "omega", "Order of the rows: ω, then v"],
   [["frame", 6], {}, "frame", "6", "Rows in the axes of: frame 6"],
-  [
-    ["convention", "craig"],
-    { ask: "table" },
-    "convention",
-    "craig",
-    "Convention: modified (Craig)",
-  ],
+  [["convention", "craig"], { ask: "table" }, "convention", "craig", "Convention: modified (Craig)"],
   [["lengths", "mm"], { ask: "table" }, "lengths", "mm", "Lengths in: mm"],
   [["locked", 3], {}, "arm", "PANDA.lock(3)", "Arm: Panda, joint 3 locked"],
   [["arm", "Panda"], { arm: "PANDA.lock(3)" }, "arm", "PANDA", "Arm: Panda"],
@@ -124,32 +76,20 @@ for (const [advice, patch, key, value, words] of [
     const question = { ...EMPTY, arm: "PANDA", ...patch };
     const offer = makeOffer({ field: advice[0], value: advice[1] }, question, LISTED);
     assert.deepEqual(offer, { key, value, text: words });
-    assert.equal(
-      makeOffer({ field: advice[0], value: advice[1] }, { ...question, [key]: value }, LISTED)
-        ?.value === value,
-      false,
-    );
+    assert.equal(makeOffer({ field: advice[0], value: advice[1] }, { ...question, [key]: value }, LISTED)?.value === value, false);
   });
 }
 
 test("an advice without a field makes no offer", () => {
   const question = { ...EMPTY, arm: "PANDA" };
-  for (const [field, value] of [
-    ["ownJoints", true],
-    ["locked", 5],
-    ["arm", "Nobody"],
-  ])
+  for (const [field, value] of [["ownJoints", true], ["locked", 5], ["arm", "Nobody"]])
     assert.equal(makeOffer({ field, value }, question, LISTED), null);
 });
 
 test("a question without example starts at the home pose", () => {
   const rows = [{ kind: "revolute" }, { kind: "prismatic" }];
-  const pages = {
-    arms: [{ key: "MINE", home: [Math.PI / 2, 0.5], rows }],
-    examples: [{ ask: "pose", arm: "MINE", answer: "1" }],
-  };
-  const begun = (given) =>
-    makeStartingQuestion({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);
+  const pages = { arms: [{ key: "MINE", home: [Math.PI / 2, 0.5], rows }], examples: [{ ask: "pose", arm: "MINE", answer: "1" }] };
+  const begun = (given) => makeStartingQuestion({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);
   assert.deepEqual([begun({}).q, begun({}).answer], ["π/2, 0.5", ""]);
   assert.equal(begun({ unit: "deg" }).q, "90, 0.5");
   assert.equal(begun({ ask: "pose" }).answer, "1");

@@ -66,10 +66,7 @@ test("marks name position and value of each entry", () => {
     { from: 13, to: 14, owner: "entry", row: 1, column: 0, index: 1 },
     { from: 15, to: 17, owner: "context", reason: "another list" },
   ];
-  const marks = listMarks(
-    { ...EMPTY, ask: "torques", answer },
-    { verdict: VERDICT, arm: ARM, tokens },
-  );
+  const marks = listMarks({ ...EMPTY, ask: "torques", answer }, { verdict: VERDICT, arm: ARM, tokens });
   assert.deepEqual(marks.map(({ kind, isWrong }) => [kind, isWrong]), [
     ["label", false], ["entry", false], ["entry", true], ["context", false],
   ]); // prettier-ignore
@@ -86,21 +83,12 @@ const ELBOW_ROWS = [[0, Math.PI / 2, 0.5], [0.4, 0, 0], [0.3, 0, 0]].map(([a, al
 function describeTable(answer) {
   const arm = { name: "Elbow arm", rows: ELBOW_ROWS, home: [0, 0, 0] };
   const verdict = compareTables(answer, arm, {});
-  const marks = listMarks(
-    { ...EMPTY, ask: "table", answer },
-    { verdict, arm, tokens: verdict.tokens },
-  );
-  return marks.map(({ from, to, kind, isWrong, description }) => [
-    answer.slice(from, to),
-    kind,
-    isWrong,
-    description,
-  ]);
+  const marks = listMarks({ ...EMPTY, ask: "table", answer }, { verdict, arm, tokens: verdict.tokens });
+  return marks.map(({ from, to, kind, isWrong, description }) => [answer.slice(from, to), kind, isWrong, description]);
 }
 
 test("each number of a table is entry or label", () => {
-  const answer =
-    "i | a | alpha | d | theta\n1 | 0 | pi/2 | 0.5 | q1\n2 | 0.4 | 0 | 0 | q2\n3 | 0.35 | 0 | 0 | q3";
+  const answer = "i | a | alpha | d | theta\n1 | 0 | pi/2 | 0.5 | q1\n2 | 0.4 | 0 | 0 | q2\n3 | 0.35 | 0 | 0 | q3";
   const marks = describeTable(answer);
   assert.deepEqual(marks.slice(0, 5), [
     ["1", "label", false, "a label: it orders the answer"],
@@ -114,9 +102,7 @@ test("each number of a table is entry or label", () => {
 });
 
 test("numbers of a transposed table name rows of joints", () => {
-  const marks = describeTable(
-    "theta | q1 | q2 | q3\nd | 0.5 | 0 | 0\na | 0 | 0.4 | 0.3\nalpha | 90 | 0 | 0",
-  );
+  const marks = describeTable("theta | q1 | q2 | q3\nd | 0.5 | 0 | 0\na | 0 | 0.4 | 0.3\nalpha | 90 | 0 | 0");
   const twist = marks.find(([text]) => text === "90");
   const length = marks.find(([text]) => text === "0.3");
   assert.equal(twist[3], "entry of row 1, α, read as 90°");
@@ -133,10 +119,7 @@ test("numbers of link matrices name their entries", () => {
   const marks = describeTable([first, turn("q2", 0.4), turn("q3", 0.35)].join("\n\n"));
   assert.equal(marks[0][3], "part of a name, such as q_1");
   assert.equal(marks[1][3], "entry of A_1, row 1, column 2");
-  assert.equal(
-    marks.find(([text]) => text === "0.5")[3],
-    "entry of A_1, row 3, column 4, gives d = 0.5 m",
-  );
+  assert.equal(marks.find(([text]) => text === "0.5")[3], "entry of A_1, row 3, column 4, gives d = 0.5 m");
   assert.deepEqual(wrongIn(marks), [
     ["0.35", "entry of A_3, row 1, column 4, gives a = 0.35 m, wrong"],
     ["0.35", "entry of A_3, row 2, column 4, gives a = 0.35 m, wrong"],
@@ -144,11 +127,8 @@ test("numbers of link matrices name their entries", () => {
 });
 
 test("numbers of other matrices are marked", () => {
-  const link =
-    "[[cos(q1), 0, sin(q1), 0], [sin(q1), 0, -cos(q1), 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]";
-  const marks = describeTable(
-    `${link}\n${link.replace("0, 1, 0, 0.5", "0, 2, 0, 0.5").replaceAll("q1", "q2")}`,
-  );
+  const link = "[[cos(q1), 0, sin(q1), 0], [sin(q1), 0, -cos(q1), 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]";
+  const marks = describeTable(`${link}\n${link.replace("0, 1, 0, 0.5", "0, 2, 0, 0.5").replaceAll("q1", "q2")}`);
   assert.equal(marks.filter(([, kind]) => kind === "entry").length, 24);
 });
 
@@ -175,9 +155,7 @@ test("numbers of Link lines are entries of their rows", () => {
 });
 
 test("numbers of parallel lists are entries of their rows", () => {
-  const marks = describeTable(
-    "a = [0, 0.4, 0.35]\nalpha = [pi/2, 0, 0]\nd = [0.5, 0, 0]\ntheta = [q1, q(2), q[3]]",
-  );
+  const marks = describeTable("a = [0, 0.4, 0.35]\nalpha = [pi/2, 0, 0]\nd = [0.5, 0, 0]\ntheta = [q1, q(2), q[3]]");
   assert.deepEqual(wrongIn(marks), [["0.35", "entry of row 3, a, read as 0.35 m, wrong"]]);
   assert.deepEqual(
     marks.slice(-3).map(([, kind]) => kind),
@@ -188,17 +166,9 @@ test("numbers of parallel lists are entries of their rows", () => {
 test("a misspelt number is marked in the answer only", () => {
   const elbow = { key: "ELBOW", name: "Elbow arm", rows: ELBOW_ROWS, home: [0, 0, 0], values: [] };
   const rows = ["1 2 3", "4 5 6", "7 8 9", "1 2 3", "4 5 6", "7 8 9"];
-  const question = {
-    ...EMPTY,
-    ask: "jacobian",
-    arm: "ELBOW",
-    q: "0.1 0.2 0.3",
-    answer: rows.join("\n"),
-  };
+  const question = { ...EMPTY, ask: "jacobian", arm: "ELBOW", q: "0.1 0.2 0.3", answer: rows.join("\n") };
   const answer = question.answer.replace("5", "5.1l2");
-  const unread = judgeQuestion({ ...question, answer }, [elbow]).tokens.filter(
-    ({ owner }) => owner === "unread",
-  );
+  const unread = judgeQuestion({ ...question, answer }, [elbow]).tokens.filter(({ owner }) => owner === "unread");
   assert.equal(answer.slice(unread[0].from, unread[0].to), "5.1");
   const outcome = judgeQuestion({ ...question, q: "0.1 0.2 0.3l7" }, [elbow]);
   assert.match(outcome.error, /^I cannot read '0\.3l7'/);
@@ -208,8 +178,7 @@ test("a misspelt number is marked in the answer only", () => {
 test("only plain lists become a grid of numbers", () => {
   assert.deepEqual(splitNumbers(" [0.5, −pi/2; 3] "), ["0.5", "−pi/2", "3"]);
   assert.deepEqual(splitNumbers(""), []);
-  for (const text of ["q1 = 0.5", "| 1 | 2 |", "np.array([1, 2])"])
-    assert.equal(splitNumbers(text), null, text);
+  for (const text of ["q1 = 0.5", "| 1 | 2 |", "np.array([1, 2])"]) assert.equal(splitNumbers(text), null, text);
 });
 
 function fakeStorage() {
@@ -222,8 +191,7 @@ function fakeStorage() {
     removeItem: (key) => items.delete(key),
   };
 } // prettier-ignore
-const give = (storage) =>
-  Object.defineProperty(globalThis, "localStorage", { ...storage, configurable: true });
+const give = (storage) => Object.defineProperty(globalThis, "localStorage", { ...storage, configurable: true });
 
 test("a question keeps its last answer until cleared", () => {
   give({ value: fakeStorage() });
@@ -254,13 +222,6 @@ test("a refused storage keeps and raises nothing", () => {
 
 test("a kept question that no longer fits is refused", () => {
   assert.equal(findQuestionFault({ ...EMPTY, arm: "PANDA" }, ["PANDA"]), "");
-  for (const change of [
-    { arm: "GONE" },
-    { ask: "x" },
-    { unit: "gon" },
-    { frame: "a" },
-    { more: "1" },
-    { q: 3 },
-  ])
+  for (const change of [{ arm: "GONE" }, { ask: "x" }, { unit: "gon" }, { frame: "a" }, { more: "1" }, { q: 3 }])
     assert.notEqual(findQuestionFault({ ...EMPTY, arm: "PANDA", ...change }, ["PANDA"]), "");
 });

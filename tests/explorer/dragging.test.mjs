@@ -11,15 +11,10 @@ const tip = (arm, q) => linkFrames(arm, q).at(-1);
 const inside = (arm, q) =>
   movingRows(arm).every((row, k) => {
     const [lower, upper] = jointRange(arm.rows[row]);
-    return (
-      q[k] >= Math.min(lower, arm.home[k]) - 1e-12 && q[k] <= Math.max(upper, arm.home[k]) + 1e-12
-    );
+    return q[k] >= Math.min(lower, arm.home[k]) - 1e-12 && q[k] <= Math.max(upper, arm.home[k]) + 1e-12;
   });
 
-const BENT = {
-  Panda: [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4],
-  "Stanford arm": [0.3, 0.6, 0.5, 0.2, 0.4, 0.1],
-};
+const BENT = { Panda: [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4], "Stanford arm": [0.3, 0.6, 0.5, 0.2, 0.4, 0.1] };
 
 // Drag the tip along points, 60 frames for each.
 function dragged(arm, start, points, options) {
@@ -70,20 +65,11 @@ test("a dragged link stops at its joint's limit", () => {
   const local = [0.1, 0.2, 0];
   const pixel = (p) => [1000 * p[0], 1000 * p[2]]; // seen along y, a metre is 1000 pixels
   const [lower, upper] = jointRange(PANDA.rows[row]);
-  const stops = [
-    [5000, 5000],
-    [-5000, 5000],
-    [5000, -5000],
-    [-5000, -5000],
-  ].map((to) => {
+  const stops = [[5000, 5000], [-5000, 5000], [5000, -5000], [-5000, -5000]].map((to) => {
     let moved = q;
-    for (let frame = 0; frame < 60; frame++)
-      moved = dragLink(PANDA, moved, { row, local, to, joint, pixel });
+    for (let frame = 0; frame < 60; frame++) moved = dragLink(PANDA, moved, { row, local, to, joint, pixel });
     return moved[joint];
   });
-  assert.ok(
-    stops.every((stop) => stop >= lower && stop <= upper),
-    "past the limit",
-  );
+  assert.ok(stops.every((stop) => stop >= lower && stop <= upper), "past the limit");
   assert.ok(stops.includes(upper), "one of the drags reaches the limit");
 });

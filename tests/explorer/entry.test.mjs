@@ -8,9 +8,7 @@ import { readEntry } from "../../judge/reading/entry.js";
 import { readTables } from "../../judge/reading/table.js";
 import { formatEntry } from "../../page/src/text.js";
 
-const { entries: ENTRIES } = JSON.parse(
-  readFileSync(new URL("../cases.json", import.meta.url), "utf8"),
-);
+const { entries: ENTRIES } = JSON.parse(readFileSync(new URL("../cases.json", import.meta.url), "utf8"));
 const near = (found, wanted) => assert.ok(Math.abs(found - wanted) < 1e-12, `${found}`);
 
 for (const { text, quantity, unit, value } of ENTRIES) {
@@ -33,9 +31,7 @@ for (const { text, quantity, unit, value } of ENTRIES) {
 test("a formatted entry is read back unchanged", () => {
   for (const value of [0, Math.PI / 2, -Math.PI, (3 * Math.PI) / 4, -Math.PI / 12, 0.25, 1.234567])
     for (const unit of ["deg", "rad"])
-      assert.ok(
-        Math.abs(readEntry(formatEntry(value, true, unit), "angle", unit).value - value) < 1e-6,
-      );
+      assert.ok(Math.abs(readEntry(formatEntry(value, true, unit), "angle", unit).value - value) < 1e-6);
 });
 
 test("a wrong unit is named in the error", () => {
@@ -44,6 +40,5 @@ test("a wrong unit is named in the error", () => {
 });
 
 test("undefined results are no numbers", () => {
-  for (const text of ["1/0", "1/(1/0)", "0^-1", "sqrt(-1)", "1e400", "q"])
-    assert.equal(number(text), null);
+  for (const text of ["1/0", "1/(1/0)", "0^-1", "sqrt(-1)", "1e400", "q"]) assert.equal(number(text), null);
 });

@@ -18,12 +18,7 @@ test("text files of common encodings are read", async () => {
 for (const [name, given, words] of [
   ["a picture", file(Buffer.from([0x89, 0x50, 0, 0, 0x1a]), "a.png"), /a\.png is no text/],
   ["nothing", file(" \n"), /is empty/],
-  [
-    "too much",
-    { name: "a.csv", size: 5_000_001, arrayBuffer: null },
-    /5000001 bytes; 5000000 are the most/,
-  ],
+  ["too much", { name: "a.csv", size: 5_000_001, arrayBuffer: null }, /5000001 bytes; 5000000 are the most/],
 ]) {
-  test(`${name} is refused with a message`, () =>
-    assert.rejects(readTextFile(given), { message: words }));
+  test(`${name} is refused with a message`, () => assert.rejects(readTextFile(given), { message: words }));
 }

@@ -2,13 +2,7 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import {
-  combineCauses,
-  makeCause,
-  causeName,
-  joinCauseMessages,
-  causeMessage,
-} from "../../judge/causes/ranking.js";
+import { combineCauses, makeCause, causeName, joinCauseMessages, causeMessage } from "../../judge/causes/ranking.js";
 import { uncapitalize } from "../../judge/sentences.js";
 
 const [ONE, TWO, THREE] = [
@@ -26,21 +20,11 @@ test("combined causes join names and messages", () => {
   const words = signs.map(causeMessage);
   const same = "which gives the same numbers here";
   assert.equal(joinCauseMessages([signs[0], signs[0]]), words[0]);
-  assert.equal(
-    joinCauseMessages(signs),
-    `${words[0]}; or ${uncapitalize(words[1])} or ${uncapitalize(words[2])}, ${same}`,
-  );
+  assert.equal(joinCauseMessages(signs), `${words[0]}; or ${uncapitalize(words[1])} or ${uncapitalize(words[2])}, ${same}`);
   assert.equal(joinCauseMessages([two, combineCauses(TWO, ONE)]), causeMessage(two));
 });
 
 test("a nested sentence starts in lower case", () => {
   const sentences = ["The sign", "A", "NM", "A_i is", "q_1 is", "It_is"];
-  assert.deepEqual(sentences.map(uncapitalize), [
-    "the sign",
-    "a",
-    "NM",
-    "A_i is",
-    "q_1 is",
-    "it_is",
-  ]);
+  assert.deepEqual(sentences.map(uncapitalize), ["the sign", "a", "NM", "A_i is", "q_1 is", "it_is"]);
 });

@@ -7,10 +7,7 @@ import { readJointVectors } from "../../judge/reading/joint_vectors.js";
 import { readSymbolValues } from "../../judge/reading/values.js";
 
 const KINDS = { R: "revolute", P: "prismatic", F: "fixed" };
-const makeArm = (kinds) => ({
-  name: "arm",
-  rows: [...kinds].map((letter) => ({ kind: KINDS[letter] })),
-});
+const makeArm = (kinds) => ({ name: "arm", rows: [...kinds].map((letter) => ({ kind: KINDS[letter] })) });
 const A = [0.1, 0.2, 0.3];
 const B = [0.4, 0.5, 0.6];
 const TURNS = [0.183, 0.358, 0.532]; // 10.5, 20.5 and 30.5 degrees
@@ -19,8 +16,7 @@ const LOCKED = "all joints; 2 is locked, so its 0 is set aside";
 
 function checkVectors(text, expected, { kinds = "RRR", taken, ...options } = {}) {
   const read = () => readJointVectors(text, makeArm(kinds), options.angles ?? "rad", options);
-  if (!expected)
-    return assert.throws(read, /expected|several answers|two values|no list/, JSON.stringify(text));
+  if (!expected) return assert.throws(read, /expected|several answers|two values|no list/, JSON.stringify(text));
   const { answers, taken: notes } = read();
   const rounded = answers.map(({ values }) => values.map((x) => Number(x.toFixed(3))));
   assert.deepEqual(rounded, expected, JSON.stringify(text));
@@ -33,22 +29,12 @@ test("numbers that count joints or solutions are no values", () => {
   const two = { kinds: "RR" };
   checkAll([
     ["1 2 3\n0.1 0.2 0.3\n0.4 0.5 0.6", [A, B]],
-    [
-      "1 2 3\n10 20 30",
-      [
-        [1, 2, 3],
-        [10, 20, 30],
-      ],
-    ], // whole numbers may be values
+    ["1 2 3\n10 20 30", [[1, 2, 3], [10, 20, 30]]], // whole numbers may be values
     ["1. 2. 3.\n0.1 0.2 0.3", [A]],
     ["1 2 4\n0.1 0.2 0.3\n0.4 0.5 0.6", [A, B]], // the moving joints of four
     ["2 1 3\n0.1 0.2 0.3", [[2, 1, 3], A]],
     ["0 1 2\n0.1 0.2 0.3", [A]],
-    [
-      `1 2 3 4 5 6 7 8 9 10\n${series.join(" ")}\n${series.join(" ")}`,
-      series.map((x) => [x, x]),
-      two,
-    ],
+    [`1 2 3 4 5 6 7 8 9 10\n${series.join(" ")}\n${series.join(" ")}`, series.map((x) => [x, x]), two],
     ["(1) 0.1 0.2 0.3\n(2) 0.4 0.5 0.6", [A, B]],
     ["1\n0.1\n2\n0.2\n3\n0.3", [A]],
     ["1\n2\n3\n0.1\n0.2\n0.3", [A]],
@@ -56,58 +42,16 @@ test("numbers that count joints or solutions are no values", () => {
     ["1\n0.5\n2\n0.25\n3", null, two],
     ["1\n0.5", [[1], [0.5]], { kinds: "R" }],
     ["1\n0.5\n0.7", null, two],
-    [
-      "1 0.1 0.2\n2 0.4 0.5",
-      [
-        [0.1, 0.2],
-        [0.4, 0.5],
-      ],
-      two,
-    ],
-    [
-      "a 0.1 0.2\nb 0.4 0.5",
-      [
-        [0.1, 0.2],
-        [0.4, 0.5],
-      ],
-      two,
-    ],
-    [
-      "q1 0.1 0.2\nq2 0.4 0.5",
-      [
-        [0.1, 0.4],
-        [0.2, 0.5],
-      ],
-      two,
-    ],
-    [
-      "0 0.0 0.3 0.2\n1 0.2 0.3 0.4\n2 0.4 0.5 0.6\n3 0.6 0.1 0.2",
-      [
-        [0.3, 0.2],
-        [0.3, 0.4],
-        [0.5, 0.6],
-        [0.1, 0.2],
-      ],
-      two,
-    ],
+    ["1 0.1 0.2\n2 0.4 0.5", [[0.1, 0.2], [0.4, 0.5]], two],
+    ["a 0.1 0.2\nb 0.4 0.5", [[0.1, 0.2], [0.4, 0.5]], two],
+    ["q1 0.1 0.2\nq2 0.4 0.5", [[0.1, 0.4], [0.2, 0.5]], two],
+    ["0 0.0 0.3 0.2\n1 0.2 0.3 0.4\n2 0.4 0.5 0.6\n3 0.6 0.1 0.2", [[0.3, 0.2], [0.3, 0.4], [0.5, 0.6], [0.1, 0.2]], two],
   ]);
 });
 
 test("a column of equal steps holds times", () => {
-  const [two, rest] = [
-    { kinds: "RR" },
-    [
-      [0.3, 0.2],
-      [0.3, 0.4],
-      [0.5, 0.6],
-      [0.1, 0.2],
-    ],
-  ];
-  const write = (times) =>
-    times
-      .split(" ")
-      .map((time, k) => `${time} ${rest[k].join(" ")}`)
-      .join("\n");
+  const [two, rest] = [{ kinds: "RR" }, [[0.3, 0.2], [0.3, 0.4], [0.5, 0.6], [0.1, 0.2]]];
+  const write = (times) => times.split(" ").map((time, k) => `${time} ${rest[k].join(" ")}`).join("\n");
   checkAll([
     [write("0.1 0.3 0.5 0.7"), rest, two],
     [write("0.00 0.33 0.67 1.00"), rest, two],
@@ -140,14 +84,7 @@ test("columns of a table are chosen by their headers", () => {
     ["q3 q2 q1 err\n0.3 0.2 0.1 1.5\n0.6 0.5 0.4 1.5", [A, B]],
   ]);
   const wants = [{ rows: 3, columns: 1 }];
-  assert.throws(
-    () =>
-      numbers("i deg N\n1 1.5 5\n2 2.5 6\n3 3.5 7", "tau", undefined, undefined, {
-        wants,
-        names: /^tau/,
-      }),
-    /expected/,
-  );
+  assert.throws(() => numbers("i deg N\n1 1.5 5\n2 2.5 6\n3 3.5 7", "tau", undefined, undefined, { wants, names: /^tau/ }), /expected/);
 });
 
 test("values with names of joints are a vector", () => {
@@ -214,108 +151,26 @@ test("a joint vector is a row or a column", () => {
   checkAll([
     [A, [A]],
     [[[0.1], [0.2], [0.3]], [A], { taken: [] }],
-    [
-      [[A], [B]],
-      [A, B],
-    ],
-    [
-      [
-        [0.1, 0.4],
-        [0.2, 0.5],
-        [0.3, 0.6],
-      ],
-      [A, B],
-      { taken: [EACH] },
-    ],
-    [
-      [A, B, A],
-      [A, B, A],
-    ],
-    [
-      [
-        [0.1, 0.4, 0.7],
-        [0.2, 0.5, 0.8],
-        [0.3, 0.6, 0.9],
-      ],
-      [A, B, [0.7, 0.8, 0.9]],
-      { byColumns: true },
-    ],
-    [
-      [[0.1], [0.2], [0.3], [0.4], [0.5], [0.6]],
-      [A, B],
-    ],
+    [[[A], [B]], [A, B]],
+    [[[0.1, 0.4], [0.2, 0.5], [0.3, 0.6]], [A, B], { taken: [EACH] }],
+    [[A, B, A], [A, B, A]],
+    [[[0.1, 0.4, 0.7], [0.2, 0.5, 0.8], [0.3, 0.6, 0.9]], [A, B, [0.7, 0.8, 0.9]], { byColumns: true }],
+    [[[0.1], [0.2], [0.3], [0.4], [0.5], [0.6]], [A, B]],
     [[], []],
     [[0.1, 0.2], null],
     [[[0.1], [0.2], [0.3], [0.4]], null],
-    [
-      Array(2).fill([
-        [0.1, 0.4],
-        [0.2, 0.5],
-        [0.3, 0.6],
-      ]),
-      null,
-    ],
+    [Array(2).fill([[0.1, 0.4], [0.2, 0.5], [0.3, 0.6]]), null],
     [[A, B], [A, B], { byColumns: true }],
     [[A, [0.4]], null],
     [[0.1, null, 0.3], null],
     [[{ odd: "None" }, 0.2, 0.3], null],
-    [
-      [
-        ["q1", 0.1],
-        ["q2", 0.2],
-        ["q3", 0.3],
-      ],
-      [A],
-    ],
+    [[["q1", 0.1], ["q2", 0.2], ["q3", 0.3]], [A]],
     [["1/10", { tree: ["num", 0.2] }, "pi"], [[0.1, 0.2, 3.142]]],
     [[0.1, 0, 0.3], [[0.1, 0.3]], locked],
-    [
-      [
-        [0.1, 0, 0.3],
-        [0.4, 0, 0.6],
-      ],
-      [
-        [0.1, 0.3],
-        [0.4, 0.6],
-      ],
-      locked,
-    ],
-    [
-      [
-        [0.1, 0, 0.3],
-        [0.4, 0, 0.6],
-        [0.7, 0, 0.9],
-      ],
-      [
-        [0.1, 0.3],
-        [0.4, 0.6],
-        [0.7, 0.9],
-      ],
-      locked,
-    ],
-    [
-      [
-        [0.1, 0.4],
-        [0.3, 0.6],
-      ],
-      [
-        [0.1, 0.3],
-        [0.4, 0.6],
-      ],
-      { kinds: "RFR", byColumns: true },
-    ],
-    [
-      [
-        [0.1, 0.4, 0.7],
-        [0.3, 0.6, 0.9],
-      ],
-      [
-        [0.1, 0.3],
-        [0.4, 0.6],
-        [0.7, 0.9],
-      ],
-      { kinds: "RFR", taken: [EACH] },
-    ],
+    [[[0.1, 0, 0.3], [0.4, 0, 0.6]], [[0.1, 0.3], [0.4, 0.6]], locked],
+    [[[0.1, 0, 0.3], [0.4, 0, 0.6], [0.7, 0, 0.9]], [[0.1, 0.3], [0.4, 0.6], [0.7, 0.9]], locked],
+    [[[0.1, 0.4], [0.3, 0.6]], [[0.1, 0.3], [0.4, 0.6]], { kinds: "RFR", byColumns: true }],
+    [[[0.1, 0.4, 0.7], [0.3, 0.6, 0.9]], [[0.1, 0.3], [0.4, 0.6], [0.7, 0.9]], { kinds: "RFR", taken: [EACH] }],
   ]);
 });
 
@@ -325,11 +180,7 @@ test("a stated unit applies to values without one", () => {
   checkAll([
     ["0.1 0.2 300 mm", [A], { ...slide, taken: [] }],
     ["q1, q2 (rad), d3 (mm)\n0.1 0.2 300", [A], { ...slide, taken: ["lengths in mm"] }],
-    [
-      "q [deg], d [cm]\n10.5 20.5 40",
-      [turned],
-      { ...slide, taken: ["angles in degrees", "lengths in cm"] },
-    ],
+    ["q [deg], d [cm]\n10.5 20.5 40", [turned], { ...slide, taken: ["angles in degrees", "lengths in cm"] }],
     ["10.5 20.5 0.4", [turned], { ...slide, angles: "deg", taken: [] }],
     ["10.5° 20.5° 0.4", [turned], slide],
     ["q [rad]: 0.1 0.2 0.3", [A], { angles: "deg", taken: ["angles in radians"] }],
@@ -337,32 +188,17 @@ test("a stated unit applies to values without one", () => {
     ["q [mm]: 0.1 0.2 0.3", [A], { taken: [] }],
   ]);
   const { answers } = readJointVectors("10.5° 20.55° 0.4", makeArm("RRP"), "rad");
-  assert.deepEqual(
-    answers[0].units.map((unit) => Number(unit.toPrecision(3))),
-    [0.00175, 0.000175, 0.1],
-  );
+  assert.deepEqual(answers[0].units.map((unit) => Number(unit.toPrecision(3))), [0.00175, 0.000175, 0.1]);
 });
 
 test("a pose is one vector", () => {
   const read = (q, kinds, angles) => pose(q, makeArm(kinds), angles);
-  for (const q of [A, [A], [[0.1], [0.2], [0.3]], "0.1 0.2 0.3"])
-    assert.deepEqual(read(q, "RRR").values, A);
-  for (const q of [[0.1, 0, 0.3], "0.1 0 0.3"])
-    assert.deepEqual(read(q, "RFR"), { ...read(q, "RFR"), values: [0.1, 0.3], locked: [LOCKED] });
+  for (const q of [A, [A], [[0.1], [0.2], [0.3]], "0.1 0.2 0.3"]) assert.deepEqual(read(q, "RRR").values, A);
+  for (const q of [[0.1, 0, 0.3], "0.1 0 0.3"]) assert.deepEqual(read(q, "RFR"), { ...read(q, "RFR"), values: [0.1, 0.3], locked: [LOCKED] });
   assert.deepEqual(read([0.1, 0.3], "RFR").values, [0.1, 0.3]);
   assert.match(read([0.1, 1, 2, 3, 4, 0.3], "RFFFFR").locked[0], /2, 3, 4 and 5 .* 1, 2, 3, … /);
   assert.equal(read("90", "R", "deg").values[0], Math.PI / 2);
-  for (const [q, kinds] of [
-    [[...A, 0.4], "RRR"],
-    [[0.1, 0.2], "RRR"],
-    [
-      [
-        [0.1, 0, 0.3],
-        [0.1, 0, 0.3],
-      ],
-      "RFR",
-    ],
-  ])
+  for (const [q, kinds] of [[[...A, 0.4], "RRR"], [[0.1, 0.2], "RRR"], [[[0.1, 0, 0.3], [0.1, 0, 0.3]], "RFR"]])
     assert.throws(() => read(q, kinds), /expected one value for each of q_1/);
   for (const name of ["q", "th", "θ", "sol", "position", "ans", "s", "s1"])
     assert.deepEqual(read(`x = 0.4 0.5 0.6\n${name} = 0.1 0.2 0.3`, "RRR").values, A, name);
@@ -370,23 +206,11 @@ test("a pose is one vector", () => {
 
 test("names and their numbers are read", () => {
   const values = {
-    "h = 0.5, phi_0 = 1/4": [
-      ["h", 0.5],
-      ["phi_0", 0.25],
-    ],
-    "{'h': 0.5, \"L_1\": 2}": [
-      ["h", 0.5],
-      ["L_1", 2],
-    ],
-    "a=1; b=2\nc: 3,": [
-      ["a", 1],
-      ["b", 2],
-      ["c", 3],
-    ],
+    "h = 0.5, phi_0 = 1/4": [["h", 0.5], ["phi_0", 0.25]],
+    "{'h': 0.5, \"L_1\": 2}": [["h", 0.5], ["L_1", 2]],
+    "a=1; b=2\nc: 3,": [["a", 1], ["b", 2], ["c", 3]],
     "": [],
   };
-  for (const [text, expected] of Object.entries(values))
-    assert.deepEqual(readSymbolValues(text), expected);
-  for (const text of ["h", "h =", "h = x", "h = 1 = 2", "1h = 2", "h = 1/0"])
-    assert.throws(() => readSymbolValues(text), /is not read/, text);
+  for (const [text, expected] of Object.entries(values)) assert.deepEqual(readSymbolValues(text), expected);
+  for (const text of ["h", "h =", "h = x", "h = 1 = 2", "1h = 2", "h = 1/0"]) assert.throws(() => readSymbolValues(text), /is not read/, text);
 });

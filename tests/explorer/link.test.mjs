@@ -11,29 +11,15 @@ const VIEWS = ["table", "pose", "torque", "homework"];
 const read = (fragment) => parseFragment(fragment, ARMS, VIEWS);
 
 test("a link restores the explorer's state", () => {
-  const runs = [
-    DEFAULT_RUN,
-    { ...DEFAULT_RUN, method: "rk4", mistake: "z_i", steps: 100, radius: 0.05, gain: 5 },
-  ];
+  const runs = [DEFAULT_RUN, { ...DEFAULT_RUN, method: "rk4", mistake: "z_i", steps: 100, radius: 0.05, gain: 5 }];
   const q = [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7];
-  const store = new Store(
-    makeInitialState({
-      arm: PANDA,
-      q,
-      view: "homework",
-      unit: "rad",
-      frames: "all",
-      runs,
-      chosenRun: 1,
-    }),
-  );
+  const store = new Store(makeInitialState({ arm: PANDA, q, view: "homework", unit: "rad", frames: "all", runs, chosenRun: 1 }));
   store.dispatch({ type: "editTable", rows: PANDA.rows.map((r, i) => (i ? r : { ...r, d: 0.4 })) });
   store.dispatch({ type: "setFields", runs, chosenRun: 1, runStart: PANDA.home });
   store.dispatch({ type: "setFields", mark: [0.1, -0.2, 0.3], wrench: [-5, 0, 0, 0, 0, 0.5] });
   const { patch, message } = read(formatFragment(store.state));
   assert.equal(message, "");
-  for (const key of ["q", "wrench", "view", "unit", "frames", "base", "mark", "runs", "chosenRun"])
-    assert.deepEqual(patch[key], store.state[key], key);
+  for (const key of ["q", "wrench", "view", "unit", "frames", "base", "mark", "runs", "chosenRun"]) assert.deepEqual(patch[key], store.state[key], key);
   patch.runStart.forEach((v, k) => assert.ok(Math.abs(v - PANDA.home[k]) < 1e-6));
   const shown = ({ name, rows }) => [name, rows.map((r) => r.d)];
   assert.deepEqual(shown(patch.arm), shown(store.state.arm));
@@ -66,13 +52,7 @@ for (const [name, fragment] of Object.entries(cases)) {
 
 test("a link refuses invalid runs", () => {
   const valid = "euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_";
-  for (const bad of [
-    "euler",
-    valid.replace("1000", "1e9"),
-    valid.replace("inverse", "constructor"),
-    valid.replace("0.1_", "_"),
-    Array(9).fill(valid).join(";"),
-  ]) {
+  for (const bad of ["euler", valid.replace("1000", "1e9"), valid.replace("inverse", "constructor"), valid.replace("0.1_", "_"), Array(9).fill(valid).join(";")]) {
     const { message, patch } = read(`#arm=Panda&view=homework&runs=${bad}`);
     assert.match(message, /its runs cannot come from the homework/, bad);
     assert.equal(patch.runs, undefined);
@@ -81,10 +61,7 @@ test("a link refuses invalid runs", () => {
 
 test("a link refuses an unsuitable run or start", () => {
   const run = "runs=euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_";
-  for (const [part, fault] of [
-    ["run=2", /it plays a run that it does not have/],
-    ["start=1,2", /its runs begin at joint values that the Panda does not have/],
-  ]) {
+  for (const [part, fault] of [["run=2", /it plays a run that it does not have/], ["start=1,2", /its runs begin at joint values that the Panda does not have/]]) {
     const { patch, message } = read(`#arm=Panda&view=homework&${run}&${part}`);
     assert.match(message, fault);
     assert.deepEqual([patch.chosenRun, patch.runStart], [0, undefined]);
@@ -92,6 +69,5 @@ test("a link refuses an unsuitable run or start", () => {
 });
 
 test("fragments of the page change nothing", () => {
-  for (const fragment of ["", "#the-instrument", "#fig-1"])
-    assert.deepEqual(read(fragment), { patch: {}, message: "" });
+  for (const fragment of ["", "#the-instrument", "#fig-1"]) assert.deepEqual(read(fragment), { patch: {}, message: "" });
 });

@@ -7,17 +7,9 @@ import { frameMatrix, linkFrames } from "../../judge/geometry/kinematics.js";
 import { makePoseRows, readPose } from "../../page/src/mounting.js";
 import { PANDA } from "./arms.mjs";
 
-const multiply = (A, B) =>
-  A.map((row) => [0, 1, 2, 3].map((k) => row.reduce((sum, v, i) => sum + v * B[i][k], 0)));
+const multiply = (A, B) => A.map((row) => [0, 1, 2, 3].map((k) => row.reduce((sum, v, i) => sum + v * B[i][k], 0)));
 const tipOf = (rows, q) => frameMatrix(linkFrames({ rows }, q).at(-1));
-const POSES = [
-  "0 0 0 0 0 0",
-  "0.1, -0.2, 0.3, 0, 0, 40",
-  "0 0 0.4 180 0 0",
-  "-0.3 0.2 0.1 180° 0 0.5rad",
-  "0 0 0.2 0 pi/2 0",
-  "0.3 -0.1 0.2 20 -50 140",
-];
+const POSES = ["0 0 0 0 0 0", "0.1, -0.2, 0.3, 0, 0, 40", "0 0 0.4 180 0 0", "-0.3 0.2 0.1 180° 0 0.5rad", "0 0 0.2 0 pi/2 0", "0.3 -0.1 0.2 20 -50 140"];
 
 test("fixed rows make the typed pose", () => {
   for (const text of POSES) {
@@ -35,17 +27,8 @@ test("fixed rows make the typed pose", () => {
 });
 
 test("only a 4x4 pose is read row by row", () => {
-  const { pose } = readPose(
-    "[[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]",
-    "rad",
-  );
-  assert.deepEqual(
-    [pose.x, pose.o],
-    [
-      [0, 1, 0],
-      [0.1, 0.2, 0.3],
-    ],
-  );
+  const { pose } = readPose("[[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]", "rad");
+  assert.deepEqual([pose.x, pose.o], [[0, 1, 0], [0.1, 0.2, 0.3]]);
   assert.match(readPose("1 2 3", "rad").error, /3 numbers; expected x, y, z, roll, pitch, yaw/);
   assert.match(readPose("1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1", "rad").error, /no rigid pose/);
 });
@@ -62,20 +45,13 @@ test("a pose with few decimals becomes the nearest rotation", () => {
     assert.deepEqual(pose.o, [0, 0, 0.2]);
   }
   assert.equal(readPose(turned("0.8660254"), "rad").note, undefined);
-  for (const cosine of ["0.87", "0.868"])
-    assert.match(readPose(turned(cosine), "rad").error, /no rigid pose/);
+  for (const cosine of ["0.87", "0.868"]) assert.match(readPose(turned(cosine), "rad").error, /no rigid pose/);
 });
 
 test("base and tool leave the joint limits unchanged", () => {
   const { pose } = readPose("0 0 0.5 0 30 0", "deg");
-  const { rows } = makeTypedArm(
-    [...makePoseRows(pose), ...PANDA.rows, ...makePoseRows(pose)],
-    PANDA,
-  );
+  const { rows } = makeTypedArm([...makePoseRows(pose), ...PANDA.rows, ...makePoseRows(pose)], PANDA);
   const limits = rows.filter(({ kind }) => kind !== "fixed").map(({ lower }) => lower);
-  assert.deepEqual(
-    limits,
-    PANDA.rows.map(({ lower }) => lower),
-  );
+  assert.deepEqual(limits, PANDA.rows.map(({ lower }) => lower));
   assert.equal(rows[0].lower, null);
 });

@@ -26,38 +26,14 @@ test("neighbouring labels do not overlap", () => {
 });
 
 test("a label without a free spot is left out", () => {
-  assert.equal(
-    findLabelSpot(
-      [40, 50],
-      22,
-      [
-        { spot: [40, 50], width: 500 },
-        { spot: [40, 80], width: 500 },
-        { spot: [40, 20], width: 500 },
-        { spot: [40, 65], width: 500 },
-        { spot: [40, 35], width: 500 },
-      ],
-      [],
-      10,
-    ),
-    null,
-  );
+  assert.equal(findLabelSpot([40, 50], 22, [{ spot: [40, 50], width: 500 }, { spot: [40, 80], width: 500 }, { spot: [40, 20], width: 500 }, { spot: [40, 65], width: 500 }, { spot: [40, 35], width: 500 }], [], 10), null);
 });
 
 test("branches have the names of the closed form", () => {
-  const names = (arm, q) =>
-    findBranches(arm, q)
-      .list.map(({ label }) => label)
-      .sort();
-  const shoulders = ["back", "front"].flatMap((side) =>
-    ["down", "up"].map((bend) => `${side}, elbow ${bend}`),
-  );
+  const names = (arm, q) => findBranches(arm, q).list.map(({ label }) => label).sort();
+  const shoulders = ["back", "front"].flatMap((side) => ["down", "up"].map((bend) => `${side}, elbow ${bend}`));
   assert.deepEqual(names(ELBOW, [0.2, 0.9, -1.1]), shoulders);
-  assert.ok(
-    names(STANFORD, [0.1, 0.7, 0.5, 0.2, 0.6, 0.3]).every((name) =>
-      /^(front|back), rod (out|through), q_5 [<>] 0$/.test(name),
-    ),
-  );
+  assert.ok(names(STANFORD, [0.1, 0.7, 0.5, 0.2, 0.6, 0.3]).every((name) => /^(front|back), rod (out|through), q_5 [<>] 0$/.test(name)));
 });
 
 test("the time axis has numbers with their unit", () => {
@@ -65,12 +41,8 @@ test("the time axis has numbers with their unit", () => {
 });
 
 test("keys trigger undo and redo", () => {
-  const press = (key, keys = {}) =>
-    getStepOfKey({ key, ctrlKey: true, metaKey: false, shiftKey: false, ...keys });
-  assert.deepEqual(
-    [press("z"), press("Z", { shiftKey: true }), press("y"), press("a")],
-    ["undo", "redo", "redo", null],
-  );
+  const press = (key, keys = {}) => getStepOfKey({ key, ctrlKey: true, metaKey: false, shiftKey: false, ...keys });
+  assert.deepEqual([press("z"), press("Z", { shiftKey: true }), press("y"), press("a")], ["undo", "redo", "redo", null]);
   assert.equal(press("y", { ctrlKey: false, metaKey: true }), "redo");
   assert.equal(press("z", { ctrlKey: false }), null);
 });

@@ -36,11 +36,8 @@ test("single entries are no table, bad tables are refused", () => {
 
 test("the reading names order, convention and units", () => {
   const readings = {
-    "i,theta,d,a,alpha\n1,q1,300,0,90\n2,q2,0,400,0":
-      "columns θ d a α; the standard convention; lengths in mm; angles in degrees",
-    "a_{i-1} & alpha_{i-1} & d & theta\\\\\n0 & 0 & 0.3 & q1\\\\\n0 & pi/2 & 0 & q2":
-      "columns a α d θ; the modified (Craig) convention, turned into the standard one; lengths in m",
+    "i,theta,d,a,alpha\n1,q1,300,0,90\n2,q2,0,400,0": "columns θ d a α; the standard convention; lengths in mm; angles in degrees",
+    "a_{i-1} & alpha_{i-1} & d & theta\\\\\n0 & 0 & 0.3 & q1\\\\\n0 & pi/2 & 0 & q2": "columns a α d θ; the modified (Craig) convention, turned into the standard one; lengths in m",
   };
-  for (const [text, reading] of Object.entries(readings))
-    assert.equal(readPastedTable(text, "deg").reading, reading);
+  for (const [text, reading] of Object.entries(readings)) assert.equal(readPastedTable(text, "deg").reading, reading);
 });

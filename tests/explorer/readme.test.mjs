@@ -14,13 +14,6 @@ test("numbers have the owners that the README names", () => {
   assert.deepEqual(values, [0, -97.5297]);
   assert.deepEqual(
     tokens.map((token) => [token.text, token.owner]),
-    [
-      ["6", "context"],
-      ["1", "label"],
-      ["0.0", "entry"],
-      ["2", "label"],
-      ["97.5297", "entry"],
-      ["99.1", "context"],
-    ],
+    [["6", "context"], ["1", "label"], ["0.0", "entry"], ["2", "label"], ["97.5297", "entry"], ["99.1", "context"]],
   );
 });

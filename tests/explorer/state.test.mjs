@@ -20,24 +20,12 @@ function playing() {
   store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: [[0, 0, 0]] });
   store.dispatch({ type: "setBranches", arm, branches: findBranches(PANDA, PANDA.home, 20) });
   store.dispatch({ type: "setPlaying", on: true });
-  store.dispatch({
-    type: "setFields",
-    highlightedRow: 6,
-    highlightedBranch: 0,
-    tipPaths: [],
-    mark: [0, 0, 1],
-    progress: 0.5,
-    tipHold: { kind: "tip" },
-    runs: [DEFAULT_RUN, DEFAULT_RUN],
-    chosenRun: 1,
-    runStart: PANDA.home,
-  });
+  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], progress: 0.5, tipHold: { kind: "tip" }, runs: [DEFAULT_RUN, DEFAULT_RUN], chosenRun: 1, runStart: PANDA.home });
   for (const [key, none] of Object.entries(EMPTY)) assert.notDeepEqual(store.state[key], none, key);
   return store;
 }
 
-const getResettable = (state) =>
-  Object.fromEntries(Object.keys(EMPTY).map((key) => [key, state[key]]));
+const getResettable = (state) => Object.fromEntries(Object.keys(EMPTY).map((key) => [key, state[key]]));
 
 for (const [how, event] of [
   ["chosen", { type: "selectArm", arm: ELBOW }],
@@ -56,10 +44,7 @@ test("a new radius resets the drawn circle", () => {
   const store = playing();
   store.dispatch({ type: "setCircle", radius: 0.2 });
   const { trace, wantedPath, progress, playing: on } = store.state;
-  assert.deepEqual(
-    { trace, wantedPath, progress, playing: on },
-    { trace: null, wantedPath: null, progress: 0, playing: false },
-  );
+  assert.deepEqual({ trace, wantedPath, progress, playing: on }, { trace: null, wantedPath: null, progress: 0, playing: false });
   assert.deepEqual(store.state.circle, { normal: "x", radius: 0.2 });
 });
 
@@ -77,8 +62,7 @@ test("playback ends at the last pose of the trace", () => {
 
 test("a gesture after an undo clears the redo steps", () => {
   const store = start();
-  const move = (by, gesture) =>
-    store.dispatch({ type: "moveJoints", q: PANDA.home.map((v) => v + by), gesture });
+  const move = (by, gesture) => store.dispatch({ type: "moveJoints", q: PANDA.home.map((v) => v + by), gesture });
   move(0.1, "first");
   move(0.2, "second");
   store.dispatch({ type: "undo" });
@@ -91,13 +75,7 @@ test("events that do not fit the state change nothing", () => {
   const { home, rows: [row, ...rows] } = PANDA; // prettier-ignore
   const store = start();
   const { circle } = store.state;
-  const tables = [
-    [],
-    [{ ...row, kind: "constructor" }, ...rows],
-    [{ ...row, a: 1e308 }],
-    [{ ...row, theta: NaN }],
-    Array(MAX_ROWS + 1).fill(row),
-  ];
+  const tables = [[], [{ ...row, kind: "constructor" }, ...rows], [{ ...row, a: 1e308 }], [{ ...row, theta: NaN }], Array(MAX_ROWS + 1).fill(row)];
   for (const event of [
     { type: "setPlaying", on: true },
     { type: "setTrace", arm: ELBOW, circle, path: [ELBOW.home], wantedPath: [] }, // asked for before
@@ -108,23 +86,12 @@ test("events that do not fit the state change nothing", () => {
     { type: "undo" },
   ])
     assert.equal(store.dispatch(event), false, event.type);
-  store.dispatch({
-    type: "replaceState",
-    trace: [
-      [0, 0, 0],
-      [1, 1, 1],
-    ],
-  });
-  assert.equal(
-    store.dispatch({ type: "seek", progress: 0.5 }),
-    false,
-    "the trace belongs to another arm",
-  );
+  store.dispatch({ type: "replaceState", trace: [[0, 0, 0], [1, 1, 1]] });
+  assert.equal(store.dispatch({ type: "seek", progress: 0.5 }), false, "the trace belongs to another arm");
 });
 
 const LIMITS = ["lower", "upper", "effort", "speed"];
-const changeRow = (arm, i, entries) =>
-  arm.rows.map((row, k) => (k === i ? { ...row, ...entries } : row));
+const changeRow = (arm, i, entries) => arm.rows.map((row, k) => (k === i ? { ...row, ...entries } : row));
 
 test("a changed length keeps the limits, not the masses", () => {
   const store = start();
@@ -135,10 +102,7 @@ test("a changed length keeps the limits, not the masses", () => {
     for (const key of LIMITS) assert.equal(row[key], PANDA.rows[i][key]);
     assert.equal(row.body, undefined);
   });
-  assert.match(
-    describeTable(store.state, store.derived),
-    /Its joints keep the limits of the Panda\.$/,
-  );
+  assert.match(describeTable(store.state, store.derived), /Its joints keep the limits of the Panda\.$/);
 });
 
 test("a changed angle drops the limits with a message", () => {
@@ -146,10 +110,7 @@ test("a changed angle drops the limits with a message", () => {
   store.dispatch({ type: "editTable", rows: changeRow(PANDA, 2, { theta: 0.1 }) });
   const { arm } = store.state;
   for (const row of arm.rows) for (const key of LIMITS) assert.equal(row[key], null);
-  assert.match(
-    describeTable(store.state, store.derived),
-    /The limits of the Panda are not those of this table/,
-  );
+  assert.match(describeTable(store.state, store.derived), /The limits of the Panda are not those of this table/);
 });
 
 test("a changed offset of a slide drops the limits", () => {
@@ -177,11 +138,7 @@ test("the first table restores limits and masses", () => {
   const store = start();
   store.dispatch({ type: "editTable", rows: changeRow(PANDA, 2, { alpha: 0.1 }) });
   store.dispatch({ type: "editTable", rows: PANDA.rows.map((row) => ({ ...row })) });
-  assert.equal(
-    store.state.arm,
-    PANDA,
-    "the original rows restore the Panda with limits and masses",
-  );
+  assert.equal(store.state.arm, PANDA, "the original rows restore the Panda with limits and masses");
 });
 
 test("the tip's offset from the branches is measured", () => {
@@ -219,10 +176,7 @@ test("undo and redo treat a drag as one step", () => {
 test("unknown fields are refused by name", () => {
   const store = start();
   for (const type of ["setFields", "replaceState"])
-    assert.throws(
-      () => store.dispatch({ type, veiw: "pose" }),
-      /no field veiw; expected some of .*view/,
-    );
+    assert.throws(() => store.dispatch({ type, veiw: "pose" }), /no field veiw; expected some of .*view/);
 });
 
 test("undo restores the chosen run and edited runs", () => {
@@ -256,21 +210,14 @@ test("listeners are called until their signal is aborted", () => {
   store.dispatch({ type: "setFields", unit: "rad" });
   one.abort();
   store.dispatch({ type: "setFields", unit: "deg" }, "python");
-  assert.deepEqual(heard, [
-    ["one", "unit"],
-    ["two", "reader"],
-    ["two", "python"],
-  ]);
+  assert.deepEqual(heard, [["one", "unit"], ["two", "reader"], ["two", "python"]]);
 });
 
 test("an arm without joints has derived values", () => {
   const still = { name: "post", home: [], rows: [{ ...ELBOW.rows[0], kind: "fixed" }] };
   const { derived } = start(still);
   assert.equal(describeRank(derived).text, "No joint moves this arm.");
-  assert.deepEqual(
-    [derived.torques, derived.manipulability, findBranches(still, []).list],
-    [[], 1, []],
-  );
+  assert.deepEqual([derived.torques, derived.manipulability, findBranches(still, []).list], [[], 1, []]);
 });
 
 test("undoing the choice of an arm restores its base", () => {

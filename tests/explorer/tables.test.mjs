@@ -12,18 +12,9 @@ const round = (x) => Number(x.toFixed(4)) || 0;
 // Check the rows a, alpha, d, theta of a table, or a part of the message that refuses it.
 function checkTable(text, expected, { values = [], ...options } = {}) {
   const read = () => readTables(text, options, values);
-  if (typeof expected === "string")
-    return assert.throws(
-      read,
-      (error) => error.message.includes(expected),
-      `${text}\n${tryRead(read)}`,
-    );
+  if (typeof expected === "string") return assert.throws(read, (error) => error.message.includes(expected), `${text}\n${tryRead(read)}`);
   const [{ rows }] = read();
-  assert.deepEqual(
-    rows.map(({ numbers }) => NAMES.map((name) => round(numbers[name]))),
-    expected,
-    text,
-  );
+  assert.deepEqual(rows.map(({ numbers }) => NAMES.map((name) => round(numbers[name]))), expected, text);
 }
 
 function tryRead(read) {
