@@ -9,10 +9,10 @@ import { agree } from "./repetitions.js";
 /** @typedef {import("./lines.js").Cell} Cell */
 
 /**
- * Return a name without the unit behind it: T of T_(Nm).
+ * Return a name without marks before it and its unit behind it: T of "T_(Nm).
  * @param {string} name
  */
-export const bareName = (name) => name.replace(/_\([^()]*\)$/u, "");
+export const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, "");
 
 const EXACT_NAME = /^(?:q|theta|θ|tau|τ|torques?)(?:_?\{?i\}?)?$/i;
 const ANGLE = /^(?:(?:joint )?angles?|deg(?:rees?)?|rad(?:ians?)?)$/i; // or its unit

@@ -209,6 +209,7 @@ function requireFourColumns(cells) {
 // Describe what a cell looks like, apart from its position.
 function describeCell(text) {
   return {
+    variable: isVariable(text),
     angular: /pi|deg/.test(plain(text)),
     number: number(text),
   };
@@ -218,7 +219,8 @@ function describeCell(text) {
 function isPossibleOrder(looks, order) {
   const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
   if ([...a, ...d].some(({ angular }) => angular)) return false;
-  return alpha.every((look) => isAngleLike(look.number));
+  if ([...a, ...alpha].some(({ variable }) => variable)) return false;
+  return alpha.every((look) => look.number === null || isAngleLike(look.number));
 }
 
 function isAngleLike(x) {
