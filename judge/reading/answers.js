@@ -3,7 +3,7 @@
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
-import { bareName, chooseColumn, chooseJointColumns, isTableWithAnswer } from "./columns.js";
+import { bareName, chooseColumn, chooseJointColumns, isSquareTable } from "./columns.js";
 import {
   beginsWithCount,
   dropCountCells,
@@ -289,7 +289,7 @@ function fitBlock(block, want, wants, names) {
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
   const columns = chooseColumn(block, names);
   // Each group holds the blocks that one change makes. Headers may name several sets of columns.
-  const alternatives = isTableWithAnswer(block, columns)
+  const alternatives = isSquareTable(block, want, columns)
     ? [columns]
     : [
         ...dropCountHeader(block).map((each) => [each]),

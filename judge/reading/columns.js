@@ -2,26 +2,27 @@
 // columns remain, all are returned, and the student is asked which she means.
 
 import { isSeries } from "./counts.js";
-import { readLabels } from "./ordering.js";
+import { readHeaderLabels, readLabels } from "./ordering.js";
 import { agree } from "./repetitions.js";
 
 /** @typedef {import("./block.js").Block} Block */
 /** @typedef {import("./lines.js").Cell} Cell */
 
 /**
- * Return a name without marks before it and its unit behind it: T of "T_(Nm).
+ * Return a name without marks before it and its unit behind it: T of T_(Nm).
  * @param {string} name
  */
 export const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, "");
 
-const EXACT_NAME = /^(?:q|theta|θ|tau|τ|torques?)(?:_?\{?i\}?)?$/i;
-const ANGLE = /^(?:(?:joint )?angles?|deg(?:rees?)?|rad(?:ians?)?)$/i; // or its unit
+const EXACT_NAME = /^(?:q|th|theta|θ|tau|τ|torques?)(?:_?\{?i\}?)?$/i;
+const ANGLE = /^(?:(?:joint )?angles?|deg(?:rees?)?|°|rad(?:ians?)?)$/i; // or its unit
 
 /**
  * Return the blocks of one column below the answer's name: that of q, not of q0 or qd.
  * @param {Block} block @param {RegExp} names of the answer @returns {Block[]}
  */
 export function chooseColumn(block, names) {
+  if (block.rows[0].length < 2 || readHeaderLabels(block)) return [];
   const columns = listColumns(block);
   const named = columns.filter(({ header }) => names.test(bareName(header.text)));
   const exact = named.filter(({ header }) => EXACT_NAME.test(bareName(header.text)));
@@ -34,12 +35,12 @@ export function chooseColumn(block, names) {
 }
 
 /**
- * Return whether a table counts its rows and has one column with the answer's name. Its other
- * columns are no part of the answer, even if it has as many columns as the answer by chance.
- * @param {Block} block @param {Block[]} chosen columns
+ * Return whether a table has as many columns as an answer by chance. Its rows are counted, and one
+ * of its columns has the answer's name.
+ * @param {Block} block @param {{ columns: number | null }} want @param {Block[]} chosen columns
  */
-export function isTableWithAnswer({ rows }, chosen) {
-  if (chosen.length !== 1) return false;
+export function isSquareTable({ rows }, want, chosen) {
+  if (want.columns !== rows[0].length || chosen.length !== 1) return false;
   const { text } = chosen[0].headers[0];
   const isNamed = EXACT_NAME.test(bareName(text)) || ANGLE.test(text);
   return isNamed && isSeries(rows.map(([cell]) => cell.text));
@@ -47,11 +48,11 @@ export function isTableWithAnswer({ rows }, chosen) {
 
 /**
  * Return the blocks of the columns whose headers name joints, if possible by the answer's name.
- * @param {Block} block @param {{ columns: number | null }} want
+ * @param {Block} block @param {{ by?: string, columns: number | null }} want
  * @param {RegExp} names of the answer @returns {Block[]}
  */
-export function chooseJointColumns(block, { columns }, names) {
-  if (block.rows[0].length <= columns) return [];
+export function chooseJointColumns(block, { by, columns }, names) {
+  if (by !== "joint" || columns === null || block.rows[0].length <= columns) return [];
   const joints = listColumns(block)
     .filter(({ header }) => isJointHeader(header))
     .map((joint) => ({ ...joint, number: readLabels([[joint.header]]).numbers[0] }));
@@ -77,10 +78,10 @@ function offsetOfHeaders({ headers, rows, sources }) {
   const more = headers.length - rows[0].length;
   const isCounted = isSeries(rows.map(([cell]) => cell.text));
   if (more < 0) return more === -1 && isCounted ? -1 : null;
-  const tails = sources.map(({ tail }) => tail);
+  const tails = sources.length === rows.length ? sources.map(({ tail }) => tail) : [0];
   const offset = more - Math.min(more, ...tails);
   // The column that counts rows is not that of a joint, if there may be a header for words behind.
-  const mayHaveTail = Math.max(...tails) > 0 || sources.every(isCountOfNoun);
+  const mayHaveTail = offset > 0 || Math.max(...tails) > 0 || sources.every(isCountOfNoun);
   return mayHaveTail && isCounted && isJointHeader(headers[offset]) ? offset - 1 : offset;
 }
 
@@ -100,7 +101,7 @@ function splitAtRepeatedNumbers(joints) {
   return sets;
 }
 
-const IN_DEGREES = /deg/i;
+const IN_DEGREES = /deg|°/i;
 const IN_RADIANS = /rad/i;
 const areIn = (set, unit) => set.every(({ header }) => unit.test(header.text));
 
