@@ -44,12 +44,10 @@ export function judgeEntries(question) {
   const { typed, q, dof, makeExpected, mistakes, furtherLists = [], tolerance = null } = question;
   const expected = makeExpected(q.values);
   const zeros = expected.map(() => 0);
-  const digitSlack = tolerance === null ? computeSlack(q, dof, makeExpected) : zeros;
-  const lookalikes =
-    tolerance === null ? mistakes.filter(looksLike(typed, q, expected, digitSlack)) : [];
+  const lookalikes = tolerance === null ? mistakes.filter(looksLike(typed, q, expected)) : [];
   const [grade, slack] =
     tolerance === null
-      ? gradeByDigits(typed, expected, digitSlack, lookalikes.length > 0)
+      ? gradeByDigits(typed, expected, computeSlack(q, dof, makeExpected), lookalikes.length > 0)
       : gradeWithin(tolerance, typed, expected);
   const agreement = compareDigits(typed, expected, slack);
   if (grade === RIGHT || grade === SO_FAR)
@@ -72,13 +70,12 @@ function explainByFirstList(answer, lists) {
 }
 
 // Return a function that tests whether an answer also fits a mistake that only more digits could
-// exclude. A mistake that moves no entry further than the digits of q do, changes nothing.
+// exclude.
 const looksLike =
-  (typed, q, expected, slack) =>
+  (typed, q, expected) =>
   ({ make }) => {
     const values = make(q.values);
-    const isMoved = values.some((x, i) => !(Math.abs(x - expected[i]) <= slack[i]));
-    return isMoved && canBeDistinguished(typed, expected, values) && agrees(typed, values);
+    return canBeDistinguished(typed, expected, values) && agrees(typed, values);
   };
 
 /** @returns {[string, number[]]} the grade, and the slack of each entry */

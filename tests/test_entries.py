@@ -60,6 +60,11 @@ class RandomQuestion:
 each_question = pytest.mark.parametrize("about", ["jacobian", "torques"])
 
 
+# With d_1 and d_4 exchanged, joint 1 of the UR10e carries -1.72377 instead of -1.72306 N m; the
+# torques of the other joints stay. Cut to -1.723 both are equal, so the answer is right so far.
+CUT_LIKE_A_MISTAKE = {("torques", 18)}
+
+
 @each_question
 @pytest.mark.parametrize("seed", SEEDS)
 def test_rounded_or_cut_entries_are_right(about, seed):
@@ -69,7 +74,8 @@ def test_rounded_or_cut_entries_are_right(about, seed):
     unit = 10.0**-digits
     cut = write_rows(np.trunc(question.expected / unit) * unit, digits)
     report = question.judge(cut)
-    assert report.grade == "right", cut
+    expected = "so far" if (about, seed) in CUT_LIKE_A_MISTAKE else "right"
+    assert report.grade == expected, cut
     assert report.causes == (), cut
 
 

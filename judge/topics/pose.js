@@ -126,6 +126,14 @@ export function readTarget(T, arm, known, orPoint = true) {
   return { values: splitRows(values), units: splitRows(units), pose, formulas: symbolic };
 }
 
+// Return a function that tests whether a mistake moves the tip further than the digits of the typed
+// joints do: pi/2 - q_5 does not at q_5 = 0.7854.
+function movesTip(q, makeExpected) {
+  const expected = makeExpected(q.values);
+  const slack = computeSlack(q, q.values.length, makeExpected);
+  return ({ make }) => make(q.values).some((x, i) => !(Math.abs(x - expected[i]) <= slack[i]));
+}
+
 /** @returns {import("../verdict.js").Verdict} */
 function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
   const typed = { values: T.values.flat(), units: findTargetUnits(T.units.flat()) };
@@ -140,7 +148,7 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
     q,
     dof: q.values.length,
     makeExpected,
-    mistakes: [...listSingleMistakes(arm, T)],
+    mistakes: [...listSingleMistakes(arm, T)].filter(movesTip(q, makeExpected)),
     furtherLists: [listDigitMistakes, () => listMistakePairs(arm, T)],
     tolerance,
     isGradeOnly,
