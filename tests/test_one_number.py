@@ -72,7 +72,7 @@ def test_one_wrong_number_of_trace_is_located(name):
         assert [piece.text for piece in pieces] == [f"{wrong[row, joint]:.{decimals}f}"]
 
 
-def test_wrong_step_of_three_is_no_only_step():
+def test_wrong_step_of_three_is_not_singled_out():
     """Two other steps could lie on the path by chance."""
     arm, path, q = trace_circle("ELBOW", 2)
     q[1, 1] += 0.4

@@ -46,7 +46,7 @@ const multiply = (factor, list) => list.map((x) => factor * x);
 /** @param {LoadAtPose} at */
 const computeWeight = ({ c, T, masses, centres, gravity }) =>
   chains.computeTorquesOfMasses(c, T, masses, centres, gravity);
-// Kept by the frames, which mistakes in forces and masses share.
+// Jacobians by their frames, which mistakes in forces and masses share.
 const jacobians = new WeakMap();
 /** @param {LoadAtPose} at */
 function computeJacobian({ c, T }) {

@@ -105,9 +105,9 @@ const areNames = (cells) =>
 
 const countsColumns = (cells) => isCount(textsOf(cells)) || isJointCount(cells);
 
-// Return whether cells count from 0 or from 1.
+// Return whether cells count from 0 or from 1. A single 0.0 is a value.
 const isCount = (texts) =>
-  texts.every((text) => !/^0\.0*$/.test(text) || texts.length > 1) &&
+  (texts.length > 1 || !/^0\.0*$/.test(texts[0])) &&
   [0, 1].some((start) => texts.every((text, k) => Number(text) === k + start));
 
 /**

@@ -22,7 +22,7 @@ const FUNCTIONS = {
   deg2rad: (x) => x * RAD,
   float64: (x) => x, // NumPy 2 prints np.float64(0.5)
 };
-// They need a bracket: "0 radians 1" is no product.
+// Functions that need a bracket: "0 radians 1" is no formula.
 const CONVERSIONS = new Set(["radians", "deg2rad", "float64"]);
 const OPERATORS = {
   "+": (left, right) => left + right,

@@ -5,6 +5,7 @@ import { beginsAsOld } from "./row_names.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const NUMBER = String.raw`[-+\u2212]? ?\.?\d`;
+// A number or a sign that an entry should have.
 const SIGNED = `(?:${NUMBER}|negativ|positiv|minus|plus|reversed|the opposite)`;
 
 // Write the pattern of words, and of what follows them.
@@ -25,7 +26,7 @@ const DOUBT = [
 const MUST =
   String.raw`(?:should|must|ha[sd] to|have to|needs to|muss) (?:be|have|read|sein)(?: an?| the)? ` +
   SIGNED;
-const NEAR = "[^?!]{0,120}"; // a question doubts, but corrects nothing
+const NEAR = "[^?!]{0,120}"; // within one sentence that asks nothing
 const CORRECTION = "(?:correction|corrected|erratum|errata|korrektur|edit|sorry)";
 
 const compile = (patterns) => patterns.map((pattern) => new RegExp(pattern, "iu"));
@@ -65,7 +66,7 @@ export function refuseRemark(lines, tokens, what) {
 }
 
 /**
- * Return whether a line changes an answer by a remark. A comment is none.
+ * Return whether a line has a remark that changes the answer. Comments change nothing.
  * @param {string} line @param {boolean} hasEntry whether the line holds an entry
  */
 export function isRemark(line, hasEntry) {

@@ -38,7 +38,7 @@ export const namesOtherTopic = ({ name, cells, isAssigned }) =>
 const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
 
 /**
- * Return whether a line begins with words that call what it tells old, as "before: 0.5" does.
+ * Return whether a line begins by calling its numbers old, as "before: 0.5" does.
  * @param {string} line
  */
 export const beginsAsOld = (line) =>
