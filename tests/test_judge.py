@@ -56,6 +56,21 @@ def test_far_too_many_numbers_for_branches_are_refused():
         checks.compare_branches("[1,2]," * 500, inverse.elbow(ELBOW, [0.3, 0.2, 0.7]))
 
 
+@pytest.mark.parametrize("line", ["# a", "```", "q1", "The arm stands.", ""], ids=repr)
+def test_far_too_many_lines_are_refused(line):
+    text = "1 2 3" + f"\n{line}" * 599 + "\n4 5 6"
+    with pytest.raises(ArmError, match="your Jacobian: the text has 601 lines"):
+        checks.compare_jacobian(text, ELBOW, [0.5, 0.7, -0.4])
+    with pytest.raises(ArmError, match="Your table: the text has 601 lines"):
+        checks.compare_tables(text, ELBOW)
+
+
+def test_answer_among_600_lines_is_read():
+    angles = "0.5 0.7 -0.4"
+    text = "The arm stands.\n" * 300 + "\n" + angles + "\n" + "Its tool hangs.\n" * 298
+    assert read_numbers(text, "your angles").values.tolist() == [[0.5, 0.7, -0.4]]
+
+
 # The page's questions
 
 ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]

@@ -34,7 +34,7 @@ import { refuseContraryNames } from "./named_apart.js";
 import {
   hasHalfNumbers,
   refuseDashes,
-  refuseManyNumbers,
+  refuseLongText,
   refuseOdd,
   refusePowers,
   refuseQuotients,
@@ -82,7 +82,7 @@ export function findAnswer(text, question) {
     throw new ArmError(formatMessage("too long", { what: question.what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what: question.what }));
   const { what, wants, wanted = describeWant(wants[0]) } = question;
-  refuseManyNumbers(text, largestSizeOf(question), { what, wanted });
+  refuseLongText(text, largestSizeOf(question), { what, wanted });
   const typed = foldCharacters(new SpannedText(text));
   const pasted = joinFrameParts(withoutMargins(withoutStruckText(typed)));
   const live = withoutComments(pasted);

@@ -167,9 +167,12 @@ const ENDS_WITH_OPERATOR = /[*/^]$|(?:^|\s)[-+±~]$/;
 const BEGINS_WITH_OPERATOR = /^[*/^]|^[-+±]$/;
 const FACTOR_END = /^ *(?:rad|[\t\n|&;,]|$)/; // behind a factor π, which no entry follows
 
+const LONGEST_END = 40; // characters at the end of a piece that say whether it goes on
+
 // Return whether a piece continues the entry of the piece before it.
 function areOneEntry(last, piece, text) {
-  const [before, word] = [last, piece].map(({ from, to }) => text.slice(from, to));
+  const before = text.slice(Math.max(last.from, last.to - LONGEST_END), last.to);
+  const word = text.slice(piece.from, piece.to);
   if (last.closed || isMark(before) || isMark(word)) return false;
   if (ENDS_WITH_OPERATOR.test(before) || BEGINS_WITH_OPERATOR.test(word)) return true;
   if (isFunction(before.replace(/^[-+]+/, ""))) return true;

@@ -173,9 +173,10 @@ const COMMENTS = [
 
 const blank = (comment) => comment.replace(/[^\n]/g, " ");
 
-// Long runs of blanks or of one mark. Patterns look back over them at each of their characters.
+// Long runs of blanks, or of one mark with or without a blank behind it. Patterns look back over
+// them at each of their characters.
 const LONG_BLANK = /([^\S\r\n]{200})[^\S\r\n]+/g;
-const LONG_RULE = /(([^\p{L}\p{N}\s])\2{199})\2+/gu;
+const LONG_RULE = /(([^\p{L}\p{N}\s][ \t]?)\2{199})\2+/gu;
 
 /**
  * Take text out that was struck through, and shorten long runs of blanks or of one mark.

@@ -85,9 +85,20 @@ const NAME_ALONE = /^[A-Za-z]\w*$/;
 // Return whether a number with decimals stands in a text.
 export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 
+const MOST_REMEMBERED = 5000;
+const plainTexts = new Map(); // results of `plain`: a paste is split in several ways
+
 // Write a text in plain characters: Unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
   if (isNumber(text) || NAME_ALONE.test(text)) return text; // nearly every text is one of these
+  if (!plainTexts.has(text)) {
+    if (plainTexts.size >= MOST_REMEMBERED) plainTexts.clear();
+    plainTexts.set(text, spellOut(text));
+  }
+  return plainTexts.get(text);
+}
+
+function spellOut(text) {
   text = withoutSpacing(foldNames(foldCharacters(text)));
   text = text.replace(/([₀-₉])(?=[A-Za-zα-ω])/g, "$1*"); // a product without a sign
   for (const [pattern, replacement] of LATEX) text = text.replace(pattern, replacement);

@@ -38,7 +38,8 @@ function parseLabel(text) {
   const row = ROWS.indexOf(word.replace("omega", "w").replace(/^([xyz])dot$/, "v$1"));
   if (row >= 0) return { kind: "row", number: row };
   const urJoint = UR_JOINTS.get(word.replace(/joint$/, ""));
-  const ordinal = ORDINALS.findIndex((name) => word.replace(/^the/, "").startsWith(name));
+  const start = word.replace(/^the/, "");
+  const ordinal = ORDINALS.findIndex((name) => start.startsWith(name));
   if (urJoint || ordinal >= 0) return { kind: "joint", number: urJoint ?? ordinal + 1 };
   const [, stem, digits] = /^(\D*|[\p{L}\d]*joint)(\d{1,5})$/u.exec(word) ?? [];
   if (digits === undefined) return null;

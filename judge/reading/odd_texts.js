@@ -1,6 +1,7 @@
 // Refuses texts that hold something else than plain numbers: infinite or complex ones, a doubtful
 // sign, an abridged print.
 
+import { linesOf } from "./characters.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @type {[string, RegExp][]} */
@@ -24,17 +25,22 @@ export function refuseOdd(text, { what, wanted = "numbers" }) {
 }
 
 const MOST_OTHERS = 500; // numbers beside an answer
+const MOST_LINES = 600; // ten printed pages
 const NUMBER = /(?<![\p{L}\d_.]|_\{)\d/gu; // the first digit of a number that is no index of a name
 
 /**
- * Raise an error if a text has far more numbers than the answer.
+ * Raise an error if a text has far more numbers or lines than the answer: to read them would take
+ * longer than a student waits. An answer of many numbers may have as many lines.
  * @param {string} text @param {number} size numbers of the answer
  * @param {{ what: string, wanted: string }} question
  */
-export function refuseManyNumbers(text, size, { what, wanted }) {
+export function refuseLongText(text, size, { what, wanted }) {
   const count = text.match(NUMBER)?.length ?? 0;
   if (count > size + MOST_OTHERS)
     throw new ArmError(formatMessage("many numbers", { what, count, wanted }));
+  const lines = linesOf(text).length;
+  if (lines > Math.max(size, MOST_LINES))
+    throw new ArmError(formatMessage("many lines", { what, count: lines, wanted }));
 }
 
 const LEADING_DASH = /(?:^|[\n\v\f\r])[ \t]{0,40}$/;

@@ -8,7 +8,7 @@ import { readLinks } from "./table_links.js";
 import { listBrackets, listEntries, makeUntyped } from "./table_named_entries.js";
 import { findUnusedList } from "./table_named_unread.js";
 import { ENTRIES, isVariable } from "./table_rows.js";
-import { refuseManyNumbers } from "./odd_texts.js";
+import { refuseLongText } from "./odd_texts.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const MOST_ROWS = 32;
@@ -151,5 +151,5 @@ export function refuseSize(text) {
     throw new ArmError(formatMessage("too long", { what, count: text.length }));
   if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
   const wanted = formatMessage("table size", { most: MOST_ROWS });
-  refuseManyNumbers(text, MOST_ROWS * MATRIX_SIZE, { what, wanted });
+  refuseLongText(text, MOST_ROWS * MATRIX_SIZE, { what, wanted });
 }

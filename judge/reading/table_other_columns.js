@@ -29,6 +29,7 @@ export function dropOtherColumns(text) {
   for (const separator of SEPARATORS)
     for (const line of lines) {
       const headers = line.text.split(separator).map((cell) => cell.trim());
+      if (headers.length < ENTRIES.length) continue;
       const words = headers.map(findEntry);
       if (!ENTRIES.every((entry) => words.includes(entry))) continue;
       const isKept = (i) => words[i] !== undefined || !headers[i] || KEPT.test(headers[i]);
