@@ -15,14 +15,18 @@ PAGES = [  # by name, since the book is built after tests are collected
 ]
 MEASURE_HEIGHTS = f"""() => [...document.querySelectorAll("{PARTS}")].map(
     (part) => Math.round(part.getBoundingClientRect().height))"""
+# Scroll to each live part until its script has started. The page moves while its formulas are set.
 WAKE_PARTS = f"""async () => {{
+    const isAsleep = (part) => part.matches(".arm-explorer") ? !part.explorer
+        : part.querySelector(":scope > .unscripted");
+    const end = Date.now() + 20_000;
     for (const part of document.querySelectorAll("{PARTS}")) {{
-        part.scrollIntoView();
-        await new Promise((done) => setTimeout(done, 50));
+        while (isAsleep(part)) {{
+            part.scrollIntoView();
+            if (Date.now() > end) throw new Error(`${{part.className}} did not start`);
+            await new Promise(requestAnimationFrame);
+        }}
     }}
-    const asleep = () => [...document.querySelectorAll(".arm-explorer")].some((e) => !e.explorer)
-        || document.querySelector(".arm-judge > .unscripted");
-    while (asleep()) await new Promise(requestAnimationFrame);
 }}"""
 # For each figure, whether its still picture is visible.
 LIST_STILL_VISIBILITY = """() => [...document.querySelectorAll(".arm-explorer")].map(({ shadowRoot }) =>
