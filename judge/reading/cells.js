@@ -1,7 +1,7 @@
 // Splits a line of text into cells, with units as factors.
 
 import { isFunction } from "./formula.js";
-import { LENGTH_UNITS } from "./units.js";
+import { findFactor, isDegree } from "./units.js";
 
 /** @typedef {import("./spans.js").Span} Span */
 /**
@@ -45,21 +45,12 @@ export function splitOutsideBrackets(text, from, to, separatorAt) {
 
 const TIME_STAMPS = [/^\d{9,}\.\d+$/, /^\d{4}-\d\d-\d\d/, /^\d{1,2}[/.]\d{1,2}[/.]\d{2,4}$/];
 export const isTimeStamp = (text) => TIME_STAMPS.some((pattern) => pattern.test(text));
-// Units behind a number, with their factors to SI.
-const FACTORS = new Map(
-  Object.entries({
-    ...LENGTH_UNITS,
-    ...{ rad: 1, radians: 1, N: 1, kN: 1e3 },
-    ...{ Nm: 1, Newtonmeters: 1, Newtonmetres: 1, Nmm: 1e-3, mNm: 1e-3, Ncm: 1e-2, kNm: 1e3 },
-  }),
-);
-const DEGREES = ["deg", "degrees", "°", "Grad"];
 
 // Write a unit as a factor to SI, or as the mark of degrees; undefined if the word is no unit.
 function convertUnit(word) {
-  const unit = word.replace(/[-·*⋅. ]/g, "");
-  if (DEGREES.includes(unit)) return " deg";
-  const factor = FACTORS.get(unit);
+  const unit = word.replace(/[-·*. ]/g, "");
+  if (isDegree(unit)) return " deg";
+  const factor = findFactor(unit);
   return factor === 1 ? "" : factor && `*1e${Math.round(Math.log10(factor))}`;
 }
 

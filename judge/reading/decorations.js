@@ -3,11 +3,9 @@
 
 import { foldCharacters } from "./characters.js";
 import { withoutRepeatedUnits } from "./repetitions.js";
+import { UNIT } from "./units.js";
 
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
-const UNIT =
-  String.raw`Newton-?met[er]{2}s?|[kmM]?N\s?[-·*.]?\s?(?:c?m|mm)?|` +
-  String.raw`rad(?:ians?)?|deg(?:rees?)?|°|mm?|cm`;
 const QUANTITY = String.raw`${NUMBER}(?: ?(?:${UNIT}|π|pi))?`;
 const BEFORE = String.raw`(?<![^\s|&,;:=[({>$])`;
 const AFTER = String.raw`(?![^\s|&,;:.\])}<$])`;
@@ -23,7 +21,7 @@ function withoutUncertainty(all, decimals = "", unit = "", bare, bracketed) {
 }
 
 const UNCERTAINTY =
-  String.raw`(?<=[.,](\d{1,20})|\d)((?: ?π)?(?: ?(?:${UNIT}))?)` +
+  String.raw`(?<=[.,](\d{1,20})|\d)((?: ?π)?(?: ?${UNIT})?)` +
   String.raw`\s*(?:(?:±|\+\/-)\s*(\d*[.,]\d+)(?:\2)?` +
   String.raw`|\(\s*(?:±|\+\/?-)\s*(\d*[.,]\d+)\s*\))`;
 
@@ -35,7 +33,7 @@ const FACE =
 
 // (corrected), (was 2.075), but not (rad) nor the factor (a_2 c_2 + a_3)
 const REMARK =
-  String.raw`\((?!\s*(?:${UNIT}|pi)\s*\))(?![^()\n]*[A-Za-z]\d)` +
+  String.raw`\((?!(?:${UNIT}|pi) ?\))(?![^()\n]*[A-Za-z]\d)` +
   String.raw`[A-Za-z][^()\n*/+^_{}=]{0,30}\)(?! ?[*/^+-])`;
 
 // A name with a bracket directly behind it: its argument, as in atan2(y, x), or a factor.
@@ -77,7 +75,7 @@ const DECORATIONS = [
   // The uncertainty of 0.3768(12), or the number of a footnote.
   [
     new RegExp(
-      String.raw`(?<=\d\.\d{1,18}|(?<![A-Za-z])\d[ ]?(?:${UNIT}))\(\d{1,2}\)(?!\s*[*/^])`,
+      String.raw`(?<=\d\.\d{1,18}|(?<![A-Za-z])\d[ ]?${UNIT})\(\d{1,2}\)(?!\s*[*/^])`,
       "g",
     ),
     "",
@@ -97,10 +95,7 @@ const DECORATIONS = [
   [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.θ])/g, ""],
   [new RegExp(String.raw`${END_OF_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
   // A unit behind a name belongs to the name: it is no list.
-  [
-    new RegExp(String.raw`(?<=[\p{L}\p{N})\]}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"),
-    (_, unit) => `_(${unit.replace(/[-\s·*.]/g, "")})`,
-  ],
+  [new RegExp(String.raw`(?<=[\p{L}\p{N})\]}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"), "_($1)"],
 ];
 
 /**

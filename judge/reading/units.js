@@ -1,41 +1,108 @@
-// Units of angles, lengths and moments that a text names for several numbers, as "q (deg)" does.
+// Units of angles, lengths, forces and moments: behind one number, as "0.5 rad", and in the words
+// that name the unit of several numbers, as "q (deg)".
 
-import { foldCharacters } from "./characters.js";
+import { foldCharacters, foldNames, withoutSpacing } from "./characters.js";
 
 /** Units of lengths with their factors to m, and a pattern of their names. */
 export const LENGTH_UNITS = { mm: 1e-3, cm: 1e-2, m: 1 };
-export const LENGTH_UNIT = Object.keys(LENGTH_UNITS).join("|");
+export const LENGTH_UNIT = "[cm]?m";
 export const MOMENT_UNITS = { 0.001: "N mm", 0.01: "N cm", 1000: "kN m" }; // by factors to N m
 
-// Degrees in English, German, French, Italian, Spanish, Portuguese and Russian, Chinese.
-const DEGREE =
-  String.raw`deg(?:rees?)?(?!\p{L})|degr[ée]s?(?!\p{L})|grad[io]s?(?!\p{L})|` +
-  String.raw`graus|градус|度|°`;
-const DEGREES = new RegExp(String.raw`(?<!\d\s?|\p{L})(?:${DEGREE})`, "iu");
-const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
-const IN_DEGREES = // np.radians([...]), [...]*pi/180
-  /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
-const RADIANS = /\brad(?:ians?)?\b/i;
+const TIMES = String.raw`(?: ?[-·*×x] ?|[ .])?`;
+const FORCE = "[km]?N";
+const MOMENT = `${FORCE}${TIMES}${LENGTH_UNIT}|Newton[- ]?met(?:er|re)s?`;
+const DEGREE = "deg(?:rees?)?|Grad|°";
+const ANGLE = `rad(?:ians?)?|${DEGREE}`;
 
-/** @param {"mm" | "cm"} unit that no number stands before @returns {[RegExp, number]} */
-function makeLengthFactor(unit) {
-  const before = String.raw`(?<![\d.]\s?|[\p{L}\d]|\bN\s?[·*]?\s?)`;
-  return [new RegExp(String.raw`${before}${unit}(?![\p{L}\d])`, "u"), LENGTH_UNITS[unit]];
+/** A pattern of the units that are read behind a number. */
+export const UNIT = `(?:${MOMENT}|${FORCE}|${LENGTH_UNIT}|${ANGLE})`;
+
+const isWhole = (pattern) => {
+  const whole = new RegExp(`^(?:${pattern})$`);
+  return (text) => whole.test(text);
+};
+const isUnit = isWhole(UNIT);
+const isAngle = isWhole(ANGLE);
+const isLength = isWhole(LENGTH_UNIT);
+const isForce = isWhole(FORCE);
+const isMoment = isWhole(MOMENT);
+export const isDegree = isWhole(DEGREE);
+
+const PREFIXES = { m: 1e-3, c: 1e-2, k: 1e3 };
+const PREFIXED = new RegExp(`^(?:([km])?N)?(?:${TIMES}([cm])?m)?$`);
+
+/**
+ * Return the factor of a unit to rad, m, N or N m; undefined for degrees and other words.
+ * @param {string} unit @returns {number | undefined}
+ */
+export function findFactor(unit) {
+  if (!isUnit(unit) || isDegree(unit)) return undefined;
+  const [, force, length] = PREFIXED.exec(unit) ?? [];
+  return (PREFIXES[force] ?? 1) * (PREFIXES[length] ?? 1);
 }
 
 /**
- * Units of lengths and moments as words of their own, and their factors to m and N m.
- * @type {Record<string, [RegExp, number][]>}
+ * Return the factor to N m of a moment's unit.
+ * @param {string} unit such as "N mm" @returns {number | null} null for another unit
  */
-const FACTORS = {
-  lengths: [makeLengthFactor("mm"), makeLengthFactor("cm")],
-  moments: [
-    [/(?<!\p{L})(?:N\s?[·*]?\s?mm|mN\s?[·*]?\s?m)(?!\p{L})/u, 1e-3],
-    [/(?<!\p{L})N\s?[·*]?\s?cm(?!\p{L})/u, 1e-2],
-    [/(?<!\p{L})kN\s?[·*]?\s?m(?!\p{L})/u, 1e3],
-  ],
-};
-const findFactor = (text, kind) => FACTORS[kind].find(([unit]) => unit.test(text))?.[1] ?? null;
+export const momentFactor = (unit) => (isMoment(unit) ? findFactor(unit) : null);
+
+/**
+ * Return whether a unit may be that of a joint's value, or of its torque or force. Text after a
+ * list in N m may name the moments only, so a sliding joint may have N m.
+ * @param {string} unit @param {{ turns: boolean, isTorque: boolean }} joint
+ */
+export function fitsJoint(unit, { turns, isTorque }) {
+  if (!unit) return true;
+  if (isTorque) return isMoment(unit) || (!turns && isForce(unit));
+  return turns ? isAngle(unit) : isLength(unit);
+}
+
+/**
+ * Name the unit of lengths that has a factor.
+ * @param {number} factor to m
+ */
+export const nameLengthUnit = (factor) =>
+  Object.keys(LENGTH_UNITS).find((name) => LENGTH_UNITS[name] === factor);
+
+// Convert a length to metres without round-off: 72 / 1000 is 0.072, 72 * 0.001 is not.
+/** @param {number} length @param {number} factor of its unit, to m */
+export const toMetres = (length, factor) => length / Math.round(1 / factor);
+
+// Take LaTeX's commands and braces about units off.
+const withoutTypesetting = (text) =>
+  withoutSpacing(foldNames(foldCharacters(text)).replace(/\\[A-Za-z]+ ?(?=\{)|[{}]/g, ""));
+
+// A letter before = is a name, one before a power or a bracket is a factor.
+const UNIT_BEHIND = new RegExp(
+  String.raw`^[ \t\])]*(${UNIT}|kg|m?s|Hz)(?![*·]?\p{L}|[\d_^/([]|[ \t]*[=:])`,
+  "u",
+);
+
+/**
+ * Read the unit that stands behind a number; "" if there is none.
+ * @param {string} text @param {number} to the end of the number
+ */
+export function readUnitBehind(text, to) {
+  return UNIT_BEHIND.exec(withoutTypesetting(text.slice(to, to + 40)))?.[1] ?? "";
+}
+
+// Degrees in headings: in English, French, Italian and Spanish, Portuguese, Russian and Chinese.
+const DEGREE_WORD =
+  String.raw`deg(?:rees?)?(?!\p{L})|degr[ée]s?(?!\p{L})|grad[io]s?(?!\p{L})|` +
+  String.raw`graus|градус|度|°`;
+const NAMED_DEGREES = new RegExp(String.raw`(?<!\d\s?|\p{L})(?:${DEGREE_WORD})`, "iu");
+const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
+const IN_DEGREES = // np.radians([...]), [...]*pi/180
+  /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
+const NAMED_RADIANS = /\brad(?:ians?)?\b/i;
+
+// A length's unit as a word of its own: neither that of a number nor that of a moment.
+const NAMED_LENGTH = new RegExp(
+  String.raw`(?<![\d.]\s?|[\p{L}\d]|\bN${TIMES})[cm]m(?![\p{L}\d])`,
+  "u",
+);
+const NAMED_MOMENTS = new RegExp(String.raw`(?<!\p{L})(?:${MOMENT})(?!\p{L})`, "gu");
 
 /**
  * Find the units that a text names.
@@ -48,11 +115,16 @@ export function readUnits(typed, hasDegrees = false) {
   const text = foldCharacters(typed);
   const [degrees, radians] = IN_DEGREES.test(text)
     ? [true, false]
-    : [hasDegrees || DEGREES.test(text) || GERMAN_DEGREES.test(text), RADIANS.test(text)];
+    : [
+        hasDegrees || NAMED_DEGREES.test(text) || GERMAN_DEGREES.test(text),
+        NAMED_RADIANS.test(text),
+      ];
+  const plain = withoutTypesetting(typed);
+  const moments = (plain.match(NAMED_MOMENTS) ?? []).map(findFactor);
   return {
     angles: degrees === radians ? null : degrees ? "deg" : "rad",
-    lengths: findFactor(text, "lengths"),
-    moments: findFactor(text, "moments"),
+    lengths: LENGTH_UNITS[NAMED_LENGTH.exec(plain)?.[0]] ?? null,
+    moments: moments.find((factor) => MOMENT_UNITS[factor]) ?? null,
   };
 }
 
@@ -74,7 +146,7 @@ export function endInDegrees(tokens, isDegrees) {
 // Units that are not converted: minutes of arc, milliradians, turns and gon, which English also
 // calls grad, as German calls a degree; a power of ten above the numbers.
 const POWER_OF_TEN = String.raw`10(?:\^\s*[({]?[-\u2212+]?\d+[)}]?|[⁻⁺⁰¹²³⁴-⁹]+)`;
-const OTHER_UNIT = new RegExp(
+const UNCONVERTED_UNIT = new RegExp(
   [
     String.raw`(?<=\d ?°\s?\d{1,2} ?)['′’]`,
     String.raw`(?<!\p{L})(?:mrad|milliradians?|gon|grads|gradians?|arcmin)(?!\p{L})`,
@@ -91,61 +163,7 @@ const OTHER_UNIT = new RegExp(
 const GON = /(?<!\p{L})grad(?!\p{L})/u;
 
 /**
- * Name the unit of lengths that has a factor.
- * @param {number} factor to m
- */
-export const nameLengthUnit = (factor) =>
-  Object.keys(LENGTH_UNITS).find((name) => LENGTH_UNITS[name] === factor);
-
-// Convert a length to metres without round-off: 72 / 1000 is 0.072, 72 * 0.001 is not.
-/** @param {number} length @param {number} factor of its unit, to m */
-export const toMetres = (length, factor) => length / Math.round(1 / factor);
-
-/**
  * Find a unit that is not converted, so that no number is taken for another unit's.
  * @param {string} text @returns {string | null} the unit as it is typed
  */
-export const findOtherUnit = (text) => (OTHER_UNIT.exec(text) ?? GON.exec(text))?.[0] ?? null;
-
-const TIMES = String.raw`(?:[-·*.⋅×~x]|\\[,;:! ]|\\cdot)`;
-const MOMENT = String.raw`(k?N|mN) ?${TIMES}? ?(mm|cm|m)`;
-// "·m" behind N, also of "\text{N}\cdot\text{m}".
-const METRES_BEHIND = String.raw`[}$]{0,2}\s{0,3}${TIMES}[$\s]{0,3}(?:\\(?:text|mathrm)\{)?[cm]`;
-// A unit behind a number, its brackets and LaTeX's spaces. A letter before = is a name.
-const UNIT_BEHIND = new RegExp(
-  String.raw`^(?:[ \t\])}~]|\\[,;:! ])*(?:\\(?:text|mathrm|si|unit|rm)\{[ ~]*)?` +
-    String.raw`(${MOMENT}|mm|cm|m|k?N|kg|s|ms|rad|deg|°|Hz)(?![\p{L}\d_^²³/({\[])(?![ \t]*[=:])` +
-    `(?!${METRES_BEHIND})`,
-  "u",
-);
-
-/**
- * Read the unit that stands behind a number; "" if there is none.
- * @param {string} text @param {number} to the end of the number
- */
-export const readUnitBehind = (text, to) => UNIT_BEHIND.exec(text.slice(to, to + 40))?.[1] ?? "";
-
-const ANGLE = /^(?:rad|deg|°)$/;
-const LENGTH = /^(?:mm|cm|m)$/;
-const FORCE = /^k?N$/;
-const ONLY_MOMENT = new RegExp(`^${MOMENT}$`);
-
-/**
- * Return whether a unit may be that of a joint's value, or of its torque or force. Text after a
- * list in N m may name the moments only, so a sliding joint may have N m.
- * @param {string} unit @param {{ turns: boolean, isTorque: boolean }} joint
- */
-export function fitsJoint(unit, { turns, isTorque }) {
-  if (!unit) return true;
-  if (isTorque) return ONLY_MOMENT.test(unit) || (!turns && FORCE.test(unit));
-  return turns ? ANGLE.test(unit) : LENGTH.test(unit);
-}
-
-/**
- * Return the factor to N m of a moment's unit.
- * @param {string} unit such as "N mm" @returns {number | null} null for another unit
- */
-export function momentFactor(unit) {
-  const [, force, length] = ONLY_MOMENT.exec(unit) ?? [];
-  return length ? { N: 1, kN: 1e3, mN: 1e-3 }[force] * LENGTH_UNITS[length] : null;
-}
+export const findOtherUnit = (text) => (UNCONVERTED_UNIT.exec(text) ?? GON.exec(text))?.[0] ?? null;
