@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 from helpers import checks, inverse, symbolic
-from helpers.arm import Arm
+from helpers.arm import Arm, Body, fixed, revolute
 from helpers.checks.compare import read_numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
@@ -69,6 +69,18 @@ def test_answer_among_600_lines_is_read():
     angles = "0.5 0.7 -0.4"
     text = "The arm stands.\n" * 300 + "\n" + angles + "\n" + "Its tool hangs.\n" * 298
     assert read_numbers(text, "your angles").values.tolist() == [[0.5, 0.7, -0.4]]
+
+
+def test_torque_of_a_single_joint_is_read():
+    arm = Arm(
+        "pendulum",
+        [fixed(alpha="pi/2"), revolute(a=0.0580782)],
+        bodies=[Body(0, (0, 0, 0)), Body(1, (0, 0, 0))],
+    )
+    # 9.81 N * 0.0580782 m * cos(q) is 0.5 at q = 0.5 and 0 at q = pi/2
+    assert checks.compare_torques("0.50000", arm, [0.5]).agrees
+    assert checks.compare_torques("0.50000\n0.00000", arm, [[0.5], [np.pi / 2]]).agrees
+    assert checks.compare_torques("0.40000", arm, [0.5]).grade == "wrong"
 
 
 # The page's questions

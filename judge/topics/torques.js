@@ -171,8 +171,8 @@ function arrangeByPose({ values, units, shape }, count, arm) {
     const noteLocked = (all) => (width > dof ? [noteLockedValues(arm, all)] : []);
     const dropLocked = (list) =>
       width > dof ? list.filter((_, i) => moving.includes(i % rows)) : list;
-    const hasShape = (m, n) => sizes.length === 2 && sizes[0] === m && sizes[1] === n;
-    if (hasShape(count, width) || (count === 1 && sizes.length === 1 && values.length === width))
+    const hasShape = (...shape) => sizes.join() === shape.filter((n) => n !== 1).join();
+    if (hasShape(count, width))
       return { values: dropLocked(values), units: dropLocked(units), taken: noteLocked(values) };
     if (hasShape(width, count) && count !== width) {
       const transposeList = (list) => transpose(list, sizes);
