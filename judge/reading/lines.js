@@ -50,7 +50,7 @@ function classifyBrackets(text) {
   return kinds;
 }
 
-const OPENS_LIST = /^\s*(?:np\.array\(|\[)/; // np.radians([...])
+const OPENS_LIST = /^\s*(?:[\w.]*array\(|\[)/; // np.radians([...])
 
 // Return whether a bracket holds a list: a function's argument, a factor and an index are none.
 function isList(text, { at, character, isSplit, leaf }, end) {

@@ -23,7 +23,7 @@ const BEFORE = [
     "u",
   ),
   /=[ \t]*(\d+(?:[.,]\d+)?(?:e[-+]?\d+)?(?:\/\d+)?)[ \t]*$/i,
-  /\b(p?inv|transpose|(?:np\.)?(?:rad2deg|degrees)|sin|cos|tan|abs)\s*$/,
+  /\b(p?inv|transpose|(?:np\.)?(?:rad2deg|degrees)|(?:a|arc)?(?:sin|cos|tan)|sqrt|abs)\s*$/,
 ];
 // A factor before numbers without a bracket, J = 1.0e+03 *.
 const FACTOR = /[=:][ \t]*(\d+(?:\.\d+)?(?:e[-+]?\d+)?[ \t]*[*·×])\s*$/i;

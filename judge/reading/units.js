@@ -94,7 +94,7 @@ const DEGREE_WORD =
 const NAMED_DEGREES = new RegExp(String.raw`(?<!\d\s?|\p{L})(?:${DEGREE_WORD})`, "iu");
 const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
 const IN_DEGREES = // np.radians([...]), [...]*pi/180
-  /\b(?:deg2rad|radians)\s*\(\s*(?:np\.array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
+  /\b(?:deg2rad|radians)\s*\(\s*(?:[\w.]*array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
 const NAMED_RADIANS = /\brad(?:ians?)?\b/i;
 
 // A length's unit as a word of its own: neither that of a number nor that of a moment.
