@@ -17,7 +17,7 @@ export const isJointCount = (cells) => {
   return texts.every((text, k) => /^\d$/.test(text) && (!k || text > texts[k - 1]));
 };
 
-const JOINT_NAME = /^(?:q|\\?theta|θ|th|joint|j)[ _{]{0,2}\d\}?$/i;
+const JOINT_NAME = /^[qθ][ _{]{0,2}\d\}?$/i;
 
 /**
  * Drop a first row that holds only names of joints, q1 q2 q3.
@@ -59,7 +59,7 @@ export function beginsWithCount({ cells: [first, ...rest], line }, rows) {
 export function dropCountCells(block) {
   const { rows, sources } = block;
   const half = rows.length / 2;
-  if (rows[0].length > 1 || half < 2 || !Number.isInteger(half)) return [];
+  if (rows[0].length > 1 || !Number.isInteger(half)) return [];
   const parts = [(k) => k % 2 === 0, (k) => k < half];
   return parts.flatMap((isLabel) => {
     const labels = rows.filter((_, k) => isLabel(k));

@@ -29,8 +29,7 @@ const WORD_BEFORE = /([A-Za-z]\w*)$/;
 const MOST_INDEX = 6; // characters of [1, 1] behind a name
 
 /**
- * Return the kind of each bracket by its position: "list", "leaf" (a list without lists), or
- * "group" (in formulas and names).
+ * Return the kind of each bracket by its position: "list" or "group" (in formulas and names).
  * @param {string} text
  * @returns {Map<number, string>}
  */
@@ -42,9 +41,9 @@ function classifyBrackets(text) {
     if (OPEN.includes(character)) open.push({ at, character, isSplit: false, leaf: true });
     else if (CLOSE.includes(character) && open.length) {
       const bracket = open.pop();
-      const kind = isList(text, bracket, at) ? (bracket.leaf ? "leaf" : "list") : "group";
+      const kind = isList(text, bracket, at) ? "list" : "group";
       kinds.set(bracket.at, kind).set(at, kind);
-      if (open.length && kind !== "group") open.at(-1).leaf = false;
+      if (open.length && kind === "list") open.at(-1).leaf = false;
     } else if (open.length && SEPARATORS.includes(character)) open.at(-1).isSplit = true;
   }
   return kinds;
@@ -56,7 +55,7 @@ const OPENS_LIST = /^\s*(?:[\w.]*array\(|\[)/; // np.radians([...])
 function isList(text, { at, character, isSplit, leaf }, end) {
   const before = text[at - 1] ?? " ";
   const word = WORD_BEFORE.exec(text.slice(Math.max(0, at - 12), at))?.[1] ?? "";
-  if (word && isFunction(word.toLowerCase()))
+  if (isFunction(word.toLowerCase()))
     return (
       OPENS_LIST.test(text.slice(at + 1, at + 20)) || (/rad/.test(word) && text[at + 1] === "(")
     );
@@ -88,11 +87,11 @@ export function readRows(plain, isEntry, splitting) {
   for (let at = 0; at < text.length; at++) {
     const kind = brackets.get(at);
     if (kind === "group") groups += OPEN.includes(text[at]) ? 1 : -1;
-    const ends = kind ? kind !== "group" : endsRow(text[at], state);
+    const ends = kind ? kind === "list" : endsRow(text[at], state);
     if (groups || !ends) continue;
     readSegment(from, at, state);
     from = at + 1;
-    if (kind) crossBracket(state, kind, OPEN.includes(text[at]) ? 1 : -1);
+    if (kind) crossBracket(state, OPEN.includes(text[at]) ? 1 : -1);
     else endRow(state, text[at]);
   }
   readSegment(from, text.length, state);
@@ -100,8 +99,8 @@ export function readRows(plain, isEntry, splitting) {
 }
 
 // Semicolons part rows in lists, and cells outside.
-const endsRow = (character, { leaves }) =>
-  character === "\n" || character === ROW_END || (character === ";" && leaves > 0);
+const endsRow = (character, { depth }) =>
+  character === "\n" || character === ROW_END || (character === ";" && depth > 0);
 
 // Return the state before the first character. `words` are those before the next row, `above` those
 // of the line above, `wordsAtMark` their number at the last = or :.
@@ -122,20 +121,18 @@ const startState = (plain, isEntry, splitting) => ({
   line: 0,
   part: 0,
   depth: 0,
-  leaves: 0,
 });
 
 // Begin or end a list.
-function crossBracket(state, kind, step) {
+function crossBracket(state, step) {
   state.row = null;
   state.depth += step;
-  if (kind === "leaf") state.leaves += step;
 }
 
 // End a row, unless the list around it is one row.
 function endRow(state, character) {
   if (character === "\n") state.line++;
-  const isInRow = character !== ROW_END && state.splitting.wrapped && state.leaves > 0;
+  const isInRow = character !== ROW_END && state.splitting.wrapped && state.depth > 0;
   if (isInRow && character === ";" && state.row) state.row.isColumn = true;
   if (isInRow) return;
   state.row = null;
@@ -174,7 +171,6 @@ function readSegment(from, to, state) {
   const line = state.line;
   const segment = text.slice(from, to);
   state.line += segment.split(CONTINUED).length - 1;
-  if (!segment.trim()) return;
   const strong = CELL_SEPARATORS.filter((character) => segment.includes(character));
   const separators = strong.length ? strong : splitting.decimal ? [] : [","];
   const parts = splitOutsideBrackets(text, from, to, (k) =>
@@ -219,7 +215,7 @@ function turnEntryIntoName(state) {
 // Keep the name before an assignment mark; in "tau = g - JTF = [...]" the first name.
 function keepName(mark, state) {
   turnEntryIntoName(state);
-  const isSame = mark === "=" && state.name && state.nameLine === state.line;
+  const isSame = state.name && state.nameLine === state.line;
   state.name = isSame ? state.name : (state.words.at(-1)?.text ?? "");
   state.nameLine = mark === "=" ? state.line : -1;
   Object.assign(state, { scale: "", row: null, wordsAtMark: state.words.length });
@@ -232,7 +228,7 @@ function addCell(cell, line, state) {
     keepName(text, state);
     return;
   }
-  if (text.startsWith("·") || isTimeStamp(text) || !state.isEntry(text)) {
+  if (isTimeStamp(text) || !state.isEntry(text)) {
     addWord(cell, state);
     return;
   }

@@ -34,12 +34,10 @@ export function readLabels(words) {
 function readNumberedLabels(words) {
   const texts = words.map((cells) => cells.map(({ text }) => text).join(" "));
   const parts = texts.map((text) => text.split(/(\d+)/));
-  const [[before, , behind]] = parts;
-  const isAlike = (part) => part.length === 3 && part[0] === before && part[2] === behind;
-  if (!parts.every(isAlike)) return null;
+  if (!parts.every(([before]) => before === parts[0][0])) return null;
   const numbers = parts.map(([, number]) => Number(number));
   const sorted = [...numbers].sort((x, y) => x - y);
-  return sorted[0] < 2 && sorted.every((x, k) => x === sorted[0] + k) ? numbers : null;
+  return sorted.every((x, k) => x === sorted[0] + k) ? numbers : null;
 }
 
 /**
@@ -59,7 +57,7 @@ export function isTransposed(block, { by }) {
   if (by === "row" && (TRANSPOSE_MARK.test(block.name) || areColumnVectors(block))) return true;
   const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
   if (by === "row") return headers?.kind === "row" || rows?.kind === "joint";
-  return rows?.kind === "joint" && block.rows[0].length > 1 && !namesJoints(block.headers);
+  return rows?.kind === "joint" && block.rows[0].length > 1;
 }
 
 // Return whether the rows of a block are column vectors, [1; 2; 3], typed one after the other.
@@ -108,7 +106,7 @@ export function orderByListedNames(block, { by }, text) {
 function findListedJoints(text, size) {
   const plain = plainCharacters(foldNames(foldCharacters(new SpannedText(text))));
   const words = plain.text.split(/[\s,;:=[\]{}"-]+/);
-  const labels = words.map((word) => (/\p{L}/u.test(word) ? findLabel([{ text: word }]) : null));
+  const labels = words.map((word) => findLabel([{ text: word }]));
   const joints = [];
   for (const label of [...labels, null]) {
     if (label?.kind === "joint") joints.push(label.number);
@@ -127,9 +125,8 @@ const sortIndices = (numbers) => numbers.map((_, k) => k).sort((p, q) => numbers
  */
 export function orderByLabels(block, { by }) {
   const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
-  const isOrdered = rows !== null && rows.kind === (by === "row" ? "row" : "joint");
-  const isList = by !== "row" && block.rows[0].length === 1;
-  const numbers = isOrdered ? rows.numbers : isList ? readNumberedLabels(block.labels) : null;
+  const hasRowNames = by === "row" && rows?.kind === "row";
+  const numbers = hasRowNames ? rows.numbers : readNumberedLabels(block.labels);
   const rowOrder = numbers ? sortIndices(numbers) : [...block.rows.keys()];
   const columnOrder =
     headers?.kind === "joint" ? sortIndices(headers.numbers) : [...block.rows[0].keys()];
@@ -138,6 +135,6 @@ export function orderByLabels(block, { by }) {
     ...block,
     rows: rowOrder.map((i) => columnOrder.map((k) => block.rows[i][k])),
     taken: isMoved ? [formatMessage("taken: by names")] : [],
-    hasRowNames: isOrdered && by === "row",
+    hasRowNames,
   };
 }

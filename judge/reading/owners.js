@@ -108,14 +108,9 @@ function markUnclear(text, tokens) {
   for (const token of listAlternatives(text, tokens)) token.owner = "unread";
   for (const halves of listSplitNumbers(text, tokens)) {
     const entries = halves.filter(({ owner }) => owner === "entry");
-    if (entries.length === 1 || isThousands(halves))
-      for (const half of halves) half.owner = "unread";
+    if (entries.length === 1) for (const half of halves) half.owner = "unread";
   }
 }
-
-// Return whether a comma may separate thousands, as in 1,234.5.
-const isThousands = (halves) =>
-  /^[1-9]\d{0,2}$/.test(halves[0].text) && /^\d{3}\./.test(halves[1].text);
 
 const OR = /^[^#%\n]{0,20}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2}[-+\u2212]?$/iu;
 
@@ -162,13 +157,10 @@ const isLineNumber = (text, token) =>
 
 // Find the rows without a label in a block whose other rows are named after those of a Jacobian.
 function findUnlabelledRows({ labels }) {
-  if (labels.length > MOST_LABELLED) return new Set();
   const isNamed = labels.map((words) => findLabel(words)?.kind === "row");
   const unlabelled = isNamed.flatMap((named, row) => (named ? [] : [row]));
   return new Set(isNamed.includes(true) ? unlabelled : []);
 }
-
-const MOST_LABELLED = 6; // rows of a Jacobian
 
 // Claim the numbers of a label or a column's header, unless it may be a misspelt entry.
 const claimWord = (tokens, cell, owner) => {
@@ -218,7 +210,7 @@ function claimOtherRows(tokens, block, beside) {
   );
   const isNear = (line) => line >= from && line <= to;
   claimWords(tokens, block, beside);
-  const isLeading = ({ line, cells }) => isNear(line) && cells[0].from < starts.get(line);
+  const isLeading = ({ line, cells }) => cells[0].from < starts.get(line);
   const perRow = lines.all.filter(isLeading).length % sources.length === 0;
   for (const row of lines.all) {
     const owner = isNear(row.line)
