@@ -1,5 +1,5 @@
-// Lists lengths that a text defines beside its table, such as l_1 = 0.5 m. A symbol with two values
-// stops the verdict.
+// Lists lengths that a text defines beside its table, such as l_1 = 0.5 m. If a symbol has two
+// values, there is no verdict.
 
 import { foldCharacters } from "./characters.js";
 import { withoutComments } from "./decorations.js";
@@ -16,17 +16,17 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  * A length that a text defines.
  * @typedef {Span & { name: string, length: number, text: string, value: string,
  *   valueFrom: number }} Definition `length` is in m; `text` is the definition as typed; `value` is
- *   its formula, which begins at `valueFrom`
+ *   the formula behind "=", which begins at `valueFrom`
  */
 
-/** The reason of a number that is the value of a symbol. */
+/** The reason of a token if it is the value of a symbol. */
 export const IN_DEFINITION = "value of a symbol";
 
 const NUMERAL = String.raw`(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?`;
 const DECIMAL_COMMA = String.raw`\d+,\d+`;
 const SYMBOL = String.raw`\p{L}(?:_?\{?\w{1,4}\}?|[₀-₉]{1,2})?`;
-// A symbol with an index, d1 or d_f, which is no unit.
-// An index of digits fits one alternative only, so that the steps do not double with each symbol.
+// A symbol with an index, d1 or d_f, is no unit. WORD_INDEX excludes digits: if two alternatives
+// matched the same digits, the steps of the pattern would double with each symbol.
 const WORD_INDEX = String.raw`_\{?(?!\d{1,2}(?!\w))\w{1,4}\}?`;
 const NUMBERED = String.raw`\p{L}{1,3}(?:_?\{?\d{1,2}\}?|[₀-₉]{1,2}|${WORD_INDEX})`;
 const WHOLE_NAME = new RegExp(`^${NUMBERED}$`, "u");
@@ -38,7 +38,7 @@ const UNIT = String.raw`[ \t]*(?:([[(])[ ]?(?:in )?)?(${LENGTH_UNIT})(?![\p{L}\p
 const END =
   String.raw`(?![\p{L}\p{N}°(]|[.,]\d|[ ]?[-+*/^=·×∗⋅%]|[ ]+(?:x[ ])?[.\d]|` +
   String.raw`[ ]*\([^()\n]{0,40}\)[ ]*[-+*/^·×∗⋅])`; // 0.107 (flange) + 0.1
-// Behind a colon or an arrow nothing but the value may stand.
+// Behind "d1: 0.5" and "d1 -> 0.5" the line or the clause must end.
 const STRICT_END = String.raw`(?=[ \t]*(?:,(?!\d)|[;)\]}$]|\.?[ \t]*$))`;
 const SIGN = String.raw`["'$]*\s*:?={1,2}\s*`;
 const OTHER_SIGN = String.raw`["'$]*[ ]*(?:->|:(?!=))[ ]*`;
@@ -50,22 +50,23 @@ const DEFINITIONS = [
 ];
 const NAMES = String.raw`\(?${NUMBERED}(?:[ ]?,[ ]?${NUMBERED}){1,9}\)?`; // (a2, a3) = (0.4, 0.3)
 const NUMERALS = String.raw`[[(]?-?${NUMERAL}(?:[ ]?,[ ]?-?${NUMERAL}){1,9}[\])]?`;
-// A bracket, a unit or more numbers behind the values would change them: (0.4, 0.3) * 2.
+// A list of values ends without a unit, another bracket or further numbers.
 const LIST_END = String.raw`(?![ ]*[\])]|[ ]*[[(]?(?:mm|cm)(?!\p{L})|[ ]*;[ ]*[.\d])`;
 const SEVERAL = new RegExp(
   `(?<![=+*/-][ ]?)${START}(${NAMES})(${SIGN})(${NUMERALS})${END}${LIST_END}`,
   "gu",
 );
-// A name before the last of several names, which the last value alone does not define.
+// A name before the matched name, as d1 in "d1, d2 = 0.5". Such a line defines no length.
 const NAME_BEFORE = new RegExp(
   String.raw`(?<![=+*/-][ ]?)${START}${NUMBERED}\$?[ ]?,[ ]?\$?$`,
   "u",
 );
 
 /**
- * List the lengths that a text defines. One in a comment counts if no other line defines its name.
+ * List the lengths that a text defines. A definition in a comment counts only if no definition
+ * outside comments has the same name.
  * @param {import("./spans.js").SpannedText} pasted
- * @param {Map<string, number>} known symbols that a formula may hold, with their lengths
+ * @param {Map<string, number>} known symbols that a formula may use, with their lengths
  * @returns {Definition[]}
  */
 export function listDefinitions(pasted, known = new Map()) {
@@ -81,7 +82,7 @@ export function listDefinitions(pasted, known = new Map()) {
 }
 
 /**
- * A definition with its formula as typed.
+ * A definition whose formula is not evaluated yet.
  * @typedef {Span & { name: string, text: string, valueFrom: number, value: string,
  *   unit: string | undefined }} TypedDefinition
  */
@@ -120,7 +121,7 @@ function matchDefinitions(pasted) {
   return [...spreadUnits(single), ...several];
 }
 
-// Give the unit in brackets at a line's end to the bare values before it.
+// Give a unit in brackets to the bare values before it on its line: "a = 1, b = 2 [mm]".
 function spreadUnits(definitions) {
   const bracketed = new Map();
   for (const one of definitions.filter(({ isBracketed }) => isBracketed))
@@ -132,10 +133,10 @@ function spreadUnits(definitions) {
   });
 }
 
-const DEEPEST = 5; // definitions that refer to another one
+const DEEPEST = 5; // definitions that refer to each other in a chain
 
 /**
- * Evaluate a typed formula, or several that should be equal, in m; null if they cannot be.
+ * Evaluate a typed formula in m. Formulas joined by "=" must be equal. Return null if that fails.
  * @param {string} formula @param {string | undefined} unit
  * @param {TypedDefinition[]} definitions @param {Map<string, number>} known
  * @returns {number | null}
@@ -161,8 +162,8 @@ function evaluateLength(formula, unit = "m", definitions, known, depth = 0) {
 const ROUND_OFF = 1e-9; // m
 
 /**
- * List the symbols of a table that a text defines, with their lengths. A joint's variable is no
- * length. A column's name is one if it is a symbol of the arm.
+ * List the defined symbols that are lengths. A joint variable is no length. The name of a column,
+ * such as d, is a length only if the arm has a symbol of this name.
  * @param {Definition[]} definitions
  * @param {Set<string>} symbolsOfArm
  * @returns {[string, number][]}
@@ -173,8 +174,8 @@ export function listDefinedLengths(definitions, symbolsOfArm) {
 }
 
 /**
- * List the definitions of symbols in cells, and of symbols in those definitions. A definition with
- * an entry of the table is a cell.
+ * List the definitions that the cells of a table use, directly or through other definitions. A
+ * definition that holds an entry of the table is a cell itself, and is left out.
  * @param {Definition[]} definitions
  * @param {string[]} cells
  * @param {Token[]} tokens
@@ -196,7 +197,7 @@ export function listUsedDefinitions(definitions, cells, tokens) {
 }
 
 /**
- * Refuse a symbol that is defined with two lengths; the numbers of both become unread.
+ * Refuse a symbol that is defined with two lengths. The numbers of both definitions become unread.
  * @param {Definition[]} definitions
  * @param {Token[]} tokens
  * @param {string} text as it was pasted
@@ -220,7 +221,7 @@ export function refuseTwoLengths(definitions, tokens, text) {
 }
 
 /**
- * Give the numbers of definitions their owner: they are labels, or parts of a name.
+ * Make the numbers of definitions labels.
  * @param {Definition[]} definitions
  * @param {Token[]} tokens
  */
@@ -230,7 +231,7 @@ export const claimDefinitions = (definitions, tokens) =>
 /**
  * @param {Definition[]} definitions
  * @param {Token[]} tokens
- * @param {{ owner: string, reason?: string }} claim of the values
+ * @param {{ owner: string, reason?: string }} claim the owner of the values
  * @returns {Token[]}
  */
 const claimValues = (definitions, tokens, claim) =>
@@ -243,7 +244,7 @@ const claimValues = (definitions, tokens, claim) =>
   });
 
 /**
- * Take definitions out of the lines that were not used.
+ * Remove definitions from the unused lines.
  * @param {string[]} lines @param {Definition[]} definitions
  */
 export const dropDefinitions = (lines, definitions) =>

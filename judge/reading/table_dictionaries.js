@@ -1,5 +1,5 @@
-// Reads tables of dictionaries, {'a': 0, 'alpha': pi/2}, and of lines of pairs, a = 0, alpha =
-// pi/2.
+// Reads tables whose rows are dictionaries, {'a': 0, 'alpha': pi/2}, or lines of pairs,
+// a = 0, alpha = pi/2.
 
 import { listLines } from "./spans.js";
 import { findEntry } from "./table_columns.js";
@@ -18,18 +18,22 @@ const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|${LENGTH_UNIT}
 const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ/])([A-Za-zαθ]+${INDEX})['"]?\s*[:=]\s*`, "g");
 
 /**
- * An entry with its name, without the name's number, and its column. `use` is their stretch.
+ * A name with its entry, as "a_1 = 0.5". `index` is the number of the name, `column` the entry that
+ * the name stands for, and `use` the span of name and entry.
  * @typedef {{ column: string, name: string, index: string | undefined, entry: Entry, use: Span
  *   }} Pair
  */
-/** A dictionary or a line. @typedef {Span & { body: string, start: number }} Body */
+/**
+ * A dictionary or a line. `body` is its text inside the braces, which begins at `start`.
+ * @typedef {Span & { body: string, start: number }} Body
+ */
 /** @typedef {{ pairs: Pair[], parts: Span[], body: Body, fewest: number }} PairRow */
 
 /**
  * Read a row from each dictionary, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), or from each
- * line of pairs. If the names have numbers, a_1 = 0, each number is a row. A dictionary may leave
- * out what is 0; other pairs make a row if there are three. A dictionary that counts alpha0, a0,
- * d1, ... follows Craig: its rows are alpha0, a0, d1.
+ * line of pairs. If the names have numbers, as in a_1 = 0, the number is that of the row. A
+ * dictionary may leave out entries that are 0. Otherwise a row needs three pairs. If alpha and a
+ * count from 0 but d and theta from 1, the table follows Craig, and alpha0, a0 and d1 share a row.
  * @param {string} text @param {Bracket[]} brackets @returns {EntryRows | null}
  */
 export function readDictionaries(text, brackets) {
@@ -64,7 +68,8 @@ export function readDictionaries(text, brackets) {
   return isCraig ? { ...table, convention: "craig" } : table;
 }
 
-// List the lines of a text. Lines of pairs, as in YAML, are joined up to a repeated name.
+// List the lines of a text. If each pair has its own line, as in YAML, the lines of a row are
+// joined: a repeated name begins the next row.
 /** @param {string} text @returns {Body[]} */
 function listLineBodies(text) {
   const lines = listLines(text).map((line) => ({ ...line, body: line.text, start: line.from }));
@@ -90,7 +95,8 @@ function listLineBodies(text) {
   return bodies;
 }
 
-// Collect the pairs of each row, by the number of its names, else by its dictionary or line.
+// Collect the pairs of each row. Pairs belong together if their names have the same number, or if
+// they stand in the same dictionary or line.
 /** @param {Body[]} bodies @param {Pair[][]} pairsByBody @param {boolean} isBraced */
 function collectRows(bodies, pairsByBody, isBraced) {
   /** @type {Map<string | number, PairRow>} */
@@ -108,8 +114,8 @@ function collectRows(bodies, pairsByBody, isBraced) {
   return rows;
 }
 
-// List the rows that have enough entries; null if there are fewer than two. If their entries are
-// numbered, each number is a row.
+// List the rows that have enough entries, or null if there are fewer than two such rows. If these
+// rows come from numbered names, return the rows of all numbers.
 /** @param {Map<string | number, PairRow>} rows */
 function listRows(rows) {
   const kept = [...rows].filter(([, { pairs, fewest }]) => countColumns(pairs) >= fewest);
@@ -131,7 +137,7 @@ const makeRow = ({ pairs, body }) => ({
   isWhole: ENTRIES.every((name) => pairs.some(({ column }) => column === name)),
 });
 
-// Make a row of a line of pairs; what stands before its first pair is its label.
+// Make a row of a line of pairs. The words before the first pair are the row's label.
 /** @param {PairRow} row */
 function makeLineRow(row) {
   const [{ use }] = row.pairs;
@@ -140,8 +146,8 @@ function makeLineRow(row) {
   return { ...rest, body: label.includes("=") ? body : { ...body, from: use.from } };
 }
 
-// Map the pairs of a row by their columns; refuse two values of one column. An offset beside d
-// belongs to the joint's variable.
+// Map the columns of a row to its pairs. Refuse two different values of a column. An offset beside
+// d belongs to the joint variable.
 /** @param {Pair[]} pairs @param {number} row */
 function mapColumns(pairs, row) {
   const namesD = pairs.some(({ name }) => name === "d");
@@ -160,7 +166,7 @@ function mapColumns(pairs, row) {
   return columns;
 }
 
-// Refuse a row that lacks an entry that another row has.
+// Refuse a row without an entry that other rows have.
 /** @param {Map<string, Pair>[]} columnsByRow */
 function requireSameColumns(columnsByRow) {
   for (const name of ENTRIES) {
@@ -172,7 +178,7 @@ function requireSameColumns(columnsByRow) {
 
 const isTwist = ({ column }) => column === "a" || column === "alpha";
 
-// Return whether the numbers of a and alpha begin with 0 and those of d and theta with 1.
+// Return whether a and alpha are numbered from 0, and d and theta from 1.
 function countsTwistsFromZero(pairs) {
   const least = (list) => Math.min(...list.map(({ index }) => Number(index ?? Infinity)));
   const others = pairs.filter((pair) => !isTwist(pair));
@@ -184,7 +190,7 @@ const countFromOne = (pair) =>
     ? { ...pair, index: String(Number(pair.index) + 1) }
     : pair;
 
-// List the entries that a text names; a value reaches to the next name.
+// List the pairs of a text. A value ends at a comma, a semicolon, a bracket or the next name.
 /** @param {Body} body @returns {Pair[]} */
 function listPairs({ body, start }) {
   const names = [...body.matchAll(PAIR)];

@@ -1,4 +1,4 @@
-// Reads tables of calls of the Robotics Toolbox, such as Link(...) and RevoluteDH(...).
+// Reads tables whose rows are calls of the Robotics Toolbox, such as RevoluteDH(d=0.3, a=0).
 
 import { number, plain } from "./formula.js";
 import { listEntries, makeEntry, makeUntyped } from "./table_named_entries.js";
@@ -14,7 +14,8 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 const LINK = /(?<!\p{L})(?:(?:DH)?Link|(?:Revolute|Prismatic)[\p{L}\d_]*)\s*$/u;
 
 /**
- * Read Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]), RevoluteDH(d=0.3).
+ * Read a row from each call. Calls have the forms Link('d', 0.3, 'a', 0, 'alpha', pi/2),
+ * Link([theta d a alpha sigma]) and RevoluteDH(d=0.3).
  * @param {string} text @param {Bracket[]} brackets @returns {EntryRows | null}
  */
 export function readLinks(text, brackets) {
@@ -40,9 +41,9 @@ export function readLinks(text, brackets) {
 }
 
 /**
- * Make the entry of a joint's variable from what stands in its place and its offset. A number in
- * its place is the offset; a mark or 0 in its place only says that it moves.
- * @param {number} row @param {string} name of its column @param {Entry} [typed]
+ * Make the entry of a joint variable, such as "q_2 + (pi/2)". A typed number other than 0 is the
+ * offset: theta=pi/2 in row 2 means q_2 + pi/2. Refuse such a number beside a second offset.
+ * @param {number} row @param {string} name of the column @param {Entry} [typed]
  * @param {Entry} [offset]
  */
 function makeVariable(row, name, typed = makeUntyped("0"), offset = makeUntyped("0")) {
@@ -59,12 +60,12 @@ function makeVariable(row, name, typed = makeUntyped("0"), offset = makeUntyped(
 const hasJointSymbol = (text) => isVariable(text) && !VARIABLE.test(plain(text));
 
 const MODIFIED = /MDH\b|\bmodified\b|\bmdh['"]?\s*[=,]\s*[T1]/;
-const LISTED = ["d", "a", "alpha", "offset"]; // arguments of RevoluteDH without names
+const LISTED = ["d", "a", "alpha", "offset"]; // the order of RevoluteDH(0.3, 0, pi/2)
 
-const POSITIONS = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
+const POSITIONS = ["theta", "d", "a", "alpha", "sigma", "offset"]; // the order of Link([...])
 const NAMED = /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset|sigma)['"]?\s*[,=]\s*([^,]+)/gu;
 
-/** Read the values of one Link(...). @param {string} name @param {Bracket} bracket */
+/** Read the values of a call. @param {string} name @param {Bracket} bracket its arguments */
 function readLink(name, { body, start, from, to }) {
   const call = `${name}(${body})`;
   const inputs =
@@ -82,17 +83,17 @@ function readLink(name, { body, start, from, to }) {
     part: { from: from - name.length, to },
     body: { from: start, to: start + body.length },
     uses: inputs.map(({ use }) => use),
-    isWhole: false, // what moves has no entry of its own
+    isWhole: false, // a call may leave out its joint variable
   };
 }
 
 /**
- * Make an input of a call; `use` is the stretch of its name and value.
+ * Make an input of a call. `use` is the span of its name and value.
  * @param {string} name @param {Entry} entry @param {Span} use
  */
 const makeInput = (name, entry, use) => ({ name, entry, use });
 
-// List the values of Link([...]); a name is empty if there are too many.
+// List the values of Link([...]). Values beyond the last position get an empty name.
 function listVector(body, start) {
   const [, vector] = /^\s*\[([^\]]*)/.exec(body) ?? [];
   const entries = vector ? listEntries(vector, start + body.indexOf(vector)) : [];
@@ -101,6 +102,7 @@ function listVector(body, start) {
     : null;
 }
 
+// List the values of Link('d', 0.3, 'a', 0) and RevoluteDH(d=0.3).
 function listNamedValues(body, start) {
   const pairs = [...body.matchAll(NAMED)].map(({ 0: all, 1: name, 2: value, index }) => {
     const [from, to] = [start + index, start + index + all.length];
@@ -109,7 +111,8 @@ function listNamedValues(body, start) {
   return pairs.length > 0 ? pairs : null;
 }
 
-// List arguments by their order, which only Revolute and Prismatic of the Robotics Toolbox fix.
+// List the values of RevoluteDH(0.3, 0, pi/2). Refuse other calls without names, which have no
+// fixed order.
 function listUnnamedValues(name, body, start) {
   const entries = listEntries(body, start).filter(({ text }) => !text.includes("="));
   const names = /prismatic/i.test(name) ? ["theta", ...LISTED.slice(1)] : LISTED;

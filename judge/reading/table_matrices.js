@@ -1,10 +1,10 @@
-// Reads a table from the link matrices A_1 ... A_n of its rows.
+// Reads a table from link matrices A_1 ... A_n. Each matrix gives one row.
 
 import { number, parse, simple, symbols, value } from "./formula.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, formatMessage, formatNumber } from "../sentences.js";
 
-// Split rows of cells into link matrices; null if they are none.
+// Split rows of cells into matrices of four rows. Return null unless each ends with 0 0 0 1.
 export function splitMatrices(cells) {
   const last = (row) => row.every((text, k) => number(text) === (k === 3 ? 1 : 0));
   if (cells.length % 4 > 0 || !cells.every((row, i) => i % 4 !== 3 || last(row))) return null;
@@ -37,16 +37,16 @@ export function readLinkMatrix(i, A, known) {
   return { kind, numbers, texts, backwards, radians: new Set(), metres: new Set() };
 }
 
-// Return a joint's value, or its cosine or sine for a name such as c_1 or s1.
+// Return the joint value x, or its cosine for a name such as c_1, or its sine for s1.
 function evaluateName(name, x) {
   const match = /^([cs])_?\d+$/i.exec(name);
   if (!match) return x;
   return match[1].toLowerCase() === "c" ? Math.cos(x) : Math.sin(x);
 }
 
-const OFF = 2e-2; // of sines and cosines that were rounded to two digits
+const OFF = 2e-2; // error of a matrix whose sines and cosines were rounded to two digits
 
-// Compute the entries of the row whose link matrix is A.
+// Compute the entries of a row from its link matrix A.
 const computeEntries = (A) => ({
   a: A[0][3] * A[0][0] + A[1][3] * A[1][0],
   alpha: Math.atan2(A[2][1], A[2][2]),
@@ -61,13 +61,13 @@ const READ_ENTRIES = [
 ];
 
 /**
- * Find the entry of the table that is read at a position of a link matrix.
+ * Return the entry of the table that a position of a link matrix gives.
  * @param {number[]} position row and column, from 0
- * @returns {string} empty if the number there only confirms others
+ * @returns {string} empty if the number at this position only serves as a check
  */
 export const findReadEntry = ([row, column]) => READ_ENTRIES[row]?.[column] ?? "";
 
-/** A matrix that no row of a table gives; the key is a cause if the mistake is known. */
+/** Reports a matrix that is no link matrix. The key of a known mistake is also its cause. */
 export class NoLink extends ArmError {
   constructor(key, fields = {}) {
     super(formatMessage(key, fields));
@@ -84,7 +84,8 @@ function requireLinkMatrix(i, A, numbers) {
   throw new NoLink(key, { i, row: off[0], column: off[1] });
 }
 
-// Find the first entry that does not fit the others; its row and column count from 1.
+// Find the row and column, from 1, of the first number that differs from the link matrix of the
+// computed entries.
 function findMisfit(A, { a, alpha }) {
   const { d, theta } = computeEntries(A);
   const [c, s, ca, sa] = [theta, alpha].flatMap((x) => [Math.cos(x), Math.sin(x)]);

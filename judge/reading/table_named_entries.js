@@ -1,23 +1,25 @@
-// Lists entries that have names, and the brackets in which they stand.
+// Lists the brackets of a text, and the entries inside a bracket such as (d=0.3, a=0).
 
 /** @typedef {import("./spans.js").Span} Span */
 /**
- * A bracket of a text: its character, the text before it and inside it; `hasPairs` if it holds
- * pairs of names and values and no bracket inside it does. `start` is where `body` begins.
+ * A bracket of a text. `open` is its opening character, `before` the text before it, and `body` the
+ * text inside, which begins at `start`. `hasPairs` is true if the bracket holds "=" or ":" outside
+ * of inner brackets, and no inner bracket does.
  * @typedef {{ from: number, to: number, open: string, before: string, body: string, start: number,
  *   hasPairs: boolean }} Bracket
  */
-/** An entry, with the stretches of the text it was typed in; none if it was left out.
+/**
+ * An entry and its spans in the text. An entry that the text leaves out has no spans.
  * @typedef {{ text: string, spans: Span[] }} Entry
  */
 /**
- * Rows of entries below their headers; `parts` are the stretches of the text that hold them, and
- * `findUnread` finds text of the table that no entry used.
+ * The rows and headers of a table. `parts` are the spans of its rows in the text. `findUnread`
+ * finds text of the table that no entry used.
  * @typedef {{ rows: Entry[][], headers: string[], parts: Span[], assumptions?: string[],
  *   convention?: string, findUnread: () => Span | null }} EntryRows
  */
 
-const NEAR = 40; // characters before a bracket that may name it
+const NEAR = 40; // characters before a bracket that may hold its name
 
 /** List the brackets of a text. @param {string} text @returns {Bracket[]} */
 export function listBrackets(text) {
@@ -41,8 +43,8 @@ export function listBrackets(text) {
 }
 
 /**
- * Make an entry of a stretch of a text, without blanks and quotes around it.
- * @param {string} text of the stretch @param {number} from where it begins
+ * Make an entry of a piece of the text, without blanks and quotes around it.
+ * @param {string} text of the piece @param {number} from its position in the whole text
  * @returns {Entry}
  */
 export function makeEntry(text, from) {
@@ -54,7 +56,7 @@ export function makeEntry(text, from) {
 /** Make an entry that the text leaves out. @param {string} text @returns {Entry} */
 export const makeUntyped = (text) => ({ text, spans: [] });
 
-/** List the entries between commas, else between blanks. @returns {Entry[]} */
+/** List the entries of a text, separated by commas, else by blanks. @returns {Entry[]} */
 export function listEntries(body, start) {
   const pattern = /[,;\n]/.test(body.trim()) ? /[^,;\n]+/g : /\S+/g;
   return [...body.matchAll(pattern)]

@@ -1,20 +1,20 @@
-// Finds text of a table whose entries have names that no entry used: a misspelt name of an entry or
-// of a call, a row that was not read.
+// Finds unread text in a table whose entries have names. It may be a misspelt name, as in
+// {'a': 0, 'alhpa': 90}, or a whole row.
 
 import { listLines } from "./spans.js";
 
 /** @typedef {import("./spans.js").Span} Span */
 /** @typedef {import("./table_named_entries.js").Bracket} Bracket */
 /**
- * A row: the stretch that holds its entries, and the stretches that its entries used, with their
- * names. `isWhole` if it has all four entries.
+ * A row. `part` is its span, and `body` the span inside its brackets. `uses` are the spans of its
+ * names and entries. `isWhole` is true if it has all four entries.
  * @typedef {{ part: Span, body: Span, uses: Span[], isWhole: boolean }} NamedRow
  */
 
-const FEWEST_NUMBERS = 3; // of a row that was not read
-const PREFIX = 2; // characters with which lines of rows begin alike
+const FEWEST_NUMBERS = 3; // with fewer numbers, text beside the rows is no row
+const PREFIX = 2; // two lines of rows begin with the same two characters
 
-// Arguments of Link and their kin, and names in dictionaries, that are no entries.
+// Names in calls and dictionaries that are no entries, as in Link(d=0.3, qlim=[-2, 2]).
 const OTHER_NAME =
   "name|type|kind|joint(?:_?type)?|link|i|index|id|qlim|limits?|mdh|flip|m|mass|r|I|G|B|Jm|Tc";
 const OTHER_PAIR = new RegExp(
@@ -25,8 +25,7 @@ const OTHER_PAIR = new RegExp(
 const KIND = /(['"])(?:revolute|prismatic|standard|modified)\1/gi;
 
 /**
- * Find the first piece of text within the rows of a table, between them or next to them that may be
- * an entry or a row and was not used.
+ * Find the first unused text that may be an entry within a row, or a row beside the other rows.
  * @param {string} text
  * @param {NamedRow[]} rows
  * @param {Bracket[]} brackets of the text
@@ -40,6 +39,7 @@ export function findUnusedText(text, rows, brackets) {
   return rows.length ? findUnusedRow(text, rows, brackets) : null;
 }
 
+// Find the first text between commas within a row that no entry used.
 /** @param {string} text @param {NamedRow} row @returns {Span | null} */
 function findUnusedPiece(text, { body, uses }) {
   const characters = [...text.slice(body.from, body.to).split("")];
@@ -54,8 +54,8 @@ function findUnusedPiece(text, { body, uses }) {
   return null;
 }
 
-// Find a stretch between rows or beside them that may be a row: on the same line, or on the next
-// line if it begins as the lines of rows do or ends a bracket.
+// Find text between the rows or beside them that may be a row. It stands on a line of the rows, or
+// on the next line if that begins like the first row or closes a bracket.
 /** @param {string} text @param {NamedRow[]} rows @param {Bracket[]} brackets */
 function findUnusedRow(text, rows, brackets) {
   const parts = rows.map(({ part }) => part).sort((one, other) => one.from - other.from);
@@ -84,10 +84,10 @@ function findUnusedRow(text, rows, brackets) {
 
 const WORD_BETWEEN = /^\s*,[^\n]*[\p{L}\d][^\n]*,\s*$/u;
 const WORD_BEHIND = /^\s*,\s*[\p{L}\d][^\n=]*$/u;
-const UNOPENED = /^[\s[(]*[^[\](){}]*[:=][^(){}]*\}/; // the end of a dictionary
-const FEWEST_BRACKETED = 2; // numbers of a call
+const UNOPENED = /^[\s[(]*[^[\](){}]*[:=][^(){}]*\}/; // the end of a dictionary, a: 0}
+const FEWEST_BRACKETED = 2; // with fewer numbers, a bracket holds no entries
 
-// Return whether a stretch holds a bracket with entries, or one that does not open or close.
+// Return whether a span holds a bracket with entries, or a bracket without its counterpart.
 /** @param {string} text @param {Span} gap @param {Bracket[]} brackets */
 function hasBracket(text, { from, to }, brackets) {
   const isEntries = ({ body }) => /[=:]/.test(body) || countNumbers(body) >= FEWEST_BRACKETED;
@@ -113,10 +113,10 @@ function trimSpan(text, { from, to }) {
 }
 
 /**
- * Find a list of as many entries as the lists of a table, on a line between them or next to them.
+ * Find an unused line between the lists of a table, or next to them, that is as long as a list.
  * @param {string} text
  * @param {Span[]} parts the lists of the table with their names
- * @param {number} count of the entries of each list
+ * @param {number} count of the entries in each list
  * @returns {Span | null}
  */
 export function findUnusedList(text, parts, count) {

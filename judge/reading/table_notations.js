@@ -1,5 +1,5 @@
-// Reads tables whose entries have names: calls such as Link(...), dictionaries, pairs such as
-// a_1 = 0, and lists such as a = [...]. Each becomes rows of entries below column headers.
+// Reads tables whose entries have names, in lists such as a = [0, 0.4], calls such as Link(...),
+// dictionaries or pairs such as a_1 = 0. All become rows of entries below column headers.
 
 import { listLines } from "./spans.js";
 import { findEntry, nameColumns } from "./table_columns.js";
@@ -18,8 +18,8 @@ const MOST_ROWS = 32;
 /** @typedef {import("./table_named_entries.js").Entry} Entry */
 /** @typedef {import("./table_named_entries.js").EntryRows} EntryRows */
 /**
- * A table whose entries have names: `sources` says where each entry stands in the text, `context`
- * is the text around the table, and `unusedLines` lists what was not used.
+ * A table whose entries have names. `sources` are the spans of its entries, `parts` the spans of
+ * its rows or lists, and `context` is the text around them. `unread` is unread text of the table.
  * @typedef {{ cells: string[][], headers: string[], assumptions: string[], convention?: string,
  *   sources: Source[], parts: Span[], context: string, unusedLines: string[], unread: Span | null
  *   }} NamedTable
@@ -52,7 +52,7 @@ export function readNamedTable(typedText) {
 }
 
 /**
- * List what was not used: lines outside the table, and decimals on its lines.
+ * List the unused lines outside the table, and the unused decimals on its lines.
  * @param {string} text @param {Span[]} parts @param {Span[]} sources
  */
 function listUnused(text, parts, sources) {
@@ -74,7 +74,7 @@ const DECIMAL = /(?<!\d)\d*\.\d+/g;
 const LIST = /([\p{L}_][\p{L}\p{N}_]*)['"]?\s*[=:]\s*(?:(?:np\.array|Matrix)?\s*\(\s*)?$/u;
 
 /**
- * Read a table from four parallel lists, or from those of a, alpha and d.
+ * Read a table from four lists of the same length, or from three lists of a, alpha and d.
  * @param {string} text @param {Bracket[]} brackets @returns {EntryRows | null}
  */
 function readLists(text, brackets) {
@@ -106,7 +106,7 @@ function readLists(text, brackets) {
   return !columns.has("theta") ? addTheta(table, columns.get("d")) : table;
 }
 
-// Refuse two lists of one column whose entries differ.
+// Refuse two different lists of the same column.
 /** @param {{ column: string, entries: Entry[] }[]} lists */
 function refuseTwoLists(lists) {
   const first = new Map();
@@ -121,7 +121,8 @@ function refuseTwoLists(lists) {
   }
 }
 
-// Add the joints' angles to lists of d, a and alpha; a row whose d is a variable slides.
+// Add joint angles to lists of d, a and alpha. If d is a variable, the joint is prismatic and theta
+// is 0.
 /** @param {EntryRows} table @param {Entry[]} distances @returns {EntryRows} */
 function addTheta(table, distances) {
   const angles = distances.map(({ text }, k) => makeUntyped(isVariable(text) ? "0" : `q_${k + 1}`));
@@ -133,16 +134,16 @@ function addTheta(table, distances) {
   };
 }
 
-/** Refuse a table of too many rows. @param {number} count */
+/** Refuse a table with too many rows. @param {number} count */
 export function refuseManyRows(count) {
   if (count > MOST_ROWS) throw new ArmError(formatMessage("many rows", { count, most: MOST_ROWS }));
 }
 
 const LONGEST = 100_000; // characters of a text
-const MATRIX_SIZE = 16; // numbers of a link matrix, the longest form of a row
+const MATRIX_SIZE = 16; // numbers of a link matrix, the longest notation of a row
 
 /**
- * Refuse an empty text, and one with far more numbers than a table has.
+ * Refuse an empty text, and a text with far more numbers than a table has.
  * @param {string} text
  */
 export function refuseSize(text) {

@@ -1,4 +1,5 @@
-// Cuts out columns of a pasted table that are no part of it, such as a maker's masses.
+// Cuts out columns that do not belong to the Denavit-Hartenberg table, such as masses in a maker's
+// data sheet.
 
 import { isNumber } from "./formula.js";
 import { Tokens } from "./owners.js";
@@ -10,13 +11,13 @@ import { ENTRIES } from "./table_rows.js";
 /** @typedef {import("./owners.js").Token} Token */
 /** @typedef {import("./spans.js").Span} Span */
 /**
- * A column that is no part of the table, with its header's cell first.
+ * A column that does not belong to the table. The first of its cells is the header.
  * @typedef {{ header: string, cells: (Span & { text: string })[] }} OtherColumn
  */
 
 const SEPARATORS = ["\t", "|", "&", ";"];
-const KEPT = /offset/i; // in the header of a column that belongs to the table
-const VECTOR = /^[([{]\s*[-+−.\d]/; // a centre of mass
+const KEPT = /offset/i; // the header of a further column of the table
+const VECTOR = /^[([{]\s*[-+−.\d]/; // the centre of mass, (0, 0.1, 0)
 
 /**
  * Cut other columns out of a table whose headers name all four entries.
@@ -47,7 +48,7 @@ export function dropOtherColumns(text) {
       const columns = headers.flatMap((header, i) =>
         isKept(i) ? [] : [{ header, cells: cells.flatMap((row, j) => (isRow(j) ? row[i] : [])) }],
       );
-      // A note such as "q2 + 90" or "sum" changes its row, and without its column nothing shows it.
+      // A note such as "q2 + 90" or "sum" changes its row, so its column must stay.
       const texts = columns.map((column) =>
         column.cells.slice(1).map(({ text: cell }) => cell.trim()),
       );
@@ -58,7 +59,7 @@ export function dropOtherColumns(text) {
   return { rest: new SpannedText(text), others: [] };
 }
 
-// Return whether a cell of a column has more numbers than another cell, as "3.1 99" below "2.2".
+// Return whether the cells of a column have different counts of numbers, as "2.2" and "3.1 99".
 /** @param {string[]} cells */
 const hasStrayNumber = (cells) => new Set(cells.map(countNumbers).filter(Boolean)).size > 1;
 
@@ -79,9 +80,9 @@ const joinSpans = (spans, separator) =>
   spans.flatMap((span, i) => (i ? [separator, span] : [span]));
 
 /**
- * List the numbers of a text with their owners, once its other columns were cut out.
+ * Add the numbers of the columns that were cut out to the tokens of the remaining text.
  * @param {Token[]} tokens of the text without the columns
- * @param {{ rest: SpannedText, others: OtherColumn[] }} dropped
+ * @param {{ rest: SpannedText, others: OtherColumn[] }} dropped from `dropOtherColumns`
  * @param {string} text as it was pasted
  * @returns {Token[]}
  */

@@ -1,5 +1,5 @@
-// Gives the numbers of a table their owners. The number of an entry gets its row and column from
-// the same data from which the entry was read.
+// Records for each number of a text whether it is an entry of the table, and of which row and
+// column. Other numbers become labels or context.
 
 import { Tokens } from "./owners.js";
 import { EXCHANGED, nameTableColumns } from "./table_columns.js";
@@ -10,10 +10,10 @@ import { ENTRIES } from "./table_rows.js";
 
 export const IN_NAME = "part of a name";
 
-// A name that a number belongs to, as in q1, q_1, q_{1}, q[1] and q(1).
+// The characters before a number that is part of a name: q1, q_1, q_{1}, q[1] and q(1).
 const NAME_BEFORE = /(?:[\p{L}_]\{?|(?<!\p{L})(?:q|θ|theta)[[(])$/u;
 
-// Make a number within a name a label; return other tokens unchanged.
+// Make a number a label if it is part of a name.
 function labelName(token, text) {
   const before = text.slice(Math.max(0, token.from - 7), token.from);
   return NAME_BEFORE.test(before) ? makeLabel(token, IN_NAME) : token;
@@ -29,11 +29,11 @@ const makeLabel = ({ text, from, to, line }, reason) => ({
 });
 
 /**
- * Place the numbers of a block whose columns are known. A number that numbers a row is a label; a
- * number of another column is set aside.
- * @param {Token[]} tokens with their row and column in the block
+ * Give the numbers of a block their rows and columns in the table. The number of a row becomes a
+ * label, and a number in a column of unknown name becomes context.
+ * @param {Token[]} tokens with their rows and columns in the block
  * @param {import("./table_blocks.js").TableBlock} block
- * @param {import("./table.js").TypedTable} table that was read from it
+ * @param {import("./table.js").TypedTable} table that was read from the block
  * @param {string} text
  * @returns {Token[]}
  */
@@ -43,7 +43,7 @@ export function placeBlockNumbers(tokens, { cells, headers, isTurned = false }, 
   return tokens.map((token) => {
     if (token.owner !== "entry") return token;
     const [row, at] = isTurned ? [token.column, token.row] : [token.row, token.column];
-    // A row of four cells has no others, even where the headers name more columns.
+    // A row of four cells holds the four entries, even if there are more headers.
     const isBare = cells[row].length === table.order.length;
     const names = (isBare ? table.order : columns).map(exchange);
     const k = at - (cells[row].length - names.length);
@@ -54,7 +54,7 @@ export function placeBlockNumbers(tokens, { cells, headers, isTurned = false }, 
   });
 }
 
-// List the names of all columns if the headers give the order that was read, else that order.
+// List the names of all columns. If the headers do not give the order that was read, use the order.
 function listColumns(headers, order) {
   const names = nameTableColumns(headers);
   const entries = names?.filter((name) => ENTRIES.includes(name));
@@ -62,8 +62,8 @@ function listColumns(headers, order) {
 }
 
 /**
- * List the spans of a block's cells. The cells of a column that is no part of the table are left
- * out, since text in them may change it.
+ * List the spans of a block's cells. Cells of a column that does not belong to the table are left
+ * out, since their text may change the table.
  * @param {import("./table_blocks.js").TableBlock} table
  */
 export function listCellSpans({ block: { sources, rows }, headers, isTurned }) {
@@ -86,8 +86,8 @@ const setAside = ({ text, from, to, line }, reason) => ({
 });
 
 /**
- * Place the numbers of link matrices A_1 ... A_n, which stand one below the other. `matrix` says
- * the row and column within A_i, from 0; `column` the entry that is read there, if any.
+ * Give the numbers of link matrices A_1 ... A_n, one below the other, their rows in the table.
+ * `matrix` is the position within A_i, from 0. `column` is the entry that this position gives.
  * @param {Token[]} tokens @param {string} text
  * @returns {Token[]}
  */

@@ -1,4 +1,4 @@
-// Reads a row of a table, which is its numbers and the joint that moves in it.
+// Reads the four entries of a row, such as 0, pi/2, 0.333 and q_1 + pi, and finds its joint.
 
 import { RAD } from "../geometry/angles.js";
 import { parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
@@ -9,15 +9,15 @@ import { ArmError, formatMessage, formatNumber } from "../sentences.js";
 
 export const ENTRIES = ["a", "alpha", "d", "theta"];
 
-// Names of joints' variables.
+// Names of joint variables, without "_".
 const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 
-// A cell for a joint's variable without its name: q, theta, ?, *.
+// A mark in place of the joint variable, such as q, theta, ? and *.
 export const VARIABLE = /^(?:var(?:iab(?:le|el))?|[-*?qd]|th(?:eta)?)\*?$/i;
 
 const LOCKED = /\s*\(locked[^()]*\)\s*$/i;
 
-// Trim a cell: drop the name it is assigned to, a note behind it and a star.
+// Trim a cell: "d_1 = 0.5" becomes "0.5", and "q2*" becomes "q2".
 export const trimEntry = (cell) =>
   cell
     .replace(/^['"]|['"]$/g, "")
@@ -26,6 +26,7 @@ export const trimEntry = (cell) =>
     .replace(/(?<=.)\^?\{?\*+\}?(?=\s*(?:[-+]|$))/g, "")
     .trim();
 
+// Return whether a cell holds a joint variable or a mark in its place.
 export function isVariable(text) {
   const bare = plain(text);
   if (VARIABLE.test(bare)) return true;
@@ -33,10 +34,10 @@ export function isVariable(text) {
 }
 
 /**
- * Read one row.
- * @param {number} i its number, from 1
- * @param {Record<string, string>} entries its cells by the name of their column
- * @param {Map<string, number>} known symbols that have numbers
+ * Read the cells of a row.
+ * @param {number} i the number of the row, from 1
+ * @param {Record<string, string>} entries the cells by the names of their columns
+ * @param {Map<string, number>} known the values of symbols
  * @returns {TypedRow}
  */
 export function readRow(i, entries, known) {
@@ -72,7 +73,7 @@ const LENGTHS = new Set(["a", "d"]);
 const IN_METRES = / m$/;
 const MEASURED = new RegExp(String.raw`^([-+−]?)\s*(\d*\.?\d*)(?:\*1e-(\d)|\s*(${LENGTH_UNIT}))$`);
 
-// Write a length with a unit in metres, digit for digit: 612.7 mm is 0.6127 m.
+// Write a length with a unit in metres without losing typed digits: "612.70 mm" is "0.61270 m".
 function convertToMetres(text) {
   const [, sign, x, power, unit] = MEASURED.exec(text.trim()) ?? [];
   if (!x) return text;
@@ -83,7 +84,8 @@ function convertToMetres(text) {
 
 const isDash = (text) => ["-", "–", "—"].includes(text);
 
-// Replace a dash by 0, or by the joint's variable if its row names none.
+// Replace dashes by 0. A dash below theta, or else below d, stays if the row has no joint variable:
+// it is a mark in place of the variable.
 function fillDashes(texts) {
   const { a, alpha, d, theta } = texts;
   const zero = (text) => (isDash(text) ? "0" : text);
@@ -98,7 +100,7 @@ function fillDashes(texts) {
 const KIND = { theta: "revolute", d: "prismatic" };
 const mapEntries = (make) => Object.fromEntries(ENTRIES.map((name) => [name, make(name)]));
 
-// Parse a cell; a mark for the variable, such as a star, stands for the joint's own variable.
+// Parse a cell. A mark such as * in row 2 becomes q_2.
 function parseEntry(cell, name, i, known) {
   const text = plain(cell);
   const moves = name === "theta" || name === "d";
@@ -106,16 +108,16 @@ function parseEntry(cell, name, i, known) {
   return parse(free ? `q_${i}` : text, `${name} in row ${i}`);
 }
 
-// Return a variable with its number; null if it has none.
+// Return a variable with its number, or null if its name has no number.
 function parseVariable(name) {
   const [number] = /\d+/.exec(name ?? "") ?? [];
   return number === undefined ? null : { name, number: Number(number) };
 }
 
-// A symbol that may be a joint's variable: l0 for 10 is none.
+// The first letter of a symbol that may be a joint variable. A mistyped 10, "l0", is none.
 const MOVING = /^(?:[dqstx]|phi)/i;
 
-// Find the joint's variable; refuse a row that holds another symbol.
+// Find the joint variable of a row. Refuse a row with any further symbol.
 function findVariable(i, free, mover) {
   const moving = mover === null ? [] : free[mover];
   const joint = moving.find((one) => /^[qt]/.test(one)) ?? moving[0];
@@ -127,7 +129,7 @@ function findVariable(i, free, mover) {
   ]);
 }
 
-// Return the sign with which a row follows its joint; refuse a row that scales the joint.
+// Return the sign of the joint variable in its row. Refuse a factor, as in 2 q_1.
 function findDirection(rate, row, name) {
   const far = (from) => Math.abs(Math.abs(rate) - from) > 1e-6;
   if (far(1) && far(RAD))

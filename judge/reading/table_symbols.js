@@ -1,5 +1,5 @@
-// Checks the values that the text around a table gives to its symbols. A line that seems to give a
-// value and cannot be read stops the verdict, and so do values in unclear units.
+// Checks the lengths that the text around a table gives to its symbols. If a line seems to define a
+// symbol but cannot be read, or if a unit is unclear, there is no verdict.
 
 import { plain, simple } from "./formula.js";
 import { refuseUnreadCell } from "./owners.js";
@@ -11,7 +11,7 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 /** @typedef {import("./spans.js").Span} Span */
 /** @typedef {import("./table_definitions.js").Definition} Definition */
 
-// A symbol's name, in plain characters, and the same counted as an entry of a list, a(2).
+// A symbol in plain characters, a_2, and the same symbol as an entry of a list, a(2).
 const NAME = /(?<![A-Za-z0-9_.])[A-Za-z][A-Za-z]*_?\{?\w*\}?'?/g;
 const LIST_ENTRY = /(?<=\b[A-Za-z]{1,5}) ?[[(](\d{1,2})[\])]/g;
 // A number with its unit, but not the 3 of 3R.
@@ -19,13 +19,13 @@ const NUMERAL = new RegExp(
   String.raw`(?<![\w.])\.?\d[\d.,]*(?:e[-+]?\d+)?(?=(?:${LENGTH_UNIT})?(?![A-Za-z\d]))`,
   "gi",
 );
-// A number that counts something.
+// A number that counts, as in "(1)", "2:" and "row 3".
 const COUNTED = "joint|row|link|frame|fig(?:ure)?\\.?|table|part";
 const COUNT = new RegExp(String.raw`^\s*[[(]?\d{1,2}[\]).:|\t]|(?:${COUNTED})s? ?\d+`, "gi");
-const MATRIX_ROW = /^[01]$/; // all numbers of a link matrix's row
+const MATRIX_ROW = /^[01]$/; // the numbers of a link matrix's row, apart from names
 
 /**
- * Refuse a table if the text may give a value that was not read to a symbol of it.
+ * Refuse a table if a line that was not read may define a symbol of the table.
  * @param {string[]} names of the symbols whose values the text does not define
  * @param {string} masked the text with blanks over the table's cells and all definitions
  * @param {Token[]} tokens @param {string} text as it was pasted
@@ -39,7 +39,7 @@ export function refuseUnreadValues(names, masked, tokens, text) {
 }
 
 /**
- * Refuse a table because of a line beside it; the line's numbers become unread.
+ * Refuse a table because of a line beside it. The numbers of the line become unread.
  * @param {string} key of the message @param {object} fields
  * @param {number} line from 0
  * @param {Token[]} tokens @param {string} text as it was pasted
@@ -54,7 +54,7 @@ export function refuseLine(key, fields, line, tokens, text) {
 }
 
 /**
- * Write blanks over stretches of a text.
+ * Replace spans of a text by blanks. Line ends stay.
  * @param {string} text @param {Span[]} spans
  */
 export function maskSpans(text, spans) {
@@ -64,8 +64,8 @@ export function maskSpans(text, spans) {
   return characters.join("");
 }
 
-// Find a symbol on a line that holds a number beside the symbols and their indices, or assigns
-// another symbol to it.
+// Find a symbol that a line may define. The line has a number apart from indices, or assigns
+// something with a digit to the symbol, as in "a_2 = l1".
 /** @param {string} line @param {Set<string>} searched simple names */
 function findValuedSymbol(line, searched) {
   const text = plain(line).replace(LIST_ENTRY, "_$1");
@@ -75,7 +75,7 @@ function findValuedSymbol(line, searched) {
     const behind = text.slice(index + typed.length);
     if (!searched.has(name)) return false;
     if (ASSIGNED.test(behind)) return !MATRIX.test(behind) && /\d/.test(behind);
-    return hasValue && name.length > 1; // "a" is a word, too
+    return hasValue && name.length > 1; // "a" may be the article
   });
   return match?.[0];
 }
@@ -83,7 +83,7 @@ function findValuedSymbol(line, searched) {
 const ASSIGNED = /^['"]? ?:?={1,2}(?!=)/;
 const MATRIX = /^[^=]*= ?\[/; // A_2 = [...]
 
-// Return whether a line holds numbers apart from names and counts, and is no row of a link matrix.
+// Return whether a line has numbers apart from names and counts. A row of a link matrix has none.
 function hasValues(text) {
   const rest = text.replace(COUNT, "").replace(NAME, (name) => "x".repeat(name.length));
   const numerals = rest.match(NUMERAL) ?? [];
@@ -95,10 +95,10 @@ const LEAST_MILLIMETRES = 10;
 const MOST_METRES = 1;
 
 /**
- * Drop the tables in which a defined length is in other units than the other lengths, as it seems;
- * refuse the first table if that leaves none.
+ * Drop the tables in which a defined length and the typed lengths seem to be in different units.
+ * Refuse the first table if no table is left.
  * @param {Definition[]} definitions that the tables use
- * @param {import("./table.js").TypedTable[]} tables the orders of columns that are possible
+ * @param {import("./table.js").TypedTable[]} tables one for each possible order of the columns
  * @param {string} text as it was pasted
  */
 export function dropUnclearUnits(definitions, tables, text) {
@@ -107,6 +107,7 @@ export function dropUnclearUnits(definitions, tables, text) {
   return tables.filter((_, k) => !unclear[k]);
 }
 
+// Find a definition whose unit is unclear, with a length that must be in mm and one in m.
 /** @param {Definition[]} definitions @param {import("./table.js").TypedTable} table */
 function findUnclearUnit(definitions, { rows }) {
   const lengths = rows.flatMap(({ numbers, metres }) =>
@@ -135,7 +136,7 @@ function refuseUnclearUnit({ definition, large, small }, { tokens }, text) {
 const UNIT_BEHIND = new RegExp(String.raw`^ ?(?:(${LENGTH_UNIT})|rad|deg|°)(?![\p{L}\p{N}])`, "u");
 
 /**
- * Refuse an angle with a unit of lengths, and a length with a unit of angles.
+ * Refuse an angle in mm and a length in degrees.
  * @param {import("./table.js").TypedTable} table @param {string} text as it was pasted
  */
 export function refuseMixedUnits({ tokens, isOrderGuessed }, text) {

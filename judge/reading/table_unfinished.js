@@ -1,5 +1,5 @@
-// Masks the last rows of an unfinished table. Their cells hold marks such as ? and TODO, or nothing
-// beside the joint's variable.
+// Blanks out the last rows of an unfinished table, so that the finished rows can be judged. The
+// cells of an unfinished row are marks such as ? and TODO, or empty beside the joint variable.
 
 import { isPlaceholder } from "./unfilled.js";
 
@@ -14,7 +14,7 @@ const BLANK = new RegExp(
 );
 const EMPTY_CELL = /[|&;\t][ ]*(?=[|&;\t])/;
 
-// Return whether a line holds placeholders and at most the joint's label before them.
+// Return whether a line has only placeholders, with or without the joint's label before them.
 function hasOnlyPlaceholders(line) {
   const cells = line
     .replace(FIRST_LABEL, "")
@@ -25,8 +25,8 @@ function hasOnlyPlaceholders(line) {
 }
 
 /**
- * Write blanks over the last rows of a table if they are not finished. A blank cell means that only
- * where no other row has one: there it may stand for 0.
+ * Replace the last, unfinished rows of a table by blanks. If a finished row has an empty cell,
+ * empty cells may mean 0, and only rows with placeholders are unfinished.
  * @param {string} text
  */
 export function maskUnfinishedRows(text) {

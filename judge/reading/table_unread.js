@@ -1,5 +1,5 @@
-// Finds an unread cell of a table. It stands on the line of a row, or on a line that looks like one
-// more row.
+// Finds a cell of a table that was not read, on the line of a row or on a line that looks like a
+// further row.
 
 import { isDate } from "./owners.js";
 import { listLines } from "./spans.js";
@@ -11,17 +11,18 @@ import { MOST_RADIANS } from "./table_conversion.js";
 /** @typedef {import("./spans.js").Span} Span */
 /** @typedef {import("./table_blocks.js").TableBlock} TableBlock */
 /**
- * The contents of a line that are no part of the rows of a table.
+ * The contents of a line that do not belong to the rows of the table. `candidates` are the words
+ * that may be entries.
  * @typedef {{ rows: Row[], words: Cell[], entries: Cell[], candidates: Cell[] }} Rest
  */
 
-const FEWEST = 2; // entries on a line that make it look like a row
-const FEWEST_SEPARATORS = 3; // a row has four entries
-const MARK = "·"; // begins a word that the judge wrote, as for column headers
+const FEWEST = 2; // a line with two entries may be a row
+const FEWEST_SEPARATORS = 3; // three separators part four entries
+const MARK = "·"; // begins a word that the judge inserted, such as a mark for column headers
 
 /**
- * Find the first cell of a pasted text that may belong to a table and could not be read. A line
- * whose cells are all entries, but too few for a row, has none.
+ * Find the first cell that may belong to a table and was not read. If all cells of a line are
+ * entries, but too few for a row, return the line without a cell.
  * @param {TableBlock} table
  * @param {string} text as it was pasted
  * @param {(cell: string) => boolean} isEntry whether a cell may be an entry of a table
@@ -36,7 +37,7 @@ export function findUnreadCell(table, text, isEntry) {
   return unclear ?? findUnreadInLines(table, text, isEntry);
 }
 
-// Find the first unread cell on a line that holds more than rows, or looks like a row.
+// Find the first unread cell on the line of a row, or on a line that looks like a row.
 function findUnreadInLines(table, text, isEntry) {
   const { block, plainLines } = table;
   const { sources } = block;
@@ -69,16 +70,16 @@ function findUnreadInLines(table, text, isEntry) {
   return null;
 }
 
-// Return whether cells behind a comment mark were left out, as in q1 # base | 0.5 | 0 | 90.
+// Return whether a comment mark hides cells, as in "q1 # base | 0.5 | 0 | 90".
 const hidesCells = (typedLine, plainLine, separators) =>
   !plainLine.includes(MARK) && hasSameSeparators(typedLine, separators);
 
-// Find an entry whose sign was typed before it and is no part of its cell, as in !-$\pi/2$.
+// Find an entry whose minus was lost because it stands outside of the cell, as in "!-$\pi/2$".
 /** @param {string} text @param {Row[]} sources */
 function findLostSign(text, sources) {
   for (const { line, cells } of sources)
     for (const [k, { from, to }] of cells.entries()) {
-      if (from === to) continue; // an empty cell, whose dash was taken off
+      if (from === to) continue; // an empty cell, whose dash was removed
       const gap = text.slice(Math.max(cells[k - 1]?.to ?? 0, from - NEAR), from);
       const sign = LOST_SIGN.exec(gap.replace(NO_SIGN, blank));
       if (sign) return { line, cell: { from: from - sign[0].length, to } };
@@ -86,12 +87,13 @@ function findLostSign(text, sources) {
   return null;
 }
 
-const NEAR = 20; // characters before an entry in which its sign may stand
-const NO_SIGN = /\\h?phantom\{[^}]*\}|-+>/g; // of LaTeX, and arrows
+const NEAR = 20; // characters before an entry that may hold its sign
+const NO_SIGN = /\\h?phantom\{[^}]*\}|-+>/g; // an invisible minus of LaTeX, and arrows
 const blank = (match) => " ".repeat(match.length);
 const LOST_SIGN = /\S*[-−–—][^\p{L}\d\n|&;,\t-]*$/u;
 
-// Find an entry such as 1,000, which may be 1 or a thousand. A comma of another entry shows which.
+// Find an entry such as 1,000, which may be 1 or a thousand. It is clear that the comma is decimal
+// if any entry is like 0,5.
 /** @param {string} text @param {Row[]} sources */
 function findUnclearComma(text, sources) {
   const typed = sources.flatMap(({ line, cells }) =>
@@ -102,7 +104,7 @@ function findUnclearComma(text, sources) {
   return hasDecimalComma ? undefined : typed.find(isUnclear);
 }
 
-// Find an entry of more than a turn with the unit of radians, such as 90 rad.
+// Find an entry of more than a full turn in radians, such as 90 rad.
 /** @param {string} text @param {Row[]} sources */
 function findManyRadians(text, sources) {
   for (const { line, cells } of sources)
@@ -116,7 +118,7 @@ function findManyRadians(text, sources) {
 const RADIANS = /^[-+−]?\s*([\d.]+)\s*rad/;
 const UNCLEAR_COMMA = /^[-+−]?[1-9]\d{0,2},\d{3}(?![\d,])/;
 
-// Find the first unread cell behind the first entry of a row, or a second part of the row.
+// Find the first unread cell behind the first entry of a row, or a further row on the same line.
 /** @param {Rest} rest @param {number} line @param {number} start of the row's first entry */
 function findUnreadInRow({ rows, words, candidates }, line, start) {
   const cell = candidates.find(({ from }) => from > start);
@@ -124,8 +126,8 @@ function findUnreadInRow({ rows, words, candidates }, line, start) {
   return { line, cell: cell ?? candidates[0] ?? words[0] };
 }
 
-// Make a function that tells whether a line stands between the rows of a table or next to them. The
-// line of joints above a turned table is no row.
+// Make a test of lines. A line is beside a table if it stands between the rows or next to them. A
+// turned table has no such lines: the line of joints above it is no row.
 /** @param {number[]} lines @param {TableBlock} table */
 function makeBesideTest(lines, { block: { from, to }, isTurned }) {
   if (isTurned) return () => false;
@@ -136,15 +138,16 @@ function makeBesideTest(lines, { block: { from, to }, isTurned }) {
 
 const isPartOfRow = ({ cells, name }) => cells.length >= FEWEST && !name;
 
-// Find a word within the list of the rows that is no name of the list, as in [[...], *wrist].
+// Find a word within the list that holds the rows, as in [[...], *wrist]. The list's name is no
+// such word.
 /** @param {Rest} rest @param {Span | null} list @param {string} text */
 const findWordInList = ({ words }, list, text) =>
   list && words.find((word) => isWithin(word, list) && !isName(word, text));
 
-// Return whether a list is assigned to the word, as in \\[ DH = \\begin{pmatrix}.
+// Return whether "=" follows a word, as in \\[ DH = \\begin{pmatrix}.
 const isName = ({ to }, text) => /^\s*=/.test(text.slice(to, to + 9));
 
-// List what each line holds beside the rows of a block; a line of column headers holds nothing.
+// Map each line to its contents that do not belong to the rows of a block.
 /**
  * @param {Block} block @param {(cell: string) => boolean} isEntry
  * @returns {Map<number, Rest>}
@@ -162,7 +165,7 @@ function listRests({ sources, lines }, isEntry) {
       at(row.line).entries.push(...row.cells);
     }
   for (const word of lines.words) {
-    if (word.line === undefined || isDate(word.text)) continue; // the name of a value, a date
+    if (word.line === undefined || isDate(word.text)) continue; // the name of a value
     const { words, candidates } = at(word.line);
     if (word.text.startsWith(MARK)) continue;
     words.push(word);
@@ -172,26 +175,28 @@ function listRests({ sources, lines }, isEntry) {
 }
 
 const PROSE = /(?<![\p{L}\d_\\])\p{L}{3,}(?![\p{L}\d_(])/gu;
-const FEWEST_PROSE = 3; // words of a sentence
+const FEWEST_PROSE = 3; // a sentence has three words or more
 
-// Return whether a line above a table without headers holds no digit: headers of unknown names.
+// Return whether a line may hold headers of unknown names. It has no digit and stands above a table
+// without headers.
 const isUnknownHeader = ({ headers, block, plainLines }, line) =>
   !headers.length && line < block.from && !/\d/.test(plainLines[line]);
 
 const trimMarks = (text) => text.replace(/^[^\p{L}\d.+-]+|[^\p{L}\d]+$/gu, "");
 
+// Return whether at least half of the cells on a line may be entries.
 function isMostlyEntries({ entries, words, candidates }, plainLine) {
   const count = entries.length + candidates.length;
   const isSentence = (plainLine.match(PROSE) ?? []).length >= FEWEST_PROSE;
   return !isSentence && count >= FEWEST && 2 * count >= entries.length + words.length;
 }
 
-// Count what may part the cells of a line: each character, and wide gaps.
+// Count each separator of a line.
 const countSeparators = (line = "") =>
   SEPARATORS.map((separator) => line.trim().split(separator).length - 1);
 const SEPARATORS = ["|", "&", "\t", ";", ",", / {2,}/];
 
-// Return whether a line is parted as often as a row by the character that parts the row's cells.
+// Return whether a line has as many separators as a row.
 function hasSameSeparators(line, separators) {
   const counts = countSeparators(line);
   const k = separators.findIndex((count) => count >= FEWEST_SEPARATORS);
@@ -199,7 +204,7 @@ function hasSameSeparators(line, separators) {
 }
 
 /**
- * Find the outermost list in brackets that holds all rows.
+ * Find a list in brackets around all rows, as in DH = [[0, 0], [0, 1]].
  * @param {string} text @param {Row[]} sources
  * @returns {Span | null}
  */
@@ -221,8 +226,8 @@ function findList(text, sources) {
 
 const isWithin = ({ from, to }, list) => from >= list.from && to <= list.to;
 
-// Return whether a line begins with a name and "=" or ":", as no row of the table does, or holds
-// several.
+// Return whether a line assigns a list of its own, as in "masses: 1.2, 3.4". Rows of the table may
+// have names, too; then the line must hold two "=".
 const namesOtherList = (line, sources) =>
   /^[^=:]*\p{L}[^=:]*[=:]/u.test(line) &&
   (line.split("=").length > 2 || !sources.some(({ name }) => name));
