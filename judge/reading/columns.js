@@ -1,5 +1,5 @@
-// Chooses columns of a table by their headers: those with the answer's own name. If several sets of
-// columns remain, all are returned, and the student is asked which she means.
+// Chooses the columns of a table whose headers have the answer's name, such as "tau". If several
+// sets of columns fit, all are returned, and the judge asks the student to choose.
 
 import { isSeries } from "./counts.js";
 import { readHeaderLabels, readLabels } from "./ordering.js";
@@ -9,16 +9,17 @@ import { agree } from "./repetitions.js";
 /** @typedef {import("./lines.js").Cell} Cell */
 
 /**
- * Return a name without marks before it and its unit behind it: T of T_(Nm).
+ * Return a name without the marks before it and without its unit: "T" for "*T_(Nm)".
  * @param {string} name
  */
 export const bareName = (name) => name.replace(/^[^\p{L}]+|_\([^()]*\)$/gu, "");
 
 const EXACT_NAME = /^(?:q|th|theta|θ|tau|τ|torques?)(?:_?\{?i\}?)?$/i;
-const ANGLE = /^(?:(?:joint )?angles?|deg(?:rees?)?|°|rad(?:ians?)?)$/i; // or its unit
+const ANGLE = /^(?:(?:joint )?angles?|deg(?:rees?)?|°|rad(?:ians?)?)$/i; // or the unit alone
 
 /**
- * Return the blocks of one column below the answer's name: that of q, not of q0 or qd.
+ * Return a block for each column below the answer's name. A column "q" is preferred to "q0" and
+ * "qd".
  * @param {Block} block @param {RegExp} names of the answer @returns {Block[]}
  */
 export function chooseColumn(block, names) {
@@ -35,8 +36,8 @@ export function chooseColumn(block, names) {
 }
 
 /**
- * Return whether a table has as many columns as an answer by chance. Its rows are counted, and one
- * of its columns has the answer's name.
+ * Return whether a table is as wide as the answer only by chance. Its first column counts the rows,
+ * and a single column has the answer's name.
  * @param {Block} block @param {{ columns: number | null }} want @param {Block[]} chosen columns
  */
 export function isSquareTable({ rows }, want, chosen) {
@@ -47,7 +48,8 @@ export function isSquareTable({ rows }, want, chosen) {
 }
 
 /**
- * Return the blocks of the columns whose headers name joints, if possible by the answer's name.
+ * Return a block for each set of columns whose headers name all joints. Headers with the answer's
+ * name are preferred.
  * @param {Block} block @param {{ by?: string, columns: number | null }} want
  * @param {RegExp} names of the answer @returns {Block[]}
  */
@@ -63,7 +65,7 @@ export function chooseJointColumns(block, { by, columns }, names) {
   return selectSets(block, sets);
 }
 
-// List the columns that have a header; none if headers and columns do not correspond.
+// List the columns with their headers, or none if headers and columns do not correspond.
 function listColumns(block) {
   const offset = offsetOfHeaders(block);
   if (offset === null) return [];
@@ -72,15 +74,17 @@ function listColumns(block) {
     .filter(({ column }) => column >= 0 && column < block.rows[0].length);
 }
 
-// Return how many headers stand before that of the first column; -1 if a column that counts rows
-// has none, and null if headers and columns do not correspond. Words behind the rows have headers.
+// Return the index of the first column's header. It is -1 if the first column counts the rows and
+// has no header, and null if headers and columns do not correspond. Words behind the rows have
+// headers, too.
 function offsetOfHeaders({ headers, rows, sources }) {
   const more = headers.length - rows[0].length;
   const isCounted = isSeries(rows.map(([cell]) => cell.text));
   if (more < 0) return more === -1 && isCounted ? -1 : null;
   const tails = sources.length === rows.length ? sources.map(({ tail }) => tail) : [0];
   const offset = more - Math.min(more, ...tails);
-  // The column that counts rows is not that of a joint, if there may be a header for words behind.
+  // A first column that counts rows does not belong to a joint. It has no header if the first
+  // header names a joint, and the last header then belongs to words behind the rows.
   const mayHaveTail = offset > 0 || Math.max(...tails) > 0 || sources.every(isCountOfNoun);
   return mayHaveTail && isCounted && isJointHeader(headers[offset]) ? offset - 1 : offset;
 }
@@ -90,7 +94,7 @@ const isCountOfNoun = ({ words, isAssigned }) => words.length > 0 && !isAssigned
 
 const isJointHeader = (header) => readLabels([[header]])?.kind === "joint";
 
-// Split headers in sets in which no joint's number stands twice.
+// Split the columns of joints into sets. A repeated joint number begins the next set.
 function splitAtRepeatedNumbers(joints) {
   const sets = [];
   for (const joint of joints) {
@@ -105,8 +109,7 @@ const IN_DEGREES = /deg|°/i;
 const IN_RADIANS = /rad/i;
 const areIn = (set, unit) => set.every(({ header }) => unit.test(header.text));
 
-// Make a block of each set of columns. Those in radians that repeat others in degrees
-// are left out.
+// Make a block of each set of columns. A set in radians that repeats a set in degrees is left out.
 function selectSets(block, sets) {
   const degrees = sets.filter((set) => areIn(set, IN_DEGREES));
   const radians = sets.filter((set) => areIn(set, IN_RADIANS));

@@ -1,5 +1,5 @@
-// Refuses an answer that its own text contradicts: a list that "=" makes equal and that differs,
-// and rows in another order than x, y, z.
+// Refuses an answer that its own text contradicts, for example by "[0.5, 1] = [28.6°, 60°]", or by
+// rows that are called y before x.
 
 import { number } from "./formula.js";
 import { agree } from "./repetitions.js";
@@ -7,14 +7,15 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @typedef {import("./block.js").Block} Block */
 
-// Brackets, a unit and "=" between two lists.
+// The text between two lists: brackets, a unit and "=".
 const EQUALS = new RegExp(
   String.raw`^[\s\])}]*(?:\\?(?:text|mathrm)?\{?(?:rad(?:ians?)?|deg(?:rees?)?|°)\}?)?` +
     String.raw`[\s,]*[=≈][\s[({]*(?:np\.array\()?[\s[({]*$`,
 );
 
 /**
- * Raise an error if "=" joins a row of the answer to a row that differs in radians and in degrees.
+ * Raise an error if "=" joins a row of the answer to a different row. A row in radians and a row in
+ * degrees may be equal.
  * @param {string} text @param {Block} block
  */
 export function refuseUnequalLists(text, { sources, lines }) {
@@ -42,11 +43,11 @@ const areEqual = ({ cells }, { cells: others }) =>
     return areClose || agree(String(x), other) || agree(String(y), one);
   });
 
-// The axis that a label ends with: y of "vy", "w_y", "ry:", "theta_y".
+// The axis at the end of a label, such as y of "vy", "w_y", "ry:" and "theta_y".
 const AXIS = /(?:^|[\s_{(vwrωd]|rot|ang|lin|theta|omega)([xyz])[\s})\].:=|,]*$/i;
 
 /**
- * Raise an error if the labels of all rows end with an axis and the axes do not follow each other.
+ * Raise an error if the labels of all rows end with an axis, and the order is not x, y, z.
  * @param {Block} block in the order in which it is judged @param {string} what the answer
  */
 export function refuseContraryRows({ labels }, what) {

@@ -1,12 +1,12 @@
-// Joins the parts of a wide pandas frame. On a narrow screen pandas prints the columns in several
-// parts, one below the other; each part but the last has a \ behind its column headers.
+// Joins the parts of a wide pandas frame. On a narrow screen pandas prints the columns in parts,
+// the second below the first. All parts except the last have a \ behind their column headers.
 
 import { listLines } from "./spans.js";
 
 /** @typedef {import("./spans.js").Span} Span */
 
 /**
- * Put the parts of each printed frame side by side.
+ * Put the parts of each frame side by side.
  * @param {import("./spans.js").SpannedText} pasted
  */
 export function joinFrameParts(pasted) {
@@ -28,7 +28,7 @@ const LEAST_GAP = 2; // blanks between two columns
 /** @typedef {Span & { text: string }} Line */
 
 /**
- * Find the frame whose first part begins at a line.
+ * Find the frame that begins at a line.
  * @param {Line[]} lines @param {number} start
  * @returns {{ rows: Span[][], next: number } | null} the spans of each row, and the index of the
  *   first line below the frame; null if the parts have different rows
@@ -43,11 +43,11 @@ function findFrame(lines, start) {
     line,
     ...others.map((part) => cutIndex(part[row], width)),
   ]);
-  // Other text may follow the last part without a blank line between them.
+  // The last part may include the text below the frame if no blank line stands between them.
   return { rows, next: end - (others.at(-1).length - first.length) };
 }
 
-// List the parts from a line on, each up to a blank line; the last has no \ behind its headers.
+// List the parts from a line on. A part ends at a blank line, and the last has no \.
 function listParts(lines, start) {
   const isBlank = (k) => lines[k] !== undefined && !lines[k].text.trim();
   const parts = [];
@@ -62,7 +62,8 @@ function listParts(lines, start) {
   return { parts, end };
 }
 
-// Find the width of the index: the first column, which all parts repeat; null if they differ.
+// Find the width of the index, which is the first column of each part. Return null if the parts
+// have different first columns.
 function findIndexWidth(parts) {
   const [first, ...others] = parts;
   const body = first.slice(1).map(({ text }) => text);

@@ -1,4 +1,4 @@
-// Reads joint vectors, one in each row or each column, with the units of their last digits.
+// Reads the joint vectors of an answer, each in a row or a column, as values in rad and m.
 
 import { RAD } from "../geometry/angles.js";
 import { transpose } from "../geometry/chains.js";
@@ -22,19 +22,19 @@ import { nameLengthUnit } from "./units.js";
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
 /**
- * A joint vector and the units of the last digits of its values.
+ * A joint vector. `units` has the unit of the last typed decimal place of each value, 0.001 for
+ * 0.523.
  * @typedef {{ values: number[], units: number[] }} JointVector
  */
 
 /**
- * Read joint vectors. If each row of an arm with locked joints has a value, the values of
- * the locked joints are left out.
- * @param {any} mine @param {Arm} arm
+ * Read joint vectors. If the vectors also have values for locked joints, these values are left out.
+ * @param {any} mine the answer: a text or nested lists @param {Arm} arm
  * @param {string} angles the unit of angles, "deg" or "rad"
- * @param {any} options `byColumns` reads columns of a square matrix, else its rows; the rest are
- *   options of `numbers`
+ * @param {any} options `byColumns` reads the columns of a square matrix instead of its rows. The
+ *   other options are those of `numbers`.
  * @returns {{ answers: JointVector[], taken: string[], typed: import("./numbers.js").Typed }}
- *   `taken` are messages on how the text was read
+ *   `taken` has messages on how the text was read
  */
 export function readJointVectors(mine, arm, angles, { byColumns = false, ...options } = {}) {
   const moving = movingRows(arm);
@@ -69,7 +69,8 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
 }
 
 /**
- * Describe the units that a text names: of angles if it is not the question's, of slides.
+ * Describe the units that a text states for several numbers, as "q (deg)" does. The unit of angles
+ * is left out if the question asks for it.
  * @param {import("./numbers.js").Typed} typed @param {string} angles @param {Arm} arm
  */
 export const describeUnits = ({ statedUnits }, angles, arm) => [
@@ -81,7 +82,7 @@ export const describeUnits = ({ statedUnits }, angles, arm) => [
     : []),
 ];
 
-// Refuse an angle without unit beside angles in degrees, unless it is 0 or a multiple of pi.
+// Refuse an angle without a unit beside angles in degrees, unless it is 0 or a multiple of pi.
 /** @param {Pick<import("./numbers.js").Typed, "entries" | "statedUnits">} typed @param {Arm} arm */
 function refuseMixedUnits({ entries, statedUnits }, arm, what) {
   if (statedUnits?.angles) return;
@@ -95,15 +96,16 @@ function refuseMixedUnits({ entries, statedUnits }, arm, what) {
 const noteColumns = (areColumns, { length }) =>
   areColumns && length > 1 ? [formatMessage("taken: answer per column")] : [];
 
-// Return the numbers of rows and columns. A list is one row, also within further lists; a single
-// column with the values of several poses has one row for each pose.
+// Return the numbers of rows and columns. A plain or nested list is a single row. A single column
+// with the values of several poses, pose after pose, has a row for each pose.
 function findMatrixShape({ shape, values }, dof) {
   if (shape[1] === 1 && shape[0] % dof === 0) return [shape[0] / dof, dof];
   const flat = shape.length > 2 ? shape.filter((n) => n !== 1) : shape;
   return flat.length < 2 ? [1, values.length] : flat;
 }
 
-// Refuse several lines called rad beside several called deg: one unit would be taken for all.
+// Refuse a text with several lines "rad: ..." and several lines "deg: ...". The reader knows only a
+// single unit for all numbers.
 /** @param {any} mine */
 function refuseTwoUnits(mine) {
   if (typeof mine !== "string") return;

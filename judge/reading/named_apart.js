@@ -1,5 +1,5 @@
-// Refuses values whose order contradicts the joints' names beside them, where no step read these
-// names: "0.3 (q2), 0.8 (q1)", "turn joint 2 by 0.3".
+// Refuses values if the joint names beside them have another order, as in "0.3 (q2), 0.8 (q1)". No
+// other step reads such names.
 
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
@@ -12,8 +12,8 @@ const JOINT = new RegExp(
 );
 
 /**
- * Raise an error if just one joint's name stands before or behind each value, and the values were
- * not taken in the order of these names.
+ * Raise an error if a single joint name stands before or behind each value, and the order of the
+ * values is not that of these joints.
  * @param {string} text @param {Token[]} tokens @param {{ length: number }[]} rows of the answer
  */
 export function refuseContraryNames(text, tokens, rows) {
@@ -36,7 +36,7 @@ export function refuseContraryNames(text, tokens, rows) {
 
 const endOfLine = (text, at) => (text.indexOf("\n", at) + text.length + 1) % (text.length + 1);
 
-// Return the number of the only joint that a text names; null if it names none or several.
+// Return the joint number that a text names, or null if it names no joint or several.
 function findOnlyJoint(text) {
   const all = new Set([...text.matchAll(JOINT)].map(([, number]) => Number(number)));
   return all.size === 1 ? [...all][0] : null;

@@ -1,5 +1,5 @@
-// Refuses texts that hold something else than plain numbers: infinite or complex ones, a doubtful
-// sign, an abridged print.
+// Refuses texts with numbers that the judge cannot use, such as "inf", "1 + 2i", "~0.5" and the
+// abridged print "0.1 ... 0.9".
 
 import { linesOf } from "./characters.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -16,7 +16,7 @@ const ODD = [
 ];
 
 /**
- * Raise an error for a text that is no answer in numbers.
+ * Raise an error for a text with such numbers.
  * @param {string} text @param {{ what: string, wanted?: string }} question
  */
 export function refuseOdd(text, { what, wanted = "numbers" }) {
@@ -24,14 +24,14 @@ export function refuseOdd(text, { what, wanted = "numbers" }) {
   if (key) throw new ArmError(formatMessage(key, { what, wanted }));
 }
 
-const MOST_OTHERS = 500; // numbers beside an answer
+const MOST_OTHERS = 500; // numbers in addition to those of the answer
 const MOST_LINES = 600; // ten printed pages
-const NUMBER = /(?<![\p{L}\d_.]|_\{)\d/gu; // the first digit of a number that is no index of a name
+const NUMBER = /(?<![\p{L}\d_.]|_\{)\d/gu; // the first digit of a number, but not the 1 of q_1
 
 /**
- * Raise an error if a text has far more numbers or lines than the answer: to read them would take
- * longer than a student waits. An answer of many numbers may have as many lines.
- * @param {string} text @param {number} size numbers of the answer
+ * Raise an error if a text has far more numbers or lines than the answer. Reading them would take
+ * longer than a student waits. The text may always have as many lines as the answer has numbers.
+ * @param {string} text @param {number} size the count of numbers in the answer
  * @param {{ what: string, wanted: string }} question
  */
 export function refuseLongText(text, size, { what, wanted }) {
@@ -46,8 +46,8 @@ export function refuseLongText(text, size, { what, wanted }) {
 const LEADING_DASH = /(?:^|[\n\v\f\r])[ \t]{0,40}$/;
 
 /**
- * Raise an error if a dash and a blank lead each of several values on lines of their own: these may
- * be minus signs or marks of a list.
+ * Raise an error if a dash and a blank begin the line of each row, as in "- 0.5". The dash may be a
+ * minus or the bullet of a list.
  * @param {string} text @param {import("./lines.js").Row[]} rows
  */
 export function refuseDashes(text, rows) {
@@ -60,8 +60,8 @@ export function refuseDashes(text, rows) {
 }
 
 /**
- * Return whether the numbers of a block are halves, as in "0,05 -97,53": commas without a blank
- * separate them, but blanks stand between or within some of them. Then the commas are decimal.
+ * Return whether the numbers of a block are the halves of decimal numbers, as 0, 05, -97 and 53 of
+ * "0,05 -97,53". Commas separate them without a blank, but there are blanks elsewhere in a row.
  * @param {string} text @param {import("./block.js").Block} block
  */
 export const hasHalfNumbers = (text, { splitsCommas, sources }) =>
@@ -75,8 +75,8 @@ export const hasHalfNumbers = (text, { splitsCommas, sources }) =>
 const QUOTIENT = /\d[.,]\d+ ?°?[ \t]+\/[ \t]+[-+\u2212]?\d*[.,]\d+/;
 
 /**
- * Raise an error if an entry divides two decimal numbers with blanks around the slash: these may be
- * two values.
+ * Raise an error for an entry such as "0.5 / 28.6" with blanks around the slash. It may be a
+ * quotient or two values.
  * @param {string} text @param {import("./lines.js").Row[]} rows @param {string} what the answer
  */
 export function refuseQuotients(text, rows, what) {
@@ -89,7 +89,7 @@ export function refuseQuotients(text, rows, what) {
 const POWER = /^[-+\u2212]?(?!10\D)(?:\d+(?:[.,]\d*)?|[.,]\d+)[⁰¹²³⁴-⁹]+$/u;
 
 /**
- * Raise an error if an entry is a number and a raised one: a power, or the mark of a footnote.
+ * Raise an error for an entry such as 0.5². The 2 may be an exponent or the mark of a footnote.
  * @param {string} text @param {import("./lines.js").Row[]} rows @param {string} what the answer
  */
 export function refusePowers(text, rows, what) {
@@ -101,8 +101,8 @@ export function refusePowers(text, rows, what) {
 const COMMENT = /(?:#|%|\/\/).*/g;
 
 /**
- * Take out comments that hold other numbers than entries, or "not": their units are not those of
- * the answer.
+ * Remove comments without entries, if they hold decimals or the word "not". A unit in such a
+ * comment is not the unit of the answer.
  * @param {string} text @param {import("./owners.js").Token[]} tokens
  */
 export const withoutOtherComments = (text, tokens) =>

@@ -1,18 +1,18 @@
-// Finds remarks beside an answer that correct it, doubt it or take it back, as "Correction: joint 3
-// is -93.3" and "draft, do not mark". The judge does not apply them, so they stop the verdict.
+// Refuses an answer if a remark beside it corrects it, doubts it or takes it back, as "Correction:
+// joint 3 is -93.3" and "draft, do not mark" do. The judge does not apply such remarks.
 
 import { beginsAsOld } from "./row_names.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const NUMBER = String.raw`[-+\u2212]? ?\.?\d`;
-// A number or a sign that an entry should have.
+// The number or the sign of "joint 3 should be -93.3" and "joint 3 should be negative".
 const SIGNED = `(?:${NUMBER}|negativ|positiv|minus|plus|reversed|the opposite)`;
 
-// Write the pattern of words, and of what follows them.
+// Write a pattern of whole words. `behind` is the pattern of the text behind the words.
 const word = (words, behind = "") => String.raw`(?<!\p{L})(?:${words})${behind}(?!\p{L})`;
 
 const INDEX = String.raw`_?[ ({[]{0,2}\d+`;
-// An entry, a row or an answer that a remark speaks about.
+// The part of an answer that a remark is about, such as "joint 3" and "tau_2".
 const PART = [
   word("joints?|gelenk|lines?|rows?|zeile|columns?|spalte|entry|link", INDEX),
   word("no\\.|solution|theta|th|q|tau|alpha|[adj]", INDEX),
@@ -41,7 +41,7 @@ const REMARKS = compile([
   String.raw`in multiples of (?:pi|π)`,
 ]);
 
-// On a line with an entry, the entry is what a remark speaks about.
+// On a line with an entry, a remark is about the entry even if it does not name it.
 const BESIDE_ENTRY = compile([
   word(DOUBT),
   MUST,
@@ -52,7 +52,7 @@ const BESIDE_ENTRY = compile([
 const COMMENT = /(?:#(?!\d)|%|\/\/).*/;
 
 /**
- * Refuse an answer beside which a remark would change it.
+ * Refuse an answer if a remark in the text would change it.
  * @param {string[]} lines of the pasted text
  * @param {import("./owners.js").Token[]} tokens @param {string} what the answer
  */

@@ -1,5 +1,5 @@
-// Finds values that a text repeats in radians and in degrees, as "0.500 rad (28.65°)" does. One
-// value replaces both if they are equal to their typed digits. Otherwise the judge asks.
+// Replaces an angle that is typed in radians and in degrees, "0.500 rad (28.65°)", by "28.65°". If
+// the two values differ by more than their typed digits allow, the answer is refused.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -14,8 +14,8 @@ const CLOSE = String.raw`${BLANK}[\])]`;
 const DECIMALS_BEFORE = String.raw`(?<=[.,]\d{1,20})`;
 const START = String.raw`(?<![\p{L}\d_.,*/^])`;
 
-// Patterns of a pair, and whether the degrees stand first. Before degrees in brackets radians need
-// no unit if they have decimals: 2(45°) is a product.
+// Patterns of both values, and whether the degrees stand first. In "0.785 (45°)" the radians have
+// no unit, but need decimals: 2(45°) is a product.
 /** @type {[RegExp, boolean][]} */
 const PAIRS = [
   [`(${NUMBER})(?:${RADIANS}|${DECIMALS_BEFORE})${OPEN}(${NUMBER}${DEGREES})${CLOSE}`, false],
@@ -28,7 +28,7 @@ const PAIRS = [
 ]);
 
 /**
- * Leave one value, that with its mark of degrees, where a text repeats it in radians.
+ * Remove each value in radians that repeats a value in degrees.
  * @param {import("./spans.js").SpannedText} text
  */
 export const withoutRepeatedUnits = (text) =>
@@ -43,7 +43,7 @@ export const withoutRepeatedUnits = (text) =>
   );
 
 /**
- * Return whether a number in radians and one in degrees are equal to their typed digits.
+ * Return whether an angle in radians and an angle in degrees are equal within their typed digits.
  * @param {string} radians @param {string} degrees
  */
 export function agree(radians, degrees) {

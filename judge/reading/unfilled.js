@@ -1,12 +1,12 @@
-// Finds entries that were not filled in yet, such as "q_6 = ?".
+// Finds entries that have no number yet, such as "q_6 = ?".
 
-// Marks in place of a number that is not known yet.
+// Marks in place of a missing number.
 const MARK = /^(?:\?+|…|⋮|\.{2,}|\\[lcdv]?dots|tbd|todo|nan|none|null|xx+)$/i;
-const DASH = /^[-–—_]+$/; // may also be a sign or a drawn line
+const DASH = /^[-–—_]+$/; // a mark, a minus or a drawn line
 const isMark = (word) => MARK.test(word);
 
 /**
- * Return whether a word stands in place of a number that is not known yet.
+ * Return whether a word stands in place of a missing number.
  * @param {string} word
  */
 export const isPlaceholder = (word) => isMark(word) || DASH.test(word);
@@ -16,8 +16,8 @@ const SEPARATORS = /[\s,;|&$[\](){}=:]+/;
 const splitWords = (line) => line.split(SEPARATORS).filter(Boolean);
 
 /**
- * Cut off the end of a text that has a "?", a dash or nothing in place of its numbers.
- * @param {any} answer a text; anything else is returned as it is
+ * Cut off the last lines and the last names of a text if they have no number, as "q5 = ?, q6 =".
+ * @param {any} answer a text; anything else is returned unchanged
  */
 export function dropUnfilledEnd(answer) {
   if (typeof answer !== "string") return answer;
@@ -29,7 +29,7 @@ export function dropUnfilledEnd(answer) {
   return filled.slice(0, gap?.isLast ? gap.index : filled.length);
 }
 
-// A name with the number of its joint, and the word behind = or :.
+// A name with a joint number, and the word behind = or :, as in "q6 = ?".
 const ASSIGNMENT = new RegExp(
   String.raw`(?<![\p{L}\p{M}\d_])(\p{L}[\p{L}\p{M}_{}]{0,12}[\d₀-₉]{1,2}\}?) ?[=:] ?` +
     String.raw`((?:[-+−–] (?=[\d.]))?[^\s,;|&$)}\]]*)`,
@@ -37,8 +37,8 @@ const ASSIGNMENT = new RegExp(
 );
 
 /**
- * Find the first name that has a placeholder and nowhere a number, in a text that has numbers for
- * other names of its kind: τ2 of "τ1 = 18.2, τ2 = ?". Null if there is none.
+ * Find the first name without a number, such as τ2 of "τ1 = 18.2, τ2 = ?". A similar name, here τ1,
+ * must have a number. Return null if there is no such name.
  * @param {string} text
  */
 export function findUnfilledLabel(text) {
@@ -61,7 +61,7 @@ export function findUnfilledLabel(text) {
 }
 
 /**
- * Find the first line with a number and a mark in place of another one; null if there is none.
+ * Find the first line with a number and a mark, such as "0.5 ? 0.1". Return null if there is none.
  * @param {string} text
  */
 export const findUnfilledLine = (text) =>
@@ -70,8 +70,8 @@ export const findUnfilledLine = (text) =>
 const PLAIN_NUMBER = /^[-+−]?\d*[.,]?\d+$/;
 
 /**
- * Find the first line that stands in place of a row: it has marks, and rows follow it. A time or a
- * number of the row may lead it. Null if there is none.
+ * Find the first line of marks before the last row, such as "2 ? ? ?". It may begin with a time or
+ * the number of the row. Return null if there is no such line.
  * @param {string} text
  */
 export function findUnfilledRow(text) {

@@ -9,8 +9,8 @@ import { hasDecimals } from "./formula.js";
 const textsOf = (cells) => cells.map(({ text }) => text);
 
 /**
- * List the lines that say something besides the block; on its own lines, comments and numbers that
- * are not its own.
+ * List the lines with text above and below a block, and the comments and unused numbers on the
+ * lines of the block.
  * @param {string} text @param {Block} block @param {SpannedText} [live] without comments
  */
 export function listUnusedLines(text, block, live = null) {
@@ -29,8 +29,8 @@ export function listUnusedLines(text, block, live = null) {
 const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
 
 /**
- * List numbers on a block's lines that are not its own, decimals in words too; none where there is
- * one for each row, as a time is.
+ * List the numbers on a block's lines that do not belong to the block, including decimals in words.
+ * If each row has such a number, it is a label such as a time, and is left out.
  * @param {Block} block
  */
 function listNumbersBeside({ from, to, sources, lines }) {
