@@ -83,6 +83,17 @@ def test_torque_of_a_single_joint_is_read():
     assert checks.compare_torques("0.40000", arm, [0.5]).grade == "wrong"
 
 
+@pytest.mark.parametrize(
+    "words", ["Old", "my previous", "Earlier", "first try", "first attempt", "first run"]
+)
+def test_old_numbers_are_no_answer(words):
+    target = [0.5200, 0.2841, 0.8463]
+    under_heading = f"{words}:\n0.1 0.2 0.3\nnew:\n0.5 0.7 -0.4"
+    assert checks.compare_pose(under_heading, ELBOW, target).agrees
+    in_remark = f"{words.removeprefix('my ')} value of joint 3 was wrong\n0.5 0.7 -0.4"
+    assert checks.compare_pose(in_remark, ELBOW, target).agrees
+
+
 # The page's questions
 
 ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]

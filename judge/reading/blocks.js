@@ -8,7 +8,7 @@ import { number } from "./formula.js";
 import { makeBlock } from "./block.js";
 import { haveDifferentUnits } from "./labels.js";
 import { markHeadings, readRows } from "./lines.js";
-import { haveSimilarLabels, namesOtherQuantity } from "./row_names.js";
+import { haveSimilarLabels, isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { joinCellLines, joinIndexedValues, joinNamedValues } from "./single_values.js";
 
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -140,6 +140,7 @@ const continues = (row, before, between) =>
   before.part === row.part &&
   before.depth === row.depth &&
   between.every(({ line }) => line === before.line || line === row.line) &&
+  isCalledOld(row) === isCalledOld(before) &&
   (row.cells.length > 1
     ? namesOtherQuantity(row) === namesOtherQuantity(before)
     : haveSimilarLabels(row, before));

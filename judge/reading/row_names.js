@@ -35,21 +35,26 @@ const OTHER_VALUE = /^(?:[xyz]|[qθτ][ _{]{0,2}\d+\}?|F_?\{?\d\}?)$/;
 export const namesOtherTopic = ({ name, cells, isAssigned }) =>
   isAssigned && (OTHER_TOPIC.test(name) || (cells.length === 1 && OTHER_VALUE.test(name)));
 
-const OLD = /\b(?:old|wrong|first (?:try|attempt|run)|previous|earlier|before I)\b/i;
+const OLD = "old|previous|earlier|first (?:try|attempt|run)";
+const CALLED_OLD = new RegExp(String.raw`\b(?:${OLD}|wrong|before I)\b`, "i");
+const BEGINS_AS_OLD = new RegExp(String.raw`^\W*(?:${OLD}|before)\b`, "i");
+// With two words behind it at most, as in "my old answer (wrong)".
+const OLD_HEADING = new RegExp(String.raw`^\W*(?:my )?(?:${OLD})(?:\W+\w+){0,2}\W*$`, "i");
 
 /**
  * Return whether a line begins by calling its numbers old, as "before: 0.5" does.
  * @param {string} line
  */
-export const beginsAsOld = (line) =>
-  /^\W*(?:old|before|first (?:try|attempt|run)|previous)\b/i.test(line);
+export const beginsAsOld = (line) => BEGINS_AS_OLD.test(line);
+
+const textOf = (cells) => cells.map(({ text }) => text).join(" ");
 
 /**
- * Return whether the words before a row call it an old answer.
+ * Return whether the words before a row, or the heading above it, call it an old answer.
  * @param {Row} row
  */
-export const isCalledOld = ({ name, words }) =>
-  OLD.test([...words.map(({ text }) => text), name].join(" "));
+export const isCalledOld = ({ name, words, above }) =>
+  CALLED_OLD.test(`${textOf(words)} ${name}`) || OLD_HEADING.test(textOf(above));
 
 /**
  * Find a row with decimals that has the answer's name, beside a block whose rows all have other
