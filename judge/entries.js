@@ -29,6 +29,7 @@ import {
  *   the earlier lists explain nothing
  * @property {number | null} [tolerance] used instead of the typed digits
  * @property {boolean} [isGradeOnly] whether the mistakes in a wrong answer are not asked for
+ * @property {boolean} [areGiven] whether the entries are those of a given target
  */
 /**
  * The result of judging entries.
@@ -55,7 +56,9 @@ export function judgeEntries(question) {
   const actual = tolerance === null ? typed : { values: typed.values, units: zeros };
   const wrong = flagWrongEntries(actual, expected, slack);
   if (grade === ROUNDED || question.isGradeOnly) return { grade, agreement, mistakes: [], wrong };
-  const answer = { typed, q, dof, expected, slack: tolerance === null ? slack : zeros, wrong };
+  const { areGiven } = question;
+  const usedSlack = tolerance === null ? slack : zeros;
+  const answer = { typed, q, dof, expected, slack: usedSlack, wrong, areGiven };
   const explanations = explainByFirstList(answer, [() => mistakes, ...furtherLists]);
   return { grade, agreement, mistakes: explanations, wrong };
 }

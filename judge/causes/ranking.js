@@ -1,8 +1,11 @@
 // Finds the mistakes that explain an answer. A candidate is a single mistake or a pair. It explains
-// the answer only if it gives every entry to the typed digits.
+// the answer only if it gives every entry to the typed digits; if no candidate does, entries may be
+// off by one in the last place, as after rounding on the way.
 
 import {
   agrees,
+  compareDigits,
+  isRight,
   largest,
   logCountPossibleValues,
   computeSlack,
@@ -16,6 +19,8 @@ const MAX_STATED = 3; // mistakes that give the same numbers; nobody reads more
 // A mistake's own slack is slow to compute. It is computed only if the mistake's entries are within
 // this many times the widest slack.
 const NEAR_FACTOR = 3;
+// A last place that may be off by one has this many possible values.
+const VALUES_ONE_OFF = 3;
 
 /** @typedef {import("../digits.js").Entries} Entries */
 /**
@@ -67,7 +72,7 @@ export function joinCauseMessages(causes) {
 
 /**
  * Find the mistakes that explain an answer. These fit the typed digits, or else fit them with the
- * slack of q's digits.
+ * slack of q's digits, or else with last places that are off by one.
  * @param {object} answer
  * @param {Entries} answer.typed
  * @param {Entries} answer.q joint values
@@ -75,37 +80,43 @@ export function joinCauseMessages(causes) {
  * @param {number[]} answer.expected the right entries
  * @param {number[]} answer.slack how far q's digits may move each entry
  * @param {boolean[]} answer.wrong whether each entry is wrong
+ * @param {boolean} [answer.areGiven] whether the entries are given, so that nobody rounded them
  * @param {Iterable<Mistake>} candidates
  * @returns {Mistake[]} none if some candidate would fit random numbers as well
  */
-export function findExplanations({ typed, q, dof, expected, slack, wrong }, candidates) {
-  const widest = Math.max(...slack);
-  const largestExpected = largest(expected);
+export function findExplanations(answer, candidates) {
+  const { typed, q, expected, slack, wrong, areGiven } = answer;
   const rightIndices = wrong.flatMap((isWrong, i) => (isWrong ? [] : [i]));
   const selectRight = (list) => rightIndices.map((i) => list[i]);
   const rightEntries = { values: selectRight(typed.values), units: selectRight(typed.units) };
   const rightSlack = selectRight(slack);
-  const [exact, near] = [[], []];
+  const noSlack = expected.map(() => 0);
+  const [exact, near, oneOff] = [[], [], []];
   let rivals = 0; // candidates that leave the right entries right
   for (const candidate of candidates) {
     const values = candidate.make(q.values);
     const leavesRight = agrees(rightEntries, selectRight(values), rightSlack);
     if (leavesRight && canBeDistinguished(typed, expected, values)) rivals++;
-    if (agrees(typed, values)) exact.push(candidate);
-    else if (widest && !exact.length) {
-      const most = NEAR_FACTOR * widest * Math.max(1, largest(values) / largestExpected);
-      const isNear = agrees(typed, values, new Array(values.length).fill(most));
-      if (isNear && agrees(typed, values, computeSlack(q, dof, candidate.make)))
-        near.push(candidate);
-    }
+    const agreement = compareDigits(typed, values, noSlack);
+    if (isRight(agreement)) exact.push(candidate);
+    else if (!exact.length && agreesWithSlack(answer, candidate, values)) near.push(candidate);
+    else if (agreement && !areGiven) oneOff.push(candidate);
   }
-  const explanations = exact.length ? exact : near;
-  if (
-    Math.log10(rivals) - logCountPossibleValues(typed, expected, slack, wrong) >
-    Math.log10(LARGEST_CHANCE)
-  )
-    return [];
-  return explanations.slice(0, MAX_STATED);
+  const explanations = [exact, near, oneOff].find((mistakes) => mistakes.length) ?? [];
+  const places = explanations === oneOff ? VALUES_ONE_OFF : 1;
+  const allowed = { ...typed, units: typed.units.map((unit) => places * unit) };
+  const logValues = logCountPossibleValues(allowed, expected, slack, wrong);
+  const isChance = Math.log10(rivals) - logValues > Math.log10(LARGEST_CHANCE);
+  return isChance ? [] : explanations.slice(0, MAX_STATED);
+}
+
+// Return whether a candidate's entries fit the typed ones with the slack of q's digits.
+function agreesWithSlack({ typed, q, dof, expected, slack }, { make }, values) {
+  const widest = Math.max(...slack);
+  if (!widest) return false;
+  const most = NEAR_FACTOR * widest * Math.max(1, largest(values) / largest(expected));
+  const isNear = agrees(typed, values, new Array(values.length).fill(most));
+  return isNear && agrees(typed, values, computeSlack(q, dof, make));
 }
 
 /** Put "perhaps" before a message if its cause leaves findings unexplained. */

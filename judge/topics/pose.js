@@ -152,6 +152,7 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
     furtherLists: [listDigitMistakes, () => listMistakePairs(arm, T)],
     tolerance,
     isGradeOnly,
+    areGiven: true,
   });
   const coarseSlack = computeSlack(q, q.values.length, makeExpected, Infinity);
   const isUnexplained = judged.grade === WRONG && tolerance === null && !judged.mistakes.length;
