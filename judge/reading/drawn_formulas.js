@@ -19,7 +19,7 @@ const BAR = /(?<![^\s[(⎛-⎭])(?:─+|-+)(?![^\s\]),⎛-⎭])/g;
 const TERM = /^(?=.*[\dπp])(?:[-+*·\d. √π()]|pi)+$/;
 const FRAME = /[\s⎛-⎭[\](),]/g; // characters of a line without entries
 const OPENING = /[⎛-⎭[]/;
-const UNREAD_SIGN = /\\\/|╲╱|[⎛-⎭].*─|^\s*\[.*[\s[]--+[\s\],]/; // a root or a bar
+const UNREAD_SIGN = /\\\/|╲╱|[⎛-⎭].*─/; // a root or a bar
 const FLATTENED = /√\(|\)\/\(/;
 
 /**
@@ -63,8 +63,7 @@ function listRootEdits(lines, k) {
     const start = index + 2;
     const width = OVERLINE.exec(above.text.slice(start))?.[0].length ?? 0;
     const end = Math.min(start + width - 1, text.length);
-    const hasIndex = above.text.slice(index, start).trim(); // of a cube root
-    if (!width || hasIndex || !TERM.test(text.slice(start, end)) || text[end]?.trim()) return [];
+    if (!TERM.test(text.slice(start, end)) || text[end]?.trim()) return [];
     return [
       blank({ from: above.from + start, to: above.from + start + width }),
       { from: from + index, to: from + start, parts: ["√("] },
@@ -89,12 +88,11 @@ function listFractionEdits(lines, k) {
   });
 }
 
-// Find the term that stands alone between two columns of a line.
+// Find the term between two columns of a line.
 function findTerm(line, start, end) {
   const typed = line?.text.slice(start, end) ?? "";
   const text = typed.trim();
-  const beside = (line?.text[start - 1] ?? "") + (line?.text[end] ?? "");
-  if (!TERM.test(text) || beside.replace(FRAME, "")) return null;
+  if (!TERM.test(text)) return null;
   const from = line.from + start + typed.indexOf(text);
   return { from, to: from + text.length, text };
 }
@@ -106,9 +104,8 @@ function findUnreadLine(typedLines, flatLines) {
     const [typed, below = ""] = typedLines.slice(k, k + 2);
     if (UNREAD_SIGN.test(line) || isPower(typed, below) || isShifted(typed, below)) return true;
     if (!FLATTENED.test(line)) return false;
-    const brackets = line.match(DRAWN_BRACKET)?.length ?? 0;
-    const isCut = brackets % 2 === 1 || /^\s*\[[^\]]*$/.test(line);
-    return isCut || brackets > 2 || hasEntries(flatLines[k - 1]) || hasEntries(flatLines[k + 1]);
+    const isWhole = [0, 2].includes(line.match(DRAWN_BRACKET)?.length ?? 0);
+    return !isWhole || hasEntries(flatLines[k - 1]) || hasEntries(flatLines[k + 1]);
   });
 }
 
