@@ -5,7 +5,7 @@
 // pi counts as radians unless "rad" is typed.
 
 import { RAD } from "../geometry/angles.js";
-import { ArmError } from "../sentences.js";
+import { ArmError, tryOrNull } from "../sentences.js";
 import { isFunction, parse, plain, value } from "./formula.js";
 import { LENGTH_UNITS } from "./units.js";
 
@@ -56,28 +56,22 @@ function parseEntry(typed) {
   const text = plain(pointed).replace(MOMENT, "N$1");
   for (const [, name, next] of text.matchAll(BESIDE))
     if (name !== "pi" && !(next === "(" && isFunction(name))) refuse();
-  try {
-    return parse(text);
-  } catch (error) {
-    if (error instanceof ArmError) refuse();
-    throw error;
-  }
+  return tryOrNull(() => parse(text)) ?? refuse();
 }
 
-const isUnit = ([, name]) => UNITS.has(name);
+// Return whether a tree is a product with a unit, as 5 mm.
+const hasUnit = ([kind, , second]) => kind === "*" && UNITS.has(second[1]);
 const operandsOf = ([, ...operands]) => operands.filter(Array.isArray);
 
-// List the units of a tree, each behind a factor, and its other names, but not those in a function
-// or a power.
+// List the units of a tree, each behind a factor, and its other names, but not those in a function.
 /** @returns {{ units: string[], names: string[] }} */
 function namesIn(tree) {
   const [kind, first, second] = tree;
-  if (kind === "call" || kind === "^") return { units: [], names: [] };
+  if (kind === "call") return { units: [], names: [] };
   if (kind === "name") return { units: [], names: [first] };
-  const measured = kind === "*" && isUnit(second);
-  const operands = (measured ? [first] : operandsOf(tree)).map(namesIn);
+  const operands = (hasUnit(tree) ? [first] : operandsOf(tree)).map(namesIn);
   return {
-    units: [...operands.flatMap(({ units }) => units), ...(measured ? [second[1]] : [])],
+    units: [...operands.flatMap(({ units }) => units), ...(hasUnit(tree) ? [second[1]] : [])],
     names: operands.flatMap(({ names }) => names),
   };
 }
@@ -129,16 +123,15 @@ function textOf(tree) {
   if (kind === "num" || kind === "name") return String(first);
   if (kind === "call" || kind === "^") return String(value(tree, () => refuse()));
   if (kind === "neg") return `-${bracketed(textOf(first))}`;
-  if (kind === "*" && isUnit(second)) return withUnit(textOf(first), second[1]);
-  if (kind === "+") return `${textOf(first)} + ${textOf(second)}`;
-  if (kind === "-") return `${textOf(first)} - ${bracketed(textOf(second))}`;
+  if (hasUnit(tree)) return withUnit(textOf(first), second[1]);
+  if ("+-".includes(kind)) return `${textOf(first)} ${kind} ${bracketed(textOf(second))}`;
   return `${bracketed(textOf(first))}${kind}${bracketed(textOf(second), true)}`;
 }
 
 // Write a number with a unit in SI: whole multiples of 15° as a share of pi, which stays exact.
 function withUnit(text, unit) {
   const twelfths = Number(text) / 15;
-  if (unit === "deg" && Number.isInteger(twelfths) && twelfths) {
+  if (unit === "deg" && Number.isInteger(twelfths)) {
     const common = [12, 6, 4, 3, 2, 1].find((n) => twelfths % n === 0);
     const [numerator, denominator] = [twelfths / common, 12 / common];
     const sign = numerator < 0 ? "-" : "";
@@ -146,16 +139,15 @@ function withUnit(text, unit) {
     return denominator === 1 ? pis : `${pis}/${denominator}`;
   }
   const factor = { deg: "*pi/180", cm: "/100", mm: "/1000" }[unit] ?? "";
-  return factor ? `${bracketed(text)}${factor}` : text;
+  return `${bracketed(text)}${factor}`;
 }
 
 const bracketed = (text, last = false) =>
-  (last ? /[-+*/ ]/ : /[-+ ]/).test(text.replace(/e[-+]\d/g, "")) ? `(${text})` : text;
+  (last ? /[-+*/ ]/ : /[-+ ]/).test(text) ? `(${text})` : text;
 
 // Parse a typed text whose units must be among `units`.
 /** @param {string} typed @param {Record<string, number>} units */
 function treeOf(typed, units) {
-  if (typed.length > LONGEST) refuse();
   const tree = parseEntry(typed);
   const other = namesIn(tree).units.find((unit) => !(unit in units));
   if (other) refuse(`has the unit ${other === "deg" ? "°" : other}`);
@@ -172,7 +164,7 @@ function treeOf(typed, units) {
 export function readEntry(typed, kind, unit = "") {
   const { units, bare: usual, most, of, such } = /** @type {any} */ (QUANTITIES[kind]);
   const bare = unit in units ? unit : (usual ?? "rad");
-  const shown = `“${typed.trim().slice(0, 40)}${typed.trim().length > 40 ? "…" : ""}”`;
+  const shown = `“${typed.trim()}”`;
   if (!typed.trim()) return { error: "is empty; write 0 for none" };
   if (typed.length > LONGEST)
     return { error: `has ${typed.length} characters; ${LONGEST} are the most` };
@@ -219,5 +211,4 @@ export function formulaOf(typed, kinds) {
 }
 
 // Return whether a text may be the beginning of an entry: no error is shown while a reader types.
-export const unfinished = (typed) =>
-  /^\s*$|[-+*/(.,eE−–πp]\s*$/.test(typed) || /^[\s\d.,]*$/.test(typed);
+export const unfinished = (typed) => /[-+*/(.,eE−–πp]\s*$/.test(typed) || /^[\s\d.,]*$/.test(typed);

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { number } from "../../judge/reading/formula.js";
-import { readEntry } from "../../judge/reading/entry.js";
+import { readEntry, unfinished } from "../../judge/reading/entry.js";
 import { readTables } from "../../judge/reading/table.js";
 import { formatEntry } from "../../page/src/text.js";
 
@@ -34,9 +34,17 @@ test("a formatted entry is read back unchanged", () => {
       assert.ok(Math.abs(readEntry(formatEntry(value, true, unit), "angle", unit).value - value) < 1e-6);
 });
 
-test("a wrong unit is named in the error", () => {
-  assert.match(readEntry("5 N", "length").error, /has the unit N; a length/);
-  assert.match(readEntry("90°", "length").error, /has the unit °/);
+test("the error says why a text is no entry", () => {
+  const errors = {
+    "5 N": /has the unit N; a length/, "90°": /has the unit °/, " ": /is empty/, ninety: /“ninety” is no number; write metres/, "0.3 + L": /is no number/,
+    "1/0": /divides by zero/, "101": /too large for a length/, ["9".repeat(201)]: /has 201 characters/,
+  };
+  for (const [text, error] of Object.entries(errors)) assert.match(readEntry(text, "length").error, error, text);
+});
+
+test("the beginning of an entry is unfinished", () => {
+  for (const text of ["", " ", "-", "2*", "sin(", "1e", "p", "360", "0,3,"]) assert.ok(unfinished(text), text);
+  for (const text of ["9o", "ninety", "1 2 x"]) assert.ok(!unfinished(text), text);
 });
 
 test("undefined results are no numbers", () => {
