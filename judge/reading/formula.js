@@ -22,8 +22,6 @@ const FUNCTIONS = {
   deg2rad: (x) => x * RAD,
   float64: (x) => x, // NumPy 2 prints np.float64(0.5)
 };
-// Functions that need a bracket: "0 radians 1" is no formula.
-const CONVERSIONS = new Set(["radians", "deg2rad", "float64"]);
 const OPERATORS = {
   "+": (left, right) => left + right,
   "-": (left, right) => left - right,
@@ -231,7 +229,8 @@ function power(tokens, k, depth) {
 function atom(tokens, k, depth) {
   const [kind, word] = at(tokens, k);
   if (kind === "num") return [["num", Number(word), halfPlace(word)], k + 1];
-  const isCall = CONVERSIONS.has(word) ? tokens[k + 1]?.[1] === "(" : k + 1 < tokens.length;
+  // "0 radians 1" is no formula: this function needs a bracket.
+  const isCall = word === "radians" ? tokens[k + 1]?.[1] === "(" : k + 1 < tokens.length;
   if (isFunction(word) && isCall) {
     if (tokens[k + 1][1] === "^") {
       const [exponent, after] = atom(tokens, k + 2, depth + 1); // sin^2 x

@@ -92,18 +92,9 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
   const names = new Set();
   for (const { tree } of entries) symbols(tree, names);
   const meanings = known(names);
-  const values = entries.map(({ tree }) =>
-    tree[0] === "num" ? tree[1] : value(tree, (name) => meanings.get(name)),
-  );
-  if (!values.every(Number.isFinite))
-    throw new ArmError(formatMessage("not finite", { what, wanted: wanted ?? "numbers" }));
-  const typed = entries.map(({ text, tree }, i) => {
-    if (text === undefined) return readCell(String(values[i]));
-    return readCell(
-      text,
-      formulaSlack(tree, (name) => meanings.get(name)),
-    );
-  });
+  const findValue = (name) => meanings.get(name);
+  const values = entries.map(({ tree }) => value(tree, findValue));
+  const typed = entries.map(({ text, tree }) => readCell(text, formulaSlack(tree, findValue)));
   const symbolic = names.size > 0;
   return {
     values,
@@ -118,14 +109,15 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
 
 /**
  * Read an entry of a list: a number, a formula as text, or a tree that Python made of a formula.
- * @returns {{ tree: any[], text?: string }}
- * @throws {ArmError} for anything else
+ * @returns {{ tree: any[], text: string }}
+ * @throws {ArmError} for anything else; Python sends null for NaN and for an infinite number
  */
 function readLeaf(leaf, what, wanted) {
   if (typeof leaf === "string") return { tree: parse(leaf, `an entry of ${what}`), text: leaf };
   if (leaf?.tree) return { tree: leaf.tree, text: "exact" };
   if (leaf?.odd) throw new ArmError(formatMessage("no numbers", { what, given: leaf.odd, wanted }));
-  return { tree: ["num", leaf ?? NaN] };
+  if (leaf === null) throw new ArmError(formatMessage("not finite", { what, wanted }));
+  return { tree: ["num", leaf], text: String(leaf) };
 }
 
 // Take off the names before values: ('theta1', 0.3) becomes 0.3.
@@ -145,14 +137,13 @@ function shapeOf(list) {
   return [list.length, ...(even ? (inner[0] ?? []) : [])];
 }
 
-// Return whether a cell is a number, or a formula of symbols that are known.
+// Return whether a cell is a number, or a formula with a known symbol.
 function entryIn(known) {
   return (cell) => {
     if (isNumber(cell)) return true;
     const names = symbolsIn(cell);
     if (!names?.length) return names !== null && /\d|pi|π/.test(cell);
-    const count = names.filter((name) => known.has?.(name)).length;
-    return count === names.length || (count > 0 && /\W/.test(cell));
+    return names.some((name) => known.has?.(name));
   };
 }
 
@@ -168,10 +159,9 @@ function readText(text, { known, ...question }) {
   const used = new Set();
   for (const tree of trees) symbols(tree, used);
   const meanings = known(used);
-  const values = trees.map((tree) => value(tree, (name) => meanings.get(name)));
-  const entries = texts.map((cell, i) =>
-    readCell(cell, isNumber(cell) ? 0 : formulaSlack(trees[i], (name) => meanings.get(name))),
-  );
+  const findValue = (name) => meanings.get(name);
+  const values = trees.map((tree) => value(tree, findValue));
+  const entries = texts.map((cell, i) => readCell(cell, formulaSlack(trees[i], findValue)));
   const shown = trees.map((tree, i) =>
     entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
   );
@@ -261,7 +251,7 @@ export function ofMoving(typed, arm) {
   if (moving.length === arm.rows.length) return typed;
   const kept = (list) => list.filter((_, i) => moving.includes(i % arm.rows.length));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
-  const shape = typed.shape.map((n) => (n === arm.rows.length ? moving.length : n));
+  const shape = [...typed.shape.slice(0, -1), moving.length];
   const locked = [noteLockedValues(arm, typed.values)];
   return { ...typed, values, units, entries, shape, locked };
 }
@@ -328,11 +318,12 @@ export const lengthFactor = ({ statedUnits, entries }, i) =>
 export function inRadians(typed, arm, angles) {
   const turns = revoluteFlags(arm);
   const turn = (i) => turns[i % turns.length];
-  const mixed = turns.includes(true) && turns.includes(false);
-  const [angular, linear] = [true, false].map((kind) =>
-    mixed ? unitsOf(typed.entries.filter((_, i) => turn(i) === kind)) : [],
-  );
-  const own = (i) => (mixed ? (turn(i) ? angular : linear).shift() : typed.units[i]);
+  const units = [];
+  for (const kind of [true, false]) {
+    const places = [...typed.entries.keys()].filter((i) => turn(i) === kind);
+    const kindUnits = unitsOf(places.map((i) => typed.entries[i]));
+    places.forEach((i, k) => (units[i] = kindUnits[k]));
+  }
   const unit = typed.statedUnits?.angles ?? angles;
   const factor = (i) => {
     if (!turn(i)) return lengthFactor(typed, i);
@@ -341,7 +332,7 @@ export function inRadians(typed, arm, angles) {
   return {
     ...typed,
     values: typed.values.map((x, i) => x * factor(i)),
-    units: typed.units.map((_, i) => own(i) * factor(i)),
+    units: units.map((x, i) => x * factor(i)),
   };
 }
 

@@ -150,7 +150,7 @@ function replacementFor(match, replacement) {
 
 // The part of a match that its replacement keeps: all of the replacement, or one group.
 function keptPart(match, text) {
-  const whole = text ? match[0].indexOf(text) : -1;
+  const whole = match[0].indexOf(text);
   if (whole >= 0) return { at: 0, from: whole, length: text.length };
   for (const group of match.slice(1))
     if (group && text.includes(group))

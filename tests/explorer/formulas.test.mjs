@@ -83,12 +83,14 @@ test("symbols of an arm have values in each spelling", () => {
   const known = lookup(arm, [0.1, 0.2, 0.3], [["l_pen", 0.05]]);
   const cases = { a_2: 0.4, l_pen: 0.05, c12: Math.cos(0.3), s_23: Math.sin(0.5), "c_{1-2}": Math.cos(0.1), "s_{1-2}": Math.sin(-0.1), C_3: Math.cos(0.3) };
   for (const [name, x] of Object.entries(cases)) assert.ok(known.has(name) && isNear(known([name]).get(name), x), name);
-  for (const name of ["q2", "q_2", "th2", "theta_2", "t2", "joint2", "j2", "x2", "d2"]) assert.ok(known.has(name) && known([name]).get(name) === 0.2, name);
+  for (const name of ["q2", "q_2", "th2", "theta_2", "t2", "joint2", "j2", "x2", "d2", "phi_2"]) assert.ok(known.has(name) && known([name]).get(name) === 0.2, name);
   for (const name of ["w", "q123", "b_2"]) assert.ok(!known.has(name), name);
   assert.throws(() => known(["w"]), /w.*a_2/);
   assert.throws(() => known(["b_2"]), /b_2/);
   for (const name of ["q0", "th0", "theta_0"]) assert.throws(() => known([name]), new RegExp(name.replace("0", "1")), name);
-  assert.throws(() => lookup(makeArm("fixed", "revolute"), [0.1])(["q3"]), /q3/);
+  const ofFixed = lookup(makeArm("fixed", "revolute"), [0.1]);
+  assert.throws(() => ofFixed(["q3"]), /q3; .* row 1 is fixed$/);
+  for (const [lookUp, name] of [[ofFixed, "w"], [known, "q9"]]) assert.throws(() => lookUp([name]), /known are [^.]*$/, name);
 });
 
 test("lists from Python are numbers, formulas or refused", () => {
@@ -96,7 +98,9 @@ test("lists from Python are numbers, formulas or refused", () => {
   assert.deepEqual(read([[1, "pi/2"], [0.5, "2"]]).values, [1, Math.PI / 2, 0.5, 2]);
   assert.deepEqual(read([[1, 2, 3], [4, 5, 6]]).shape, [2, 3]);
   assert.ok(!read([1]).symbolic && read(["x"], () => new Map([["x", X]])).symbolic);
-  for (const list of [[[1, 2], [3]], [null], [NaN], ["x"], [{ odd: "a matrix" }], ["1/0"]]) assert.throws(() => read(list), ArmError, JSON.stringify(list));
+  assert.deepEqual(read(["1/3", 0.12]).units, [0, 0.01]);
+  const refused = [[[[1, 2], [3]], /unequal/], [[[1, 2], [3], [4, 5, 6]], /unequal/], [[null], /NaN/], [["x"], /x has no value here/], [[{ odd: "a matrix" }], /a matrix/], [["1/0"], /finite/]];
+  for (const [list, error] of refused) assert.throws(() => read(list), (thrown) => thrown instanceof ArmError && error.test(thrown.message), JSON.stringify(list));
   assert.deepEqual(unnamed([["theta1", 0.3], ["theta2", 0.4]]), [0.3, 0.4]);
   assert.deepEqual(unnamed(["0.3", "0.4"]), ["0.3", "0.4"]);
   assert.equal(unnamed(0.3), 0.3);
