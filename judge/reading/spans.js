@@ -51,8 +51,8 @@ export class SpannedText {
   }
 
   /**
-   * Replace all matches. Characters of a match or of one of its groups that are kept keep their
-   * place; new blanks stand for nothing, other new characters for the whole match.
+   * Replace all matches. A replacement that is a part of its match keeps its place. Of another one,
+   * blanks stand for nothing and other characters for the whole match.
    * @param {RegExp} pattern with the flag g
    * @param {string | ((match: string, ...groups: string[]) => string)} replacement
    */
@@ -124,21 +124,13 @@ export class SpannedText {
   }
 
   #align(match, text, starts, ends) {
-    const kept = keptPart(match, text);
+    const kept = match[0].indexOf(text); // where the match holds all of its replacement
     const whole = this.span(match.index, match.index + match[0].length);
     for (let at = 0; at < text.length; at++) {
-      const offset = at - kept.at;
-      if (offset >= 0 && offset < kept.length) {
-        const own = this.span(
-          match.index + kept.from + offset,
-          match.index + kept.from + offset + 1,
-        );
-        starts.push(own.from);
-        ends.push(own.to);
-      } else {
-        starts.push(whole.from);
-        ends.push(/\s/.test(text[at]) ? whole.from : whole.to);
-      }
+      const place = match.index + kept + at;
+      const own = kept < 0 ? whole : this.span(place, place + 1);
+      starts.push(own.from);
+      ends.push(kept < 0 && /\s/.test(text[at]) ? own.from : own.to);
     }
   }
 }
@@ -146,14 +138,4 @@ export class SpannedText {
 function replacementFor(match, replacement) {
   if (typeof replacement === "function") return replacement(...match);
   return replacement.replace(/\$(\d)/g, (_, group) => match[Number(group)] ?? "");
-}
-
-// The part of a match that its replacement keeps: all of the replacement, or one group.
-function keptPart(match, text) {
-  const whole = match[0].indexOf(text);
-  if (whole >= 0) return { at: 0, from: whole, length: text.length };
-  for (const group of match.slice(1))
-    if (group && text.includes(group))
-      return { at: text.indexOf(group), from: match[0].lastIndexOf(group), length: group.length };
-  return { at: 0, from: 0, length: 0 };
 }
