@@ -23,13 +23,7 @@ import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
 import { findLabel } from "./labels.js";
-import {
-  isTransposed,
-  namesJoints,
-  orderByLabels,
-  orderByListedNames,
-  transpose,
-} from "./ordering.js";
+import { isTransposed, orderByLabels, orderByListedNames, transpose } from "./ordering.js";
 import { refuseContraryNames } from "./named_apart.js";
 import {
   hasHalfNumbers,
@@ -306,7 +300,6 @@ function fitBlock(block, want, wants, names) {
   const fits = ({ rows, headers }) =>
     (want.rows === null || rows.length === want.rows) &&
     (want.columns === null || rows[0].length === want.columns) &&
-    (want.by || want.columns < 2 || !namesJoints(headers)) &&
     (want.by !== "joint" || namesColumns(headers, rows[0].length));
   const transposedFit = transposedBlocks.find(fits);
   const blocks = transposedFit
@@ -323,7 +316,7 @@ function fitBlock(block, want, wants, names) {
 function listRowsAlone(block, { columns }) {
   const isOwn = block.sources.length === block.rows.length;
   const isCounted = block.sources.map((row) => beginsWithCount(row, block.lines.all));
-  if (isOwn && block.rows.length === columns && isCounted.every(Boolean)) return [block];
+  if (block.rows.length === columns && isCounted.every(Boolean)) return [block];
   const alone = (row, i) => {
     const source = block.sources[i];
     const name = block.labels[i].at(-1)?.text ?? block.name;
@@ -333,24 +326,20 @@ function listRowsAlone(block, { columns }) {
       : { rows: [row], labels: [block.labels[i]] };
     return { ...block, ...labelled, ...place };
   };
-  if (block.rows.length < 2) return isOwn && isCounted[0] ? [alone(block.rows[0], 0)] : [block];
-  return [block, ...block.rows.map(alone)];
+  const rows = block.rows.map(alone);
+  return rows.length < 2 ? rows : [block, ...rows];
 }
 
 // Return whether as many headers name joints as there are columns, or fewer than two.
 function namesColumns(headers, width) {
   if (width < 2) return true;
-  // A header with a label is one: the elbow of "elbow up: θ1" is no joint.
-  const words = headers.flatMap(({ text, label }) =>
-    label ? [{ text, label }] : text.split(" ").map((word) => ({ text: word, label: null })),
-  );
-  const labels = words.map(
-    ({ label }, k) => label ?? findLabel(words.slice(Math.max(0, k - 1), k + 1)),
+  const labels = headers.map(
+    ({ label }, k) => label ?? findLabel(headers.slice(Math.max(0, k - 1), k + 1)),
   );
   const joints = new Set(
     labels.flatMap((label) => (label?.kind === "joint" ? [label.number] : [])),
   );
-  return joints.size < 2 || joints.size === width || 2 * joints.size < words.length;
+  return joints.size < 2 || joints.size === width || 2 * joints.size < headers.length;
 }
 
 // Make an error that says which numbers are there and which are wanted.

@@ -169,5 +169,5 @@ function areOneEntry(last, piece, text) {
   if (isFunction(before.replace(/^[-+]+/, ""))) return true;
   if (/^(?:π|pi)$/.test(word) && piece.from === last.to + 1)
     return /\d[.,]\d+$/.test(before) && FACTOR_END.test(text.slice(piece.to));
-  return isUnit(word) && /(?:[\d.)](?: [kmM]?N)?|[\d ](?:π|pi))$/.test(before);
+  return isUnit(word) && /[\d.)](?: [km]?N)?$/.test(before);
 }

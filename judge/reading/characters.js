@@ -105,7 +105,7 @@ const MATRIX_CHARACTERS = [
   [/\.\.\.[ \t]*\n/g, CONTINUED],
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
   [new RegExp(MATRIX, "g"), (_, end) => (end === "begin" ? "[" : "]")],
-  [/\\(?:hline|cline\{[^{}\n]{0,20}\}|(?:top|mid|bottom)rule)/g, " "],
+  [/\\(?:hline|cline\{[^{}\n]{0,20}\}|[a-z]+rule)/g, " "],
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
   [END_IN_COLUMN, ";"],
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's

@@ -26,7 +26,7 @@ const UNCERTAINTY =
   String.raw`|\(\s*(?:±|\+\/?-)\s*(\d*[.,]\d+)\s*\))`;
 
 // LaTeX commands that set their argument, and the argument, which may hold braces.
-const FACES = "math(?:bf|it|rm)|boldsymbol|text(?:bf|it)?|boxed|underline|num";
+const FACES = "(?:math|text)(?:bf|it|rm)?|boldsymbol|boxed|underline|num";
 const FACE =
   String.raw`(?:\\(?:${FACES}|textcolor\{\w+\})\{|\{\\color\{\w+\}\s*)` +
   String.raw`((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
@@ -49,20 +49,20 @@ const END_OF_VALUE =
 // A star, an exclamation mark or an arrow behind a value, at its cell's end or before its unit.
 const MARK_BEHIND =
   String.raw`(?<=[\d\])}°mπ])(?:[*!]|[ ]*<-+)` +
-  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?(?:k?N|rad|deg|°))`;
+  String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?${UNIT}(?![\w.]))`;
 const FOOTNOTE_MARK =
   String.raw`(?<=[\w°π)}*])(?:(?:\\[,;:! ])?[ ]*[✓✔✅☑†‡§](?!\w)|\[\^\w{1,3}\]|\^\{\*\}|` +
   String.raw`(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})|<sup>\s*[\w*†‡]\s*<\/sup>)`;
 
-// Elements of a web page that separate cells.
-const CELL_TAGS = { td: " | ", th: " | ", tr: " ", table: " " };
-const TAG = /<\/?(t[dhr]|table|b|i|u|em|strong|code|span|mark|sub|p|div|br)\b[^<>\n]{0,80}>/gi;
+// Other elements of a web page.
+const TAG = /<\/?(?:tr|table|b|i|u|em|strong|code|span|mark|sub|p|div|br)\b[^<>\n]{0,80}>/gi;
 
 /** @type {any[][]} */
 const DECORATIONS = [
   [/(?<=10)<sup>\s*([-+]?\d{1,2})\s*<\/sup>/gi, "^$1"],
   [new RegExp(FOOTNOTE_MARK, "g"), ""],
-  [TAG, (_, name) => CELL_TAGS[name.toLowerCase()] ?? ""],
+  [/<\/?t[dh]\b[^<>\n]{0,80}>/gi, " | "], // a cell of a web page
+  [TAG, ""],
   [/\\ang\{([^{}\n;]*)\}/g, "$1 deg"],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, "$1 $2"],
   [new RegExp(FACE, "g"), "$1"],
@@ -112,7 +112,7 @@ export function withoutDecorations(text) {
   return withoutRepeatedUnits(once(bare)); // twice: a decoration may stand within another
 }
 
-const NEGATIVE = /(?:^|[\s|&,;:=[({~])-\s?[\d.]/m;
+const NEGATIVE = /(?<![^\s|&,;:=[({~])-\s?[\d.]/;
 
 // A ~ before numbers says that they are rounded, if others show that a minus is typed as a minus.
 const withoutTildes = (text) =>
@@ -141,9 +141,8 @@ const listNumbers = ({ text }, pattern) =>
 
 const countUp = (numbers) => numbers.every((number, k) => number === numbers[0] + k);
 
-// [1], (1), 1), 1. and #1; [1. begins a row of NumPy.
-const ENUMERATOR =
-  /^([ \t]*)(?:\[(\d{1,2})\]|\(?(\d{1,2})\)|(\d{1,2})\.|#(\d{1,2})[.:)]?)[ \t]+(?=[-+(["'\d.])/gm;
+// [1], (1), 1) and 1.; [1. begins a row of NumPy.
+const ENUMERATOR = /^([ \t]*)(?:\[(\d{1,2})\]|\(?(\d{1,2})\)|(\d{1,2})\.)[ \t]+(?=[-+(["'\d.])/gm;
 
 /**
  * Write the numbers of numbered lines, (1) 0.5, as labels, 1: 0.5.
@@ -152,7 +151,7 @@ const ENUMERATOR =
 export function labelNumberedLines(text) {
   const numbers = listNumbers(text, ENUMERATOR);
   if (numbers.length < 2 || numbers[0] > 1 || !countUp(numbers)) return text;
-  return text.replace(ENUMERATOR, "$1$2$3$4$5: ");
+  return text.replace(ENUMERATOR, "$1$2$3$4: ");
 }
 
 const STRUCK = /~~[^~\n]{1,300}~~|<s>[^<>\n]{1,300}<\/s>|\\(?:phantom|cancel)\{[^{}\n]*\}/g;
@@ -160,7 +159,7 @@ const COMMENTS = [
   /(?<=[\d)°m*][ ]*)#[ ]?[a-z]{2,12}(?=[ ]*(?:[\t|&;,]|$))/gm, // in a cell
   STRUCK,
   /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*of[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
-  /^[ \t]*(?:def \w+\(|return |import \w|from \w+ import ).*$/gm, // code
+  /^[ \t]*(?:def \w+\(|return ).*$/gm, // code
   // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
   /(?<=(?:[\d\])},;:°m*π]|rad|deg)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t°])).*$/gm,

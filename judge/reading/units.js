@@ -92,7 +92,7 @@ const DEGREE_WORD =
   String.raw`deg(?:rees?)?(?!\p{L})|degr[ée]s?(?!\p{L})|grad[io]s?(?!\p{L})|` +
   String.raw`graus|градус|度|°`;
 const NAMED_DEGREES = new RegExp(String.raw`(?<!\d\s?|\p{L})(?:${DEGREE_WORD})`, "iu");
-const GERMAN_DEGREES = /(?<!\d\s?|\p{L})Grad(?!\p{L})/u;
+const GERMAN_DEGREES = /(?<!\d\s?)Grad(?!\p{L})/u;
 const IN_DEGREES = // np.radians([...]), [...]*pi/180
   /\b(?:deg2rad|radians)\s*\(\s*(?:[\w.]*array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
 const NAMED_RADIANS = /\brad(?:ians?)?\b/i;
@@ -146,12 +146,13 @@ export function endInDegrees(tokens, isDegrees) {
 // Units that are not converted: minutes of arc, milliradians, turns and gon, which English also
 // calls grad, as German calls a degree; a power of ten above the numbers.
 const POWER_OF_TEN = String.raw`10(?:\^\s*[({]?[-\u2212+]?\d+[)}]?|[⁻⁺⁰¹²³⁴-⁹]+)`;
+const TURNS = "(?:turn|rev(?:olution)?)s?";
 const UNCONVERTED_UNIT = new RegExp(
   [
     String.raw`(?<=\d ?°\s?\d{1,2} ?)['′’]`,
     String.raw`(?<!\p{L})(?:mrad|milliradians?|gon|grads|gradians?|arcmin)(?!\p{L})`,
-    String.raw`(?<=\d[.,]\d{1,20}\s?)(?:turns?|revs?|revolutions?)(?!\p{L})`,
-    String.raw`(?<=[[(]\s?|\bin )(?:turns?|revs?|revolutions?)(?=\s?[\]):])`,
+    String.raw`(?<=\d[.,]\d{1,20}\s?)${TURNS}(?!\p{L})`,
+    String.raw`(?<=[[(]\s?|\bin )${TURNS}(?=\s?[\]):])`,
     String.raw`(?<!\p{L})(?:lbf?[ ·*-]?(?:ft|in)|(?:ft|in)[ ·*-]?lbf?)(?!\p{L})`,
     String.raw`(?<!\p{L})(?:kg[·*]?cm|kgf ?[·*]?c?m|inch(?:es)?|feet)(?!\p{L})`,
     String.raw`[([]\s*(?:[×x]\s*${POWER_OF_TEN}|${POWER_OF_TEN}\s*\p{L})[^()\n]{0,9}[)\]]`,
