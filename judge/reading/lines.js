@@ -215,7 +215,7 @@ function turnEntryIntoName(state) {
 // Keep the name before an assignment mark; in "tau = g - JTF = [...]" the first name.
 function keepName(mark, state) {
   turnEntryIntoName(state);
-  const isSame = state.name && state.nameLine === state.line;
+  const isSame = mark === "=" && state.name && state.nameLine === state.line;
   state.name = isSame ? state.name : (state.words.at(-1)?.text ?? "");
   state.nameLine = mark === "=" ? state.line : -1;
   Object.assign(state, { scale: "", row: null, wordsAtMark: state.words.length });
