@@ -148,7 +148,7 @@ function readMatrix(mine, known, arm, question) {
   const symbolic = read.symbolic || computed;
   if (generic && !symbolic) throw new ArmError(formatMessage("J needs q"));
   const extraAxis = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
-  const shape = read.shape.filter((_, i) => extraAxis < 0 || i !== extraAxis);
+  const shape = read.shape.filter((_, i) => i !== extraAxis);
   if (shape.length !== 2)
     throw new ArmError(formatMessage("no matrix", { what, given: describeShape(shape) }));
   const units = computed ? read.units.map(() => 0) : read.units;
@@ -186,8 +186,7 @@ function convertToMetres(typed, arm) {
 }
 
 // Three rows with a unit of lengths are the linear half, but for a planar arm x, y and an angle.
-const countLinearRows = (rows, arm) =>
-  ({ 6: 3, 3: isPlanar(arm) ? 2 : 3, 2: isPlanar(arm) ? 2 : 0 })[rows] ?? 0;
+const countLinearRows = (rows, arm) => ({ 6: 3, 3: isPlanar(arm) ? 2 : 3, 2: 2 })[rows] ?? 0;
 
 // Report a wrong shape, with its cause if all entries are right.
 function reportWrongShape(typed, { arm, typedQ, frame }, taken) {
@@ -202,8 +201,8 @@ function reportWrongShape(typed, { arm, typedQ, frame }, taken) {
   const hasLocked = columns.length > dof;
   let key = "J.shape";
   if (rows === dof && width === 6) key = "J.transposed";
-  else if (hasLocked && hasRows(ALL_ROWS)) key = "J.locked column kept";
-  else if (hasLocked && rows === 5 && ALL_ROWS.some((row) => hasRows(listRowsWithout(row))))
+  else if (hasRows(ALL_ROWS)) key = "J.locked column kept";
+  else if (hasLocked && ALL_ROWS.some((row) => hasRows(listRowsWithout(row))))
     key = "J.row for column"; // slip 3 of the book
   if (key === "J.shape") refuseOtherLists(typed, `${arm.name}: your Jacobian`, `6x${dof}`);
   const words = formatMessage(key, { shape: `${rows}x${width}`, dof });
@@ -244,9 +243,10 @@ function judgeSelectedEntries(typed, request, selection) {
   const { arm, typedQ, frame, tolerance = null, isGradeOnly } = request;
   const steps = listJacobianSteps(arm, typedQ.values, frame);
   const makeWhole = makeJacobian(arm, frame);
-  const isPartial = selection.rows.length < 6;
-  const restrict = (mistake) =>
-    isPartial ? { ...mistake, make: (q) => pickRows(mistake.make(q), selection) } : mistake;
+  const restrict = (mistake) => ({
+    ...mistake,
+    make: (q) => pickRows(mistake.make(q), selection),
+  });
   const makeExpected = (q) => pickRows(makeWhole(q), selection);
   const mistakes = listSingleMistakes(arm, frame, steps).map(restrict);
   const furtherLists = [listCopiedColumns, listMistakePairs].map(
@@ -255,7 +255,7 @@ function judgeSelectedEntries(typed, request, selection) {
   const dof = typedQ.values.length;
   const question = { typed, q: typedQ, dof, makeExpected, mistakes, furtherLists };
   const judged = judgeEntries({ ...question, tolerance, isGradeOnly });
-  const mayHide = judged.grade !== WRONG && !typed.symbolic && !isPartial;
+  const mayHide = !typed.symbolic && selection.rows.length === 6;
   const expected = makeExpected(typedQ.values);
   const notes = mayHide ? noteHiddenMistakes(steps, mistakes, typedQ.values, expected) : [];
   return { judged, notes };

@@ -224,9 +224,9 @@ const makePoseVerdict = (arm, grade, headline, fields) =>
   makeVerdict("pose", arm, grade, headline, fields);
 
 // Describe how far the tip is from the target. An angle is given only if an entry of the rotation
-// is wrong.
+// is wrong; that of a point is 0.
 function describeTargetMiss(T, wrong, distance, angle) {
-  const isRotationWrong = T.pose && wrong.some((isWrong, i) => isWrong && i % 4 < 3);
+  const isRotationWrong = wrong.some((isWrong, i) => isWrong && i % 4 < 3);
   return describeMiss(distance, isRotationWrong ? angle : 0);
 }
 
@@ -249,7 +249,6 @@ function* listSingleMistakes(arm, T) {
   const isPosition = (i) => !T.pose || i % 4 === 3;
   const makeInMillimetres = (q) => makeRight(q).map((x, i) => (isPosition(i) ? 1000 * x : x));
   yield { cause: makeCause("pose.millimetres"), make: makeInMillimetres }; // slip 26 of the book
-  if (!T.pose) return;
   const changeRotation = (change) => (q) => {
     const rows = makeRight(q);
     return rows.map((x, i) => (isPosition(i) ? x : change(rows, Math.floor(i / 4), i % 4)));

@@ -142,7 +142,6 @@ function readTextOrNoLink(text, options, known) {
     const filledPart = dropUnfilledEnd(text);
     if (filledPart !== text) return readTextOrNoLink(filledPart, options, known);
     const split = dropOtherColumns(text);
-    if (!split.others.length) throw error;
     const tables = tryOrNull(() => readTables(split.rest.text, options, known));
     if (!tables) throw error;
     return tables.map((table) => ({
@@ -294,7 +293,6 @@ function makeReading(table, reference, { tolerance = null, startPose = null }) {
     const baseGap = Math.abs(comparison.baseHigher);
     const isRounded = baseGap > exact && baseGap <= rounded;
     if (!comparison.differences.length) return judgeAxes(comparison, isRounded ? ROUNDED : RIGHT);
-    if (tolerance !== null) return null;
     const roundedComparison = compareAxes(axes, expectedAxes, rounded, roundedAngle);
     return roundedComparison.differences.length ? null : judgeAxes(roundedComparison, ROUNDED);
   };
@@ -331,16 +329,16 @@ function reportDifferences({ table, reference, rows, expectedRows }, length) {
  * Report a wrong table.
  * @param {Table} table @param {Arm} reference
  * @param {Cause[]} causes each explains the same differences
- * @param {Finding[]} findings differences that the causes leave; those that are causes are added
+ * @param {Finding[]} findings differences that the causes leave, all of entries or all of axes;
+ *   those of entries are causes too
  * @returns {Verdict}
  */
 function reportWrong(table, reference, causes, findings = []) {
   const ownCauses = findings.map(({ what }) => what).filter((what) => what.includes("."));
-  const added = ownCauses.length === findings.length ? ownCauses : [];
   const names = causes.length
-    ? causes.map((cause) => [causeName(cause), ...added].join(" + "))
-    : added.length
-      ? [added.join(" + ")]
+    ? causes.map((cause) => [causeName(cause), ...ownCauses].join(" + "))
+    : ownCauses.length
+      ? [ownCauses.join(" + ")]
       : [];
   const fields = { mine: table.name, reference: reference.name };
   const shared = { causes: names, taken: table.assumptions };
@@ -353,8 +351,7 @@ function reportWrong(table, reference, causes, findings = []) {
     const finding = { what: "cause", where: "", words: `${message}.` };
     return makeWrong(formatMessage("table wrong", { cause, ...fields }), [finding, ...findings]);
   }
-  if (findings.length !== 1 || ownCauses.length !== 1)
-    return makeWrong(formatMessage("table other arm", fields), findings);
+  if (ownCauses.length !== 1) return makeWrong(formatMessage("table other arm", fields), findings);
   const [finding] = findings;
   const cause = uncapitalize(finding.words).replace(/\.+$/, "");
   return makeWrong(formatMessage("table wrong", { cause, ...fields }), [

@@ -81,8 +81,7 @@ export function describeDifference(table, difference) {
     return { what: "row", where, words: formatMessage("table count words", { mine, reference }) };
   }
   const [i, j] = ends.map((end) => end && typedRowNumber(table, end, "d"));
-  const isToTip = (key === "table distance" || key === "table side") && !j;
-  const end = isToTip ? formatMessage("the tip") : formatMessage("axis", { i: j });
+  const end = j ? formatMessage("axis", { i: j }) : formatMessage("the tip");
   const along = i === j ? formatMessage("axis", { i }) : formatMessage("parallel axes", { i, j });
   const quantity = formatMessage(QUANTITY_KEYS[key], { start: i, end, along, j });
   const words = formatMessage("table at", {

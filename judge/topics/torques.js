@@ -174,7 +174,7 @@ function arrangeByPose({ values, units, shape }, count, arm) {
     const hasShape = (...shape) => sizes.join() === shape.filter((n) => n !== 1).join();
     if (hasShape(count, width))
       return { values: dropLocked(values), units: dropLocked(units), taken: noteLocked(values) };
-    if (hasShape(width, count) && count !== width) {
+    if (hasShape(width, count)) {
       const transposeList = (list) => transpose(list, sizes);
       return {
         values: dropLocked(transposeList(values)),
@@ -193,7 +193,7 @@ const makeTorquesVerdict = (arm, grade, headline, fields) =>
 function reportWrongShape(typed, count, arm) {
   const { shape, values } = typed;
   const dof = movingRows(arm).length;
-  const key = values.length === count && values.length !== count * dof ? "tau.energy" : "tau.shape";
+  const key = values.length === count ? "tau.energy" : "tau.shape";
   const wanted = count > 1 ? `${count}x${dof}` : String(dof);
   refuseOtherLists(typed, `${arm.name}: your torques`, wanted);
   const sizes = count > 1 ? shape : shape.filter((n) => n !== 1);
