@@ -100,9 +100,10 @@ function findIn(pasted, text, question) {
   const { what, wants, isEntry, names, given = [] } = question;
   if (wants[0].columns === null) refuseOdd(text, question);
   const plain = labelNumberedLines(makePlainText(flattenFormulas(pasted, what)));
-  const partings = makeBlockFinders(plain, { isEntry, names, given });
-  const answer = findFirstFit(partings, question);
-  if (!answer || hasHalfNumbers(text, answer.block)) throw makeRefusal(text, question, partings);
+  const blockFinders = makeBlockFinders(plain, { isEntry, names, given });
+  const answer = findFirstFit(blockFinders, question);
+  if (!answer || hasHalfNumbers(text, answer.block))
+    throw makeRefusal(text, question, blockFinders);
   const { block, want } = answer;
   refuseOtherNames(block, question);
   const { rows, taken } = orderByListedNames(block, want, text);
@@ -117,7 +118,8 @@ function findIn(pasted, text, question) {
   if (isOtherQuantity(block, names))
     throw makeQuotingError("other quantity", text, block, question);
   // A text without a word can only be the answer, even if it counts: 1 2 3.
-  if (isUnlikely(block, names) && /\p{L}/u.test(text)) throw makeRefusal(text, question, partings);
+  if (isUnlikely(block, names) && /\p{L}/u.test(text))
+    throw makeRefusal(text, question, blockFinders);
   refuseRemark(linesOf(pasted.text), tokens, what);
   const unusedLines = listUnusedLines(
     text,
@@ -145,7 +147,7 @@ function makeUnfilledError(text, { what, wants, wanted = describeWant(wants[0]) 
 }
 
 // Refuse values with other names if other numbers of the text have the answer's name.
-function refuseOtherNames(block, { what, names = NONE }) {
+function refuseOtherNames(block, { what, names = NO_NAME }) {
   const unread = findUnreadAnswer(block, (name) => names.test(bareName(name)));
   if (!unread) return;
   const fields = { what, name: unread.name, line: unread.line + 1 };
@@ -159,14 +161,14 @@ function findLinesOfEntries({ from, to }, tokens) {
   return { from: Math.min(from, first), to: Math.max(to, last) };
 }
 
-// Find the block that fits by the first shape wanted and the first parting of the text. A block
+// Find the block that fits by the first shape wanted and the first splitting of the text. A block
 // that is hardly the answer comes last.
-function findFirstFit(partings, question) {
+function findFirstFit(blockFinders, question) {
   const { wants, which = null, given = [] } = question;
   const shapes = [false, true].flatMap((unlikely) => wants.map((want) => ({ unlikely, want })));
   for (const { unlikely, want } of shapes)
     for (const keepsGiven of want.rows > 1 && given.length > 0 ? [true, false] : [false])
-      for (const makeBlocks of partings) {
+      for (const makeBlocks of blockFinders) {
         const blocks = makeBlocks(keepsGiven);
         const fits = listFits(blocks, want, question);
         const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit, question.names));
@@ -177,11 +179,11 @@ function findFirstFit(partings, question) {
   return null;
 }
 
-const NONE = /(?!)/; // no name
+const NO_NAME = /(?!)/;
 
 // Return whether a block is hardly the answer: it only counts and is not assigned to the answer's
 // name, may be the halves of decimal numbers, or is called another quantity or an old answer.
-const isUnlikely = (block, names = NONE) =>
+const isUnlikely = (block, names = NO_NAME) =>
   (block.splitsCommas && textsOf(block.rows.flat()).every((text) => WHOLE.test(text))) ||
   (countsAlone(block) && !(block.sources[0].isAssigned && names.test(bareName(block.name)))) ||
   isOtherQuantity(block, names) ||
@@ -193,14 +195,14 @@ const WHOLE = /^[-+]?\d+(?: deg)?$/;
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
 
 // The entries of a Jacobian may have names of joints, which are those of its columns.
-function isOtherQuantity({ sources }, names = NONE) {
-  const isOfTopic = (row) => names === NONE || names.test("J") || names.test(bareName(row.name));
+function isOtherQuantity({ sources }, names = NO_NAME) {
+  const isOfTopic = (row) => names === NO_NAME || names.test("J") || names.test(bareName(row.name));
   const isOther = (row) => namesOtherQuantity(row) || (!isOfTopic(row) && namesOtherTopic(row));
   const others = sources.filter(isOther).length;
   return others > 0 && 2 * others >= sources.length;
 }
 
-// Make an error that quotes the only readable list, which the words before it call old.
+// Make an error that quotes the only readable list: the words before it call it old.
 function makeQuotingError(key, text, { from }, { what }) {
   const line = quoteText(linesOf(text)[from] ?? "");
   return new ArmError(formatMessage(key, { what, line }));
@@ -208,17 +210,18 @@ function makeQuotingError(key, text, { from }, { what }) {
 
 // List the blocks that fit, if possible only those with the answer's name. If any shape is wanted,
 // the largest is the answer.
-function listFits(blocks, want, { wants, names = NONE }) {
+function listFits(blocks, want, { wants, names = NO_NAME }) {
   const candidates =
     want.rows === 1 ? blocks.flatMap((block) => listRowsAlone(block, want)) : blocks;
   const fits = candidates.flatMap((block) => fitBlock(dropNameHeader(block), want, wants, names));
-  if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
+  if (want.largest || (want.columns === null && want.rows === null)) return largestOnly(fits);
   const named = fits.filter(({ name }) => names.test(bareName(name)));
   return named.length ? named : fits;
 }
 
-const count = ({ rows }) => rows.reduce((sum, row) => sum + row.length, 0);
-const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slice(0, 1);
+const countEntries = ({ rows }) => rows.reduce((sum, row) => sum + row.length, 0);
+const largestOnly = (blocks) =>
+  [...blocks].sort((p, q) => countEntries(q) - countEntries(p)).slice(0, 1);
 const textsOf = (cells) => cells.map(({ text }) => text);
 
 // Return the last of equal blocks. If blocks differ, the student chooses by `which`.
@@ -259,7 +262,7 @@ const ANSWER_WORD =
 // Ask which block is the answer if another block of as many numbers fits, too. It has the answer's
 // name, is called an answer, or has no name. Beside a named answer a block without name counts only
 // if no word stands before it.
-function refuseRivals(block, blocks, { wants, names = NONE }) {
+function refuseRivals(block, blocks, { wants, names = NO_NAME }) {
   const isAnswer = (name) => names.test(bareName(name)) || ANSWER_WORD.test(name);
   const values = ({ rows }) => textsOf(rows.flat()).map(Number).sort().join();
   const isNamed = block.name && isAnswer(block.name);
@@ -269,7 +272,7 @@ function refuseRivals(block, blocks, { wants, names = NONE }) {
   const rivals = wants
     .flatMap((want) => [blocks, answers].flatMap((all) => listFits(all, want, { wants, names })))
     .filter((other) => other.from > block.to || other.to < block.from)
-    .filter((other) => count(other) === count(block) && mayBeAnswer(other))
+    .filter((other) => countEntries(other) === countEntries(block) && mayBeAnswer(other))
     .filter((other) => values(other) !== values(block))
     .filter(({ rows }) => rows.flat().some(({ text }) => hasDecimals(text)))
     .filter((other) => !isUnlikely(other));
@@ -343,15 +346,15 @@ function namesColumns(headers, width) {
 }
 
 // Make an error that says which numbers are there and which are wanted.
-function makeRefusal(text, question, partings) {
+function makeRefusal(text, question, blockFinders) {
   const { what, wants, wanted = describeWant(wants[0]) } = question;
   refuseOdd(text, { what, wanted });
-  const all = partings.flatMap((make) => make()).filter((block) => count(block) > 1);
+  const all = blockFinders.flatMap((make) => make()).filter((block) => countEntries(block) > 1);
   const blocks = all.filter((block) => !hasHalfNumbers(text, block));
   const unfilled = findUnfilledLine(text);
   if (unfilled) return makeUnfilledError(unfilled, question);
   if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));
-  const sorted = [...blocks].sort((p, q) => count(q) - count(p));
+  const sorted = [...blocks].sort((p, q) => countEntries(q) - countEntries(p));
   refuseUnread(text, tokensOf(text, sorted[0]), what); // may have broken the block
   const found = describeSize(sorted[0].rows.length, sorted[0].rows[0].length);
   const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
@@ -361,7 +364,7 @@ function makeRefusal(text, question, partings) {
 
 const LONGEST_PART = 10; // times the wanted length: a longer list is no half-done answer
 const isFarTooLong = (block, wants) =>
-  wants.every((want) => count(block) > LONGEST_PART * sizeOf(want));
+  wants.every((want) => countEntries(block) > LONGEST_PART * sizeOf(want));
 
 // Return how many numbers an answer has; Infinity if any number of rows or columns is wanted.
 const sizeOf = ({ rows, columns }) => (rows ?? Infinity) * (columns ?? Infinity);

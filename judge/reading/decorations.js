@@ -26,9 +26,9 @@ const UNCERTAINTY =
   String.raw`|\(\s*(?:±|\+\/?-)\s*(\d*[.,]\d+)\s*\))`;
 
 // LaTeX commands that set their argument, and the argument, which may hold braces.
-const FACES = "(?:math|text)(?:bf|it|rm)?|boldsymbol|boxed|underline|num";
-const FACE =
-  String.raw`(?:\\(?:${FACES}|textcolor\{\w+\})\{|\{\\color\{\w+\}\s*)` +
+const SETTING_COMMANDS = "(?:math|text)(?:bf|it|rm)?|boldsymbol|boxed|underline|num";
+const SET_ARGUMENT =
+  String.raw`(?:\\(?:${SETTING_COMMANDS}|textcolor\{\w+\})\{|\{\\color\{\w+\}\s*)` +
   String.raw`((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
 
 // (corrected), (was 2.075), but not (rad) nor the factor (a_2 c_2 + a_3)
@@ -65,7 +65,7 @@ const DECORATIONS = [
   [TAG, ""],
   [/\\ang\{([^{}\n;]*)\}/g, "$1 deg"],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, "$1 $2"],
-  [new RegExp(FACE, "g"), "$1"],
+  [new RegExp(SET_ARGUMENT, "g"), "$1"],
   [
     /(?<=\d)[ \t]*[×·*x][ \t]*10[ \t]*\^\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?!\.?\d)/g,
     "e$1",
@@ -128,11 +128,12 @@ export const withoutMargins = (pasted) => withoutLineNumbers(pasted.replace(QUOT
 
 const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:] ?|\t| {2}|$)/gm;
 
-// The numbers of lines, where all lines have one and there is other text than rows of numbers.
+// Take off the lineNumbers of lines if all lines have one and they count from 1.
 function withoutLineNumbers(text) {
   const lines = text.text.split("\n").filter((line) => line.trim());
-  const numbers = listNumbers(text, LINE_NUMBER);
-  const isNumbered = numbers.length === lines.length && numbers[0] === 1 && countUp(numbers);
+  const lineNumbers = listNumbers(text, LINE_NUMBER);
+  const isNumbered =
+    lineNumbers.length === lines.length && lineNumbers[0] === 1 && countUp(lineNumbers);
   return lines.length > 2 && isNumbered ? text.replace(LINE_NUMBER, "") : text;
 }
 
@@ -149,8 +150,8 @@ const ENUMERATOR = /^([ \t]*)(?:\[(\d{1,2})\]|\(?(\d{1,2})\)|(\d{1,2})\.)[ \t]+(
  * @param {import("./spans.js").SpannedText} text
  */
 export function labelNumberedLines(text) {
-  const numbers = listNumbers(text, ENUMERATOR);
-  if (numbers.length < 2 || numbers[0] > 1 || !countUp(numbers)) return text;
+  const lineNumbers = listNumbers(text, ENUMERATOR);
+  if (lineNumbers.length < 2 || lineNumbers[0] > 1 || !countUp(lineNumbers)) return text;
   return text.replace(ENUMERATOR, "$1$2$3$4: ");
 }
 
@@ -160,7 +161,7 @@ const COMMENTS = [
   STRUCK,
   /^[ \t>]*(?:(?:page|p\.)[ \t]*\d{1,3}(?:[ \t]*of[ \t]*\d{1,3})?|- \d{1,3} -)[ \t]*$/gim,
   /^[ \t]*(?:def \w+\(|return ).*$/gm, // code
-  // A comment with a number; #1 numbers a line, and # q1 q2 q3 may be the column headers.
+  // A comment with a number; #1 is the number of a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
   /(?<=(?:[\d\])},;:°m*π]|rad|deg)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t°])).*$/gm,
 ];
