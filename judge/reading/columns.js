@@ -28,10 +28,10 @@ export function chooseColumn(block, names) {
   const named = columns.filter(({ header }) => names.test(bareName(header.text)));
   const exact = named.filter(({ header }) => EXACT_NAME.test(bareName(header.text)));
   const angles = names.test("q") ? columns.filter(({ header }) => ANGLE.test(header.text)) : [];
-  const sets = [exact, named, angles].find(({ length }) => length > 0) ?? [];
+  const columnsByName = [exact, named, angles].find(({ length }) => length > 0) ?? [];
   return selectSets(
     block,
-    sets.map((each) => [each]),
+    columnsByName.map((column) => [column]),
   );
 }
 
@@ -78,11 +78,11 @@ function listColumns(block) {
 // has no header, and null if headers and columns do not correspond. Words behind the rows have
 // headers, too.
 function offsetOfHeaders({ headers, rows, sources }) {
-  const more = headers.length - rows[0].length;
+  const extra = headers.length - rows[0].length;
   const isCounted = isSeries(rows.map(([cell]) => cell.text));
-  if (more < 0) return more === -1 && isCounted ? -1 : null;
+  if (extra < 0) return extra === -1 && isCounted ? -1 : null;
   const tails = sources.length === rows.length ? sources.map(({ tail }) => tail) : [0];
-  const offset = more - Math.min(more, ...tails);
+  const offset = extra - Math.min(extra, ...tails);
   // A first column that counts rows does not belong to a joint. It has no header if the first
   // header names a joint, and the last header then belongs to words behind the rows.
   const mayHaveTail = offset > 0 || Math.max(...tails) > 0 || sources.every(isCountOfNoun);

@@ -22,7 +22,9 @@ export function refuseUnequalLists(text, { sources, lines }) {
   const rowsOfBlock = new Set(sources);
   for (const row of lines.all) {
     if (rowsOfBlock.has(row) || row.cells.length < 2) continue;
-    const source = sources.find((each) => areJoined(text, each, row) || areJoined(text, row, each));
+    const source = sources.find(
+      (joined) => areJoined(text, joined, row) || areJoined(text, row, joined),
+    );
     if (!source || areEqual(source, row)) continue;
     const ends = [...source.cells, ...row.cells].flatMap(({ from, to }) => [from, to]);
     const quoted = quoteText(text.slice(Math.min(...ends), Math.max(...ends)));

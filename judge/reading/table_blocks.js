@@ -33,7 +33,7 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
   const flat = flattenFormulas(pasted, formatMessage("your table"));
   const plain = makePlainText(withoutMargins(flat)).replace(DEFINITIONS, "");
   const marked = markColumnHeaders(nameToolRow(dropStars(plain)));
-  const partings = makeBlockFinders(marked.plain, { isEntry: makeEntryTest(known) });
+  const blockFinders = makeBlockFinders(marked.plain, { isEntry: makeEntryTest(known) });
   const lines = linesOf(marked.plain.text);
   const typedLines = linesOf(text);
   const isEmpty = (line = "") => !/[\p{L}\d]/u.test(line);
@@ -41,8 +41,8 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
     .filter((_, k) => lines[k]?.includes(HEADER_MARK) || (isDrawn && isEmpty(lines[k])))
     .map((line) => line.trim());
   const rank = ({ headers, cells }) => (headers.length ? 100 : 0) + cells.length;
-  return partings
-    .flatMap((listBlocks) => listBlocks().reverse())
+  return blockFinders
+    .flatMap((findBlocks) => findBlocks().reverse())
     .map(dropDrawnRows)
     .flatMap((block) => addHeaders(block, lines, marked.headers))
     .filter(({ cells: [row = []] }) => row.length >= 4)
@@ -102,7 +102,7 @@ const NEAR = 3; // lines above a table in which its headers stand: a rule, an op
 
 const HEADER_MARK = "·headers·"; // begins a word that stands for headers, by their number
 const findMarkedHeaders = (words, allHeaders) => {
-  const word = words.find((one) => one.startsWith(HEADER_MARK));
+  const word = words.find((text) => text.startsWith(HEADER_MARK));
   return word ? allHeaders[Number(word.slice(HEADER_MARK.length))] : null;
 };
 
@@ -115,20 +115,20 @@ const findMarkedHeaders = (words, allHeaders) => {
 function markColumnHeaders(plain) {
   const allHeaders = [];
   const edits = [];
-  const lines = [...plain.text.matchAll(LINE)].map(({ 0: line, index }) => ({ line, at: index }));
-  const mark = ({ line, at }, headers, length) => {
-    const [open] = /^[\s[({|]*/.exec(line);
+  const lines = [...plain.text.matchAll(LINE)].map(({ 0: text, index }) => ({ text, from: index }));
+  const mark = ({ text, from }, headers, length) => {
+    const [open] = /^[\s[({|]*/.exec(text);
     const word = `${open.replaceAll("|", " ")} ${HEADER_MARK}${allHeaders.push(headers) - 1} `;
-    edits.push({ from: at, to: at + length, text: word });
+    edits.push({ from, to: from + length, text: word });
   };
-  const headerLines = lines.filter(({ line }) => listHeaders(line));
-  for (const one of headerLines) mark(one, listHeaders(one.line), one.line.length);
-  for (const one of lines) {
-    if (!headerLines.includes(one)) edits.push(...listZeros(one, headerLines));
-    const rest = trimOpening(one.line);
+  const headerLines = lines.filter(({ text }) => listHeaders(text));
+  for (const line of headerLines) mark(line, listHeaders(line.text), line.text.length);
+  for (const line of lines) {
+    if (!headerLines.includes(line)) edits.push(...listZeros(line, headerLines));
+    const rest = trimOpening(line.text);
     const [start, header] = (headerLines.length ? null : ROW_HEADER.exec(rest)) ?? [];
     if (header && ENTRIES.includes(findEntry(header)))
-      mark(one, [header], one.line.length - rest.length + start.length);
+      mark(line, [header], line.text.length - rest.length + start.length);
   }
   edits.sort((left, right) => left.from - right.from);
   return { plain: plain.edit(edits), headers: allHeaders };
@@ -138,16 +138,16 @@ const LINE = new RegExp(`[^\n${ROW_END}]+`, "g");
 const trimOpening = (line) => line.replace(/^[\s[({|]+/, "");
 
 // A 0 for each empty cell of a line that has as many cells as column headers above it.
-function listZeros({ line, at }, headerLines) {
-  if (!line.trim()) return [];
+function listZeros(line, headerLines) {
+  if (!line.text.trim()) return [];
   for (const headerLine of headerLines) {
-    const separator = ["\t", ";", ",", "|", "&"].find((one) => headerLine.line.includes(one));
-    const [cells, headers] = [line, headerLine.line].map((one) => one.split(separator));
+    const separator = ["\t", ";", ",", "|", "&"].find((mark) => headerLine.text.includes(mark));
+    const [cells, headers] = [line, headerLine].map(({ text }) => text.split(separator));
     if (cells.length !== headers.length) continue;
-    let from = at;
+    let next = line.from;
     return cells.flatMap((cell, k) => {
-      const start = from;
-      from += cell.length + 1;
+      const start = next;
+      next += cell.length + 1;
       const isEmpty = !cell.trim() && headers[k].trim() !== "";
       return isEmpty ? [{ from: start, to: start + cell.length, text: "0" }] : [];
     });
@@ -165,13 +165,14 @@ const SEPARATORS = [/\| {2}\||[|&\t;]/, /\s{2,}/, /,/, /\s+/];
 
 // List the headers of a line that names three of the four columns or more; null for other lines.
 function listHeaders(typed) {
-  const line = trimOpening(typed).replace(/^(?:%|\/\/)+\s*|[|\s\])}]+$/g, (sign) =>
-    sign.replace(/[|\s%/]/g, ""),
+  const line = trimOpening(typed).replace(/^(?:%|\/\/)+\s*|[|\s\])}]+$/g, (margin) =>
+    margin.replace(/[|\s%/]/g, ""),
   );
-  for (const sign of SEPARATORS) {
-    const cells = line.split(sign);
+  const countsRows = (header) => findEntry(header) === "i";
+  for (const separator of SEPARATORS) {
+    const cells = line.split(separator);
     const headers = joinUnits(cells.map((header) => header.trim())).filter(
-      (head, k, all) => !k || findEntry(head) !== "i" || findEntry(all[k - 1]) !== "i", // "Link, i"
+      (header, k, all) => !k || !countsRows(header) || !countsRows(all[k - 1]), // "Link, i"
     );
     const named = headers.map(findEntry).filter((word) => ENTRIES.includes(word));
     if (headers.some(isNumber)) continue;

@@ -26,8 +26,8 @@ export function joinCellLines(text, isEntry) {
   const cells = takeCells(lines.slice(behind), isEntry);
   const headers = headerLines.filter((line) => !UNIT.test(line.text.trim()));
   const width = findWidth(headers, cells, lines[behind + cells.length]);
-  const lasts = cells.filter((_, k) => (k + 1) % width === 0);
-  const rowEnds = new Set([headerLines.at(-1), ...lasts]);
+  const lastCells = cells.filter((_, k) => (k + 1) % width === 0);
+  const rowEnds = new Set([headerLines.at(-1), ...lastCells]);
   const characters = text.split("");
   lines.slice(start, behind + cells.length - 1).forEach((line, k) => {
     const end = line.from + line.text.trimEnd().length;

@@ -45,7 +45,9 @@ function findSpelling(text) {
 
 // Write aᵢ₋₁ as ai-1, and the α of APL, which the Robotics Toolbox prints, as the Greek one.
 const replaceSubscripts = (text) =>
-  text.replace(/[ᵢⱼₖₙ₋₁]/g, (one) => "ijkn-1"["ᵢⱼₖₙ₋₁".indexOf(one)]).replaceAll("⍺", "α");
+  text
+    .replace(/[ᵢⱼₖₙ₋₁]/g, (character) => "ijkn-1"["ᵢⱼₖₙ₋₁".indexOf(character)])
+    .replaceAll("⍺", "α");
 
 /** The entry that is meant where the headers of alpha and theta are exchanged. */
 export const EXCHANGED = { alpha: "theta", theta: "alpha" };
@@ -54,7 +56,7 @@ export const EXCHANGED = { alpha: "theta", theta: "alpha" };
 export function nameColumns(headers) {
   const names = headers.map(findEntry);
   const namesTwoD = names.filter((name) => name === "d").length > 1;
-  const isOffset = (head) => head.toLowerCase().includes("offset");
+  const isOffset = (header) => header.toLowerCase().includes("offset");
   return names.map((name, k) => (namesTwoD && isOffset(headers[k]) ? "theta" : name));
 }
 
@@ -119,9 +121,9 @@ function refuseHeaders(headers, count) {
 }
 
 // Return whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
-const isCounted = (first) =>
-  !first.some(isVariable) &&
-  [0, 1].some((from) => first.every((text, k) => findLabel([{ text }])?.number === k + from));
+const isCounted = (cells) =>
+  !cells.some(isVariable) &&
+  [0, 1].some((from) => cells.every((text, k) => findLabel([{ text }])?.number === k + from));
 
 // List the possible orders of the columns, whether the order was stated, and the rows.
 export const listOrders = (cells, headers, columns) =>
@@ -141,16 +143,18 @@ function orderByOption(cells, columns) {
 // that name one entry, "i" for the rows' numbers, "offset" for a column of joint offsets; undefined
 // for others.
 export function nameTableColumns(headers) {
-  const isOffset = (head) => head.toLowerCase().includes("offset");
+  const isOffset = (header) => header.toLowerCase().includes("offset");
   const all = headers.map(findEntry);
   const twice = all.filter((word) => word === "d").length > 1;
   const words = all.map((word, i) => (twice && isOffset(headers[i]) ? "" : word));
-  const keep = ENTRIES.map((entry) => words.indexOf(entry));
-  if (keep.includes(-1)) return null;
-  const added = headers.findIndex((head, i) => isOffset(head) && !keep.includes(i));
+  const entryColumns = ENTRIES.map((entry) => words.indexOf(entry));
+  if (entryColumns.includes(-1)) return null;
+  const offsetColumn = headers.findIndex(
+    (header, i) => isOffset(header) && !entryColumns.includes(i),
+  );
   return headers.map((_, i) => {
-    if (i === added) return "offset";
-    return keep.includes(i) || words[i] === "i" ? words[i] : undefined;
+    if (i === offsetColumn) return "offset";
+    return entryColumns.includes(i) || words[i] === "i" ? words[i] : undefined;
   });
 }
 
@@ -158,13 +162,13 @@ export function nameTableColumns(headers) {
 function orderByHeaders(cells, headers) {
   const names = nameTableColumns(headers);
   if (!names || cells.some((row) => row.length !== headers.length)) return null;
-  const keep = ENTRIES.map((entry) => names.indexOf(entry));
-  const added = names.indexOf("offset");
+  const entryColumns = ENTRIES.map((entry) => names.indexOf(entry));
+  const offsetColumn = names.indexOf("offset");
   const rows = cells.map((row, k) => {
-    const kept = keep.map((i) => row[i] ?? "0");
-    const still = row[added] ?? "0";
-    const none = ["", "-"].includes(still.trim()) || number(still) === 0;
-    return none ? kept : addOffset(k + 1, kept, still);
+    const kept = entryColumns.map((i) => row[i] ?? "0");
+    const offset = row[offsetColumn] ?? "0";
+    const isZero = ["", "-"].includes(offset.trim()) || number(offset) === 0;
+    return isZero ? kept : addOffset(k + 1, kept, offset);
   });
   const isOther = (name, i) => name === undefined && cells.some((row) => isNumber(row[i]));
   const others = headers.filter((_, i) => isOther(names[i], i));
@@ -178,27 +182,29 @@ function orderByContent(cells, headers) {
   requireFourColumns(cells);
   const names = headers.length === 4 ? nameColumns(headers) : [];
   const agrees = (order) => names.every((name, k) => !ENTRIES.includes(name) || order[k] === name);
-  const looks = cells.map((row) => row.map(describeCell));
-  const all = new Map([...KNOWN_ORDERS, ...permutations(ENTRIES)].map((one) => [one.join(), one]));
+  const descriptions = cells.map((row) => row.map(describeCell));
+  const all = new Map(
+    [...KNOWN_ORDERS, ...listPermutations(ENTRIES)].map((order) => [order.join(), order]),
+  );
   const orders = [...all.values()].filter(
-    (order) => agrees(order) && isPossibleOrder(looks, order),
+    (order) => agrees(order) && isPossibleOrder(descriptions, order),
   );
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], isStated: false, rows: cells };
 }
 
 // Add the offset in a column of its own to the variable of its row.
-function addOffset(i, row, still) {
+function addOffset(i, row, offset) {
   const [d, theta] = [2, 3].map((k) => number(row[k]) === null);
   const at = d && !theta ? 2 : 3;
   const moves = VARIABLE.test(plain(row[at])) ? `q_${i}` : row[at];
-  return row.map((cell, k) => (k === at ? `${moves} + (${still})` : cell));
+  return row.map((cell, k) => (k === at ? `${moves} + (${offset})` : cell));
 }
 
-const permutations = (list) =>
+const listPermutations = (list) =>
   list.length < 2
     ? [list]
-    : list.flatMap((one, k) =>
-        permutations(list.filter((_, j) => j !== k)).map((more) => [one, ...more]),
+    : list.flatMap((item, k) =>
+        listPermutations(list.filter((_, j) => j !== k)).map((rest) => [item, ...rest]),
       );
 
 function requireFourColumns(cells) {
@@ -216,11 +222,11 @@ function describeCell(text) {
 }
 
 // Return whether the variables stand in theta or d, and no length looks like a twist.
-function isPossibleOrder(looks, order) {
-  const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
+function isPossibleOrder(descriptions, order) {
+  const [a, alpha, d] = ENTRIES.map((name) => descriptions.map((row) => row[order.indexOf(name)]));
   if ([...a, ...d].some(({ angular }) => angular)) return false;
   if ([...a, ...alpha].some(({ variable }) => variable)) return false;
-  return alpha.every((look) => look.number === null || isAngleLike(look.number));
+  return alpha.every((cell) => cell.number === null || isAngleLike(cell.number));
 }
 
 function isAngleLike(x) {

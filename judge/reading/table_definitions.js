@@ -90,7 +90,7 @@ export function listDefinitions(pasted, known = new Map()) {
 /** @param {import("./spans.js").SpannedText} pasted @returns {TypedDefinition[]} */
 function matchDefinitions(pasted) {
   const { text } = pasted;
-  const make = (symbol, value, unit, valueAt, { 0: typed, index }) => {
+  const makeDefinition = (symbol, value, unit, valueAt, { 0: typed, index }) => {
     const { from, to } = pasted.span(index, index + typed.length);
     const valueFrom = pasted.span(valueAt, valueAt + 1).from;
     return { from, to, name: plain(symbol), text: typed.trim(), valueFrom, value, unit };
@@ -104,7 +104,7 @@ function matchDefinitions(pasted) {
     const isName = (part) => WHOLE_NAME.test(part) && part !== parts.at(-1); // a_3 = a_6 = 0.088
     const formula = parts.filter((part) => !isName(part)).join("=");
     return [symbol, ...parts.filter(isName)].map((name) => ({
-      ...make(name, formula, unit, valueAt, match),
+      ...makeDefinition(name, formula, unit, valueAt, match),
       lineStart,
       isBracketed: Boolean(bracket),
     }));
@@ -116,7 +116,9 @@ function matchDefinitions(pasted) {
     );
     const valueAt = match.index + names.length + sign.length;
     if (symbols.length !== numerals.length) return [];
-    return symbols.map((symbol, k) => make(symbol.trim(), numerals[k], undefined, valueAt, match));
+    return symbols.map((symbol, k) =>
+      makeDefinition(symbol.trim(), numerals[k], undefined, valueAt, match),
+    );
   });
   return [...spreadUnits(single), ...several];
 }
@@ -124,8 +126,11 @@ function matchDefinitions(pasted) {
 // Give a unit in brackets to the bare values before it on its line: "a = 1, b = 2 [mm]".
 function spreadUnits(definitions) {
   const bracketed = new Map();
-  for (const one of definitions.filter(({ isBracketed }) => isBracketed))
-    bracketed.set(one.lineStart, [...(bracketed.get(one.lineStart) ?? []), one]);
+  for (const definition of definitions.filter(({ isBracketed }) => isBracketed))
+    bracketed.set(definition.lineStart, [
+      ...(bracketed.get(definition.lineStart) ?? []),
+      definition,
+    ]);
   return definitions.map(({ isBracketed: _, lineStart, ...definition }) => {
     const isBehind = ({ from }) => from > definition.from;
     const unit = definition.unit ?? bracketed.get(lineStart)?.find(isBehind)?.unit;
@@ -143,11 +148,11 @@ const DEEPEST = 5; // definitions that refer to each other in a chain
  */
 function evaluateLength(formula, unit = "m", definitions, known, depth = 0) {
   const lookUp = (name) => {
-    const other = definitions.find((one) => simple(one.name) === simple(name));
-    if (!other) return known.get(simple(name));
+    const definition = definitions.find((candidate) => simple(candidate.name) === simple(name));
+    if (!definition) return known.get(simple(name));
     if (depth === DEEPEST) return undefined;
-    const { value: its, unit: itsUnit } = other;
-    return evaluateLength(its, itsUnit, definitions, known, depth + 1) ?? undefined;
+    const { value: innerFormula, unit: innerUnit } = definition;
+    return evaluateLength(innerFormula, innerUnit, definitions, known, depth + 1) ?? undefined;
   };
   const numbers = formula.split("=").map((part) => {
     const tree = tryOrNull(() => parse(part.replace(/(\d),(\d)/g, "$1.$2")));
@@ -236,10 +241,10 @@ export const claimDefinitions = (definitions, tokens) =>
  */
 const claimValues = (definitions, tokens, claim) =>
   tokens.map((token) => {
-    const own = definitions.find(({ from, to }) => token.from >= from && token.to <= to);
-    if (!own) return token;
+    const definition = definitions.find(({ from, to }) => token.from >= from && token.to <= to);
+    if (!definition) return token;
     const { text, from, to, line } = token;
-    const owner = from < own.valueFrom ? { owner: "label", reason: IN_NAME } : claim;
+    const owner = from < definition.valueFrom ? { owner: "label", reason: IN_NAME } : claim;
     return { text, from, to, line, ...owner };
   });
 

@@ -90,13 +90,14 @@ const FEWEST_BRACKETED = 2; // with fewer numbers, a bracket holds no entries
 // Return whether a span holds a bracket with entries, or a bracket without its counterpart.
 /** @param {string} text @param {Span} gap @param {Bracket[]} brackets */
 function hasBracket(text, { from, to }, brackets) {
-  const isEntries = ({ body }) => /[=:]/.test(body) || countNumbers(body) >= FEWEST_BRACKETED;
-  if (brackets.some((one) => one.from >= from && one.to <= to && isEntries(one))) return true;
-  const opens = new Set(brackets.map((one) => one.from));
-  const closes = new Set(brackets.map((one) => one.to - 1));
+  const hasEntries = ({ body }) => /[=:]/.test(body) || countNumbers(body) >= FEWEST_BRACKETED;
+  const inside = brackets.filter((bracket) => bracket.from >= from && bracket.to <= to);
+  if (inside.some(hasEntries)) return true;
+  const openings = new Set(brackets.map((bracket) => bracket.from));
+  const closings = new Set(brackets.map((bracket) => bracket.to - 1));
   for (let at = from; at < to; at++) {
-    if ("({".includes(text[at]) && !opens.has(at)) return true;
-    if (")}".includes(text[at]) && !closes.has(at) && /[=:,]/.test(text.slice(from, at)))
+    if ("({".includes(text[at]) && !openings.has(at)) return true;
+    if (")}".includes(text[at]) && !closings.has(at) && /[=:,]/.test(text.slice(from, at)))
       return true;
   }
   return false;

@@ -65,8 +65,8 @@ function listUnused(text, parts, sources) {
     [...line.matchAll(DECIMAL)].filter(({ index }) => !isUsed(from + index)).map(([x]) => x),
   );
   const trimmed = otherLines.map((line) => line.text.trim());
-  const told = trimmed.filter((line) => /[\p{L}\d]{2}/u.test(line));
-  return { context: trimmed.join("\n"), unusedLines: [...told, ...decimals] };
+  const withText = trimmed.filter((line) => /[\p{L}\d]{2}/u.test(line));
+  return { context: trimmed.join("\n"), unusedLines: [...withText, ...decimals] };
 }
 
 const DECIMAL = /(?<!\d)\d*\.\d+/g;

@@ -48,14 +48,15 @@ export function readRow(i, entries, known) {
   const trees = mapEntries((name) =>
     parseEntry(dashes[name].replace(IN_METRES, ""), name, i, known),
   );
-  const isFree = (one) => !known.has(simple(one));
+  const isFree = (symbol) => !known.has(simple(symbol));
   const free = mapEntries((name) => [...symbols(trees[name])].filter(isFree).sort());
   const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
   const joint = findVariable(i, free, mover);
-  const at = (name, x) =>
-    value(trees[name], (one) => (free[name].includes(one) ? x : known.get(simple(one))));
-  const numbers = mapEntries((name) => at(name, 0));
-  const backwards = mover !== null && findDirection(at(mover, 1) - numbers[mover], i, mover) < 0;
+  const evaluateAt = (name, x) =>
+    value(trees[name], (symbol) => (free[name].includes(symbol) ? x : known.get(simple(symbol))));
+  const numbers = mapEntries((name) => evaluateAt(name, 0));
+  const backwards =
+    mover !== null && findDirection(evaluateAt(mover, 1) - numbers[mover], i, mover) < 0;
   const hasOwnUnit = (name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]));
   return {
     kind: mover === null ? "unknown" : KIND[mover],
@@ -103,9 +104,9 @@ const mapEntries = (make) => Object.fromEntries(ENTRIES.map((name) => [name, mak
 // Parse a cell. A mark such as * in row 2 becomes q_2.
 function parseEntry(cell, name, i, known) {
   const text = plain(cell);
-  const moves = name === "theta" || name === "d";
-  const free = moves && VARIABLE.test(text) && !known.has(simple(text));
-  return parse(free ? `q_${i}` : text, `${name} in row ${i}`);
+  const mayMove = name === "theta" || name === "d";
+  const isMark = mayMove && VARIABLE.test(text) && !known.has(simple(text));
+  return parse(isMark ? `q_${i}` : text, `${name} in row ${i}`);
 }
 
 // Return a variable with its number, or null if its name has no number.
@@ -120,8 +121,8 @@ const MOVING = /^(?:[dqstx]|phi)/i;
 // Find the joint variable of a row. Refuse a row with any further symbol.
 function findVariable(i, free, mover) {
   const moving = mover === null ? [] : free[mover];
-  const joint = moving.find((one) => /^[qt]/.test(one)) ?? moving[0];
-  const isStray = (name) => (one) => name !== mover || one !== joint || !MOVING.test(one);
+  const joint = moving.find((symbol) => /^[qt]/.test(symbol)) ?? moving[0];
+  const isStray = (name) => (symbol) => name !== mover || symbol !== joint || !MOVING.test(symbol);
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
   if (stray === undefined) return parseVariable(joint);
   throw new ArmError(formatMessage("row symbol", { row: i, name: stray }), [
@@ -131,8 +132,8 @@ function findVariable(i, free, mover) {
 
 // Return the sign of the joint variable in its row. Refuse a factor, as in 2 q_1.
 function findDirection(rate, row, name) {
-  const far = (from) => Math.abs(Math.abs(rate) - from) > 1e-6;
-  if (far(1) && far(RAD))
+  const differsFrom = (size) => Math.abs(Math.abs(rate) - size) > 1e-6;
+  if (differsFrom(1) && differsFrom(RAD))
     throw new ArmError(formatMessage("row slope", { row, name, rate: formatNumber(rate) }));
   return rate > 0 ? 1 : -1;
 }

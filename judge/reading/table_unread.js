@@ -81,7 +81,7 @@ function findLostSign(text, sources) {
     for (const [k, { from, to }] of cells.entries()) {
       if (from === to) continue; // an empty cell, whose dash was removed
       const gap = text.slice(Math.max(cells[k - 1]?.to ?? 0, from - NEAR), from);
-      const sign = LOST_SIGN.exec(gap.replace(NO_SIGN, blank));
+      const sign = LOST_SIGN.exec(gap.replace(NO_SIGN, makeBlank));
       if (sign) return { line, cell: { from: from - sign[0].length, to } };
     }
   return null;
@@ -89,7 +89,7 @@ function findLostSign(text, sources) {
 
 const NEAR = 20; // characters before an entry that may hold its sign
 const NO_SIGN = /\\h?phantom\{[^}]*\}|-+>/g; // an invisible minus of LaTeX, and arrows
-const blank = (match) => " ".repeat(match.length);
+const makeBlank = (match) => " ".repeat(match.length);
 const LOST_SIGN = /\S*[-−–—][^\p{L}\d\n|&;,\t-]*$/u;
 
 // Find an entry such as 1,000, which may be 1 or a thousand. It is clear that the comma is decimal
@@ -100,7 +100,7 @@ function findUnclearComma(text, sources) {
     cells.map((cell) => ({ line, cell, entry: text.slice(cell.from, cell.to) })),
   );
   const isUnclear = ({ entry }) => UNCLEAR_COMMA.test(entry);
-  const hasDecimalComma = typed.some((one) => /\d,\d/.test(one.entry) && !isUnclear(one));
+  const hasDecimalComma = typed.some((cell) => /\d,\d/.test(cell.entry) && !isUnclear(cell));
   return hasDecimalComma ? undefined : typed.find(isUnclear);
 }
 
@@ -154,19 +154,19 @@ const isName = ({ to }, text) => /^\s*=/.test(text.slice(to, to + 9));
  */
 function listRests({ sources, lines }, isEntry) {
   const rests = new Map();
-  const at = (line) => {
+  const getRest = (line) => {
     if (!rests.has(line)) rests.set(line, { rows: [], words: [], entries: [], candidates: [] });
     return rests.get(line);
   };
-  const own = new Set(sources);
+  const rowsOfBlock = new Set(sources);
   for (const row of lines.all)
-    if (!own.has(row)) {
-      at(row.line).rows.push(row);
-      at(row.line).entries.push(...row.cells);
+    if (!rowsOfBlock.has(row)) {
+      getRest(row.line).rows.push(row);
+      getRest(row.line).entries.push(...row.cells);
     }
   for (const word of lines.words) {
     if (word.line === undefined || isDate(word.text)) continue; // the name of a value
-    const { words, candidates } = at(word.line);
+    const { words, candidates } = getRest(word.line);
     if (word.text.startsWith(MARK)) continue;
     words.push(word);
     if (isEntry(trimMarks(word.text)) || /\d/.test(word.text)) candidates.push(word);

@@ -11,17 +11,19 @@ const textsOf = (cells) => cells.map(({ text }) => text);
 /**
  * List the lines with text above and below a block, and the comments and unused numbers on the
  * lines of the block.
- * @param {string} text @param {Block} block @param {SpannedText} [live] without comments
+ * @param {string} text @param {Block} block
+ * @param {SpannedText} [uncommented] the text without comments
  */
-export function listUnusedLines(text, block, live = null) {
+export function listUnusedLines(text, block, uncommented = null) {
   const { from, to } = block;
   const lines = linesOf(text);
   const rest = lines.filter((_, i) => i < from || i > to);
   const linesWithText = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
-  const kept = live && live.text.length === text.length ? linesOf(live.text) : lines;
+  const isAligned = uncommented?.text.length === text.length;
+  const uncommentedLines = isAligned ? linesOf(uncommented.text) : lines;
   const comments = lines
     .slice(from, to + 1)
-    .map((line, i) => line.slice(kept[from + i].trimEnd().length).trim())
+    .map((line, i) => line.slice(uncommentedLines[from + i].trimEnd().length).trim())
     .filter(Boolean);
   return [...linesWithText.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
 }
