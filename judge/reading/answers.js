@@ -1,5 +1,5 @@
-// The answer in a text: all blocks that have the shape that is asked for, wherever they stand, with
-// rows and columns in the order that their labels say.
+// Finds the answer in a text. The answer is the block of the wanted shape, anywhere in the text,
+// with rows and columns in the order of their labels.
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
@@ -42,17 +42,20 @@ import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
 import { listUnusedLines } from "./unused_lines.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
-/** Numbers were read, but none of them in the shape that is asked for. */
+/** Reports that the text has no numbers in the wanted shape, and may be an unfinished answer. */
 export class NoFitError extends ArmError {}
 
-const LONGEST = 2_000_000; // characters of a text: a trajectory of 20 000 steps
+const LONGEST = 2_000_000; // characters, enough for a trajectory of 20 000 steps
 
 /**
- * How many rows and columns are asked for, any number where null; what its rows are named after,
- * "row" or "joint"; whether a column is turned into a row; whether of several the largest is meant.
- * `most` is the largest count of numbers in an answer with any number of rows, if there is one.
- * `names` are those of the answer, `given` the numbers that the question itself holds, `wanted` the
- * shape in words.
+ * A wanted shape. `rows` and `columns` are null if any number fits. `by` is "row" if labels name
+ * rows of a Jacobian, and "joint" if they name joints. `turned` turns the answer into a single row.
+ * `largest` takes the largest of several blocks.
+ *
+ * A question. `what` is the answer in messages, such as "your torques", and `names` matches names
+ * of the answer. `given` are numbers of the question, and `wanted` is the shape in words. `which`
+ * is the student's choice among several blocks, from 1. `most` is the largest count of numbers in
+ * an answer with any number of rows.
  * @typedef {{ rows: number | null, columns: number | null, by?: string, turned?: boolean,
  *   largest?: boolean }} Want
  * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
@@ -61,14 +64,14 @@ const LONGEST = 2_000_000; // characters of a text: a trajectory of 20 000 steps
 /** @typedef {import("./lines.js").Cell} Cell */
 /** @typedef {import("./blocks.js").Block} Block */
 /**
- * The block that is the answer. `taken` says how its rows were ordered, `unusedLines` holds
- * the lines and numbers that were set aside, `tokens` every number of the text with its owner.
+ * The block that is the answer. `taken` has messages on the order of its rows. `unusedLines` has
+ * the lines and numbers that were not used, and `tokens` all numbers of the text with their owners.
  * @typedef {Block & { unusedLines: string[], taken: string[], hasRowNames?: boolean,
  *   tokens: import("./owners.js").Token[] }} Answer
  */
 
 /**
- * Find the answer in a text. A comment counts only where nothing else fits.
+ * Find the answer in a text. Comments are read only if nothing fits without them.
  * @param {string} text @param {Question} question @returns {Answer}
  */
 export function findAnswer(text, question) {
@@ -83,7 +86,7 @@ export function findAnswer(text, question) {
   const unfilled = findUnfilledLabel(live?.text ?? pasted.text);
   if (unfilled) throw makeUnfilledError(unfilled.quoted, question);
   const texts = live ? [live, pasted] : [pasted];
-  let refusal = null; // that of the text without comments, if nothing fits in either
+  let refusal = null; // the first error, for the text without comments
   for (const version of texts) {
     try {
       return findIn(version, text, question);
@@ -129,7 +132,7 @@ function findIn(pasted, text, question) {
   return { ...block, rows, taken, unusedLines, tokens };
 }
 
-// Refuse entries with two meanings, and an answer that its own text contradicts.
+// Refuse entries with two possible meanings, and answers that contradict themselves.
 function refuseUnclear(text, { block, want, rows, tokens, what }) {
   refuseUnequalLists(text, block);
   refuseDashes(text, block.sources);
@@ -139,7 +142,7 @@ function refuseUnclear(text, { block, want, rows, tokens, what }) {
   else if (!block.hasRowNames) refuseContraryRows(block, what);
 }
 
-// Make an error for an entry that has no number yet.
+// Make an error for an entry without a number, such as "q_6 = ?".
 /** @param {string} text @param {Question} question */
 function makeUnfilledError(text, { what, wants, wanted = describeWant(wants[0]) }) {
   const fields = { what, line: quoteText(text.trim()), wanted };
@@ -154,7 +157,7 @@ function refuseOtherNames(block, { what, names = NO_NAME }) {
   throw new NoFitError(formatMessage("other name", fields));
 }
 
-// Return the first and the last line of a block. Parts of a drawn fraction stand on lines beside.
+// Return the first and the last line of a block. A drawn fraction adds the lines above and below.
 function findLinesOfEntries({ from, to }, tokens) {
   const entries = tokens.filter(({ owner }) => owner === "entry");
   const [first, last] = [entries[0]?.line ?? from, entries.at(-1)?.line ?? to];
@@ -191,7 +194,7 @@ const isUnlikely = (block, names = NO_NAME) =>
 
 const WHOLE = /^[-+]?\d+(?: deg)?$/;
 
-// Return whether a block holds three or more whole numbers in order, as of joints.
+// Return whether a block holds three or more joint numbers in order, such as 1, 2, 4.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
 
 // The entries of a Jacobian may have names of joints, which are those of its columns.
@@ -224,7 +227,7 @@ const largestOnly = (blocks) =>
   [...blocks].sort((p, q) => countEntries(q) - countEntries(p)).slice(0, 1);
 const textsOf = (cells) => cells.map(({ text }) => text);
 
-// Return the last of equal blocks. If blocks differ, the student chooses by `which`.
+// Return the only block that fits. If different blocks fit, the student must choose by `which`.
 function chooseBlock(fits, { which = null }) {
   const texts = ({ rows }) => JSON.stringify(rows.map(textsOf));
   const all = [...new Map(fits.map((block) => [texts(block), block])).values()];
@@ -233,7 +236,7 @@ function chooseBlock(fits, { which = null }) {
   throw askWhich(different);
 }
 
-// Leave out blocks that repeat rows of a larger block.
+// Leave out blocks whose rows all repeat rows of a larger block.
 function withoutRepeated(blocks) {
   const texts = blocks.map(({ rows }) => rows.map((row) => textsOf(row).join()));
   const repeats = (rows, others) =>
@@ -252,8 +255,8 @@ function askWhich(blocks) {
   return error;
 }
 
-const MOST_ANSWERS = 5; // to choose from
-const MOST_NUMBERS = 8; // of an answer to choose
+const MOST_ANSWERS = 5; // blocks in the message
+const MOST_NUMBERS = 8; // quoted numbers of a block
 
 // Words that name an answer in English, German, French and Spanish.
 const ANSWER_WORD =
@@ -279,13 +282,13 @@ function refuseRivals(block, blocks, { wants, names = NO_NAME }) {
   if (rivals.length) throw askWhich([block, ...rivals]);
 }
 
-// Turn a block into the shape that is wanted; an empty list if it does not fit. A row of the wanted
-// length has no number that counts it.
+// List the ways in which a block fits the wanted shape, after counts are dropped and columns are
+// chosen. A row of the wanted length keeps all its numbers.
 function fitBlock(block, want, wants, names) {
   const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
   const columns = chooseColumn(block, names);
-  // Each group holds the blocks that one change makes. Headers may name several sets of columns.
+  // Each list has the blocks after a single change. Only headers can give several blocks.
   const alternatives = isSquareTable(block, want, columns)
     ? [columns]
     : [
@@ -314,8 +317,8 @@ function fitBlock(block, want, wants, names) {
   });
 }
 
-// Make a block of each row, for questions about one row. A number that counts the row becomes its
-// label. A counted row for each wanted number is a column.
+// Make a block of each row, for questions about a single row. If a row begins with its count, the
+// count becomes a label. If the block has a counted row for each wanted number, it stays whole.
 function listRowsAlone(block, { columns }) {
   const isOwn = block.sources.length === block.rows.length;
   const isCounted = block.sources.map((row) => beginsWithCount(row, block.lines.all));
@@ -333,7 +336,8 @@ function listRowsAlone(block, { columns }) {
   return rows.length < 2 ? rows : [block, ...rows];
 }
 
-// Return whether as many headers name joints as there are columns, or fewer than two.
+// Return whether the headers may belong to the columns. Either each column has the name of a joint,
+// or at most one header or a minority of the words names a joint.
 function namesColumns(headers, width) {
   if (width < 2) return true;
   const labels = headers.map(
@@ -362,11 +366,11 @@ function makeRefusal(text, question, blockFinders) {
   return isFarTooLong(sorted[0], wants) ? new ArmError(message) : new NoFitError(message);
 }
 
-const LONGEST_PART = 10; // times the wanted length: a longer list is no half-done answer
+const LONGEST_PART = 10; // a list of 10 times the wanted length is no unfinished answer
 const isFarTooLong = (block, wants) =>
   wants.every((want) => countEntries(block) > LONGEST_PART * sizeOf(want));
 
-// Return how many numbers an answer has; Infinity if any number of rows or columns is wanted.
+// Return the count of numbers in an answer, or Infinity if any number of rows or columns fits.
 const sizeOf = ({ rows, columns }) => (rows ?? Infinity) * (columns ?? Infinity);
 
 /** @param {Question} question */
@@ -375,7 +379,7 @@ const largestSizeOf = ({ wants, most }) => most ?? Math.max(...wants.map(sizeOf)
 const describeWant = ({ rows, columns }) =>
   columns === null ? "numbers" : describeSize(rows, columns);
 
-// Describe a block's size; any number of rows if `rows` is null.
+// Describe a size in words: "6 numbers", "3 rows of 2 numbers", "rows of 6 numbers".
 function describeSize(rows, columns) {
   if (rows === 1) return `${columns} numbers`;
   const each = columns === 1 ? "one number" : `${columns} numbers`;

@@ -1,13 +1,13 @@
-// Defines a block, which is rows of one length and the words beside them.
+// Defines a block. A block is a rectangle of entries with the words beside it.
 
 import { readRowLabels } from "./labels.js";
 
 /** @typedef {import("./lines.js").Cell} Cell */
 /** @typedef {import("./lines.js").Row} Row */
 /**
- * A rectangle of entries. `labels` are the words before each row, `headers` those above the first;
- * `name` is what the block is assigned to; `from` and `to` are its first and last line; `sources`
- * are the rows of the text that it is made of, `lines` all rows and words of the text.
+ * A rectangle of entries. `labels` are the words before each row, and `headers` the words above the
+ * first row. `name` is the name before "=" or ":". `from` and `to` are the first and last line.
+ * `sources` are the rows of the text in the block, and `lines` are all rows and words of the text.
  * @typedef {object} Block
  * @property {Cell[][]} rows
  * @property {Cell[][]} labels
@@ -17,15 +17,16 @@ import { readRowLabels } from "./labels.js";
  * @property {number} to
  * @property {Row[]} sources
  * @property {Lines} [lines]
- * @property {boolean} [splitsCommas] whether commas that may be decimal commas separate its entries
+ * @property {boolean} [splitsCommas] whether its entries were split at commas that may be decimal
+ *   commas
  */
 /**
- * All rows and words of a text. The rows `given` repeat numbers of the question.
+ * All rows and words of a text. The rows in `given` repeat numbers of the question.
  * @typedef {{ all: Row[], given: Set<Row>, words: Cell[] }} Lines
  */
 
 /**
- * Write the factor of a row behind its entries.
+ * Write the factor of MATLAB's heading, as "1.0e+03 *", behind each entry of a row.
  * @param {Row} row @returns {Cell[]}
  */
 export const applyFactor = ({ cells, scale }) =>

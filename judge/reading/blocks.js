@@ -1,4 +1,4 @@
-// Finds every rectangular block of entries in a text, with the words beside it.
+// Finds all blocks in a text. A block is a rectangle of entries with the words beside it.
 
 import { RAD } from "../geometry/angles.js";
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
@@ -15,22 +15,23 @@ import { joinCellLines, joinIndexedValues, joinNamedValues } from "./single_valu
 /** @typedef {import("./lines.js").Row} Row */
 /** @typedef {import("./block.js").Block} Block */
 
-// The order in which splittings are tried: commas as decimal commas, then as separators; each line
-// as a row, then each list; single blanks as separators, then gaps only.
+// The order in which splittings are tried. Single blanks as separators come before wide gaps only.
+// Decimal commas come before commas as separators. A row on each line comes before a row in each
+// list.
 const SPLITTINGS = [false, true].flatMap((gaps) =>
   [true, false].flatMap((decimal) => [false, true].map((wrapped) => ({ gaps, decimal, wrapped }))),
 );
 
 /**
- * Take decorations off a text and make its characters plain.
+ * Remove decorations and make the characters plain.
  * @param {import("./spans.js").SpannedText} pasted
  */
 export const makePlainText = (pasted) =>
   plainCharacters(withoutDecorations(foldNames(foldCharacters(pasted))));
 
 /**
- * Return a function for each splitting of the text, which finds the blocks. Its argument
- * is whether numbers of the question may be part of a block.
+ * Return a function for each splitting of the text. The function finds the blocks, and its argument
+ * says whether a block may include numbers of the question.
  * @param {import("./spans.js").SpannedText} plain
  * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
  * @returns {((keepsGiven?: boolean) => Block[])[]}
@@ -63,7 +64,7 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }) {
 
 const DECIMAL_COMMA = /,\d/;
 const POINT_AND_COMMA = /\d\.\d+,[-+]?\d/; // 0.5,10: the comma separates numbers
-const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d/; // a row's number, two numbers
+const NO_ENTRY = /^\(\d{1,2}\)$|\d\.\d*\s+[-+]\d*\.\d/; // the number of a row, or two numbers
 
 // Return a function that computes its result at the first call only.
 function callOnce(compute) {
@@ -71,7 +72,7 @@ function callOnce(compute) {
   return () => (result ??= compute());
 }
 
-// Collect the rows that hold numbers of the question.
+// Collect the rows that repeat numbers of the question.
 /** @returns {import("./block.js").Lines} */
 function markGivenRows({ rows: all, words }, given) {
   const vectors = given.filter((values) => values.length > 1 && values.some(Boolean));
@@ -98,14 +99,14 @@ function findBlocks(lines, names, keepsGiven) {
   return blocks.map((block) => ({ ...block, lines }));
 }
 
-// Return whether cells are numbers of the question, to their digits, in radians or degrees.
+// Return whether cells repeat numbers of the question, within their digits, in radians or degrees.
 const areGivenValues = (cells, given) =>
   cells.every(
     ({ value, half }, k) =>
       Math.abs(value - given[k]) <= half || Math.abs(value - given[k] / RAD) <= half,
   );
 
-// Read a cell's number, which is NaN for other texts, and half a unit of its last decimal place.
+// Read the number of a cell, or NaN if it has none, and half a unit of its last decimal place.
 function readWithHalfPlace({ text }) {
   const bare = text.replace(/ ?deg$/, "");
   const half = 0.51 * 10 ** -(bare.split(".")[1]?.length ?? 0);
@@ -114,7 +115,8 @@ function readWithHalfPlace({ text }) {
 
 const isAnswerName = (name, names) => names?.test(bareName(name)) ?? false;
 
-// Group rows of one length that follow each other. Rows of other lengths between them end a group.
+// Group rows that follow each other and have the same length. Any other row between them ends the
+// group.
 function groupFollowingRows(rows, names) {
   const groups = [];
   for (const width of new Set(rows.map(({ cells }) => cells.length))) {
@@ -134,7 +136,8 @@ function groupFollowingRows(rows, names) {
   return [...whole.map(makeBlock), ...joined];
 }
 
-// Return whether a row may follow another in a block. Only numbers of their lines stand between.
+// Return whether a row may follow the row `before` in a block. The rows between them must stand on
+// the lines of these two rows.
 const continues = (row, before, between) =>
   !haveDifferentUnits(row.above, before.above) &&
   before.part === row.part &&
@@ -145,20 +148,21 @@ const continues = (row, before, between) =>
     ? namesOtherQuantity(row) === namesOtherQuantity(before)
     : haveSimilarLabels(row, before));
 
-// Return whether a row's name lets it join a group: it has none, or both or neither have the
-// answer's name. A group without a name may have the answer's name beside a later row.
+// Return whether the name of a row lets it join a group. The row has no name, or both the row and
+// the group are called like the answer, or neither is. If the group has no name, the row may have
+// the answer's name.
 const fitsName = (row, first, names) => {
   if (!row.name) return true;
   if (first.name) return isAnswerName(row.name, names) === isAnswerName(first.name, names);
   return !names || isAnswerName(row.name, names) || !/\p{L}/u.test(row.name);
 };
 
-// Join MATLAB's parts of a wide matrix, "Columns 1 through 4" and on.
+// Join the parts of a wide matrix of MATLAB, which begin with "Columns 1 through 4".
 function joinMatrixParts(groups) {
   const parts = groups
     .filter(([row]) => row.part > 0)
     .sort(([first], [second]) => first.line - second.line)
-    .filter(([row], k, below) => row.part !== below[k - 1]?.[0].part) // no time below the last part
+    .filter(([row], k, below) => row.part !== below[k - 1]?.[0].part) // drops rows below a part
     .map(makeBlock);
   if (parts.length < 2 || parts.some(({ rows }) => rows.length !== parts[0].rows.length)) return [];
   const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
@@ -166,7 +170,8 @@ function joinMatrixParts(groups) {
   return [{ ...parts[0], rows, headers: [], to: parts.at(-1).to, sources }];
 }
 
-// Group rows with the same words before them, as "positions:"; other numbers may stand between.
+// Group rows with the same words before them, such as "positions:". Other rows may stand between
+// them.
 function groupRowsByWords(rows) {
   const byName = new Map();
   for (const row of rows) {

@@ -1,18 +1,19 @@
-// Splits a line of text into cells, with units as factors.
+// Splits a line of text into cells, and turns units into factors: "5 mm" becomes "5*1e-3".
 
 import { isFunction } from "./formula.js";
 import { findFactor, isDegree } from "./units.js";
 
 /** @typedef {import("./spans.js").Span} Span */
 /**
- * A cell in plain characters, a unit as its factor. A word has its line, a header its label.
+ * A cell in plain characters, with its unit as a factor. A word also has its line, and a header may
+ * have its label.
  * @typedef {Span & { text: string, line?: number,
  *   label?: import("./labels.js").Label, stretches?: Span[] }} Cell
  */
 /**
- * How to split a text: `wrapped` if each innermost list is one row, over several lines too,
- * `decimal` if a comma between digits is a decimal comma, `gaps` if only two blanks or more, and no
- * single blank, separate entries.
+ * The rules for splitting a text. `wrapped` makes a single row of each innermost list, even over
+ * several lines. `decimal` makes commas between digits decimal commas. `gaps` separates entries at
+ * two or more blanks only.
  * @typedef {{ wrapped: boolean, decimal: boolean, gaps: boolean }} Splitting
  */
 
@@ -20,8 +21,8 @@ export const OPEN = "[({";
 export const CLOSE = "])}";
 
 /**
- * Split a stretch of a text at the separators outside brackets. An assignment mark, as = or :, is a
- * part of its own.
+ * Split a part of a text at the separators outside brackets. An assignment mark, such as = or :,
+ * becomes a piece of its own.
  * @param {string} text @param {number} from @param {number} to
  * @param {(at: number) => string} separatorAt returns the separator at a position or ""
  * @returns {Span[]}
@@ -46,7 +47,7 @@ export function splitOutsideBrackets(text, from, to, separatorAt) {
 const TIME_STAMPS = [/^\d{9,}\.\d+$/, /^\d{4}-\d\d-\d\d/, /^\d{1,2}[/.]\d{1,2}[/.]\d{2,4}$/];
 export const isTimeStamp = (text) => TIME_STAMPS.some((pattern) => pattern.test(text));
 
-// Write a unit as a factor to SI, or as the mark of degrees; undefined if the word is no unit.
+// Write a unit as a factor to SI, or as " deg". Return undefined if the word is no unit.
 function convertUnit(word) {
   const unit = word.replace(/[-·*. ]/g, "");
   if (isDegree(unit)) return " deg";
@@ -62,7 +63,7 @@ export const isUnit = (word) => convertUnit(word) !== undefined;
 const MEASURED =
   /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?(?: ?(?:π|pi\b))?)\s*([A-Za-z°][-A-Za-z°·*⋅. ]{0,12})$/;
 
-// Take quotes and punctuation off a cell and write its unit as a factor.
+// Remove quotes and punctuation around a cell, and write its unit as a factor.
 function cleanCell(text, { decimal }) {
   let cell = text.trim().replace(/^"|"$|"?[.,;]$/g, "");
   if (decimal) cell = cell.replace(/(?<=\d|^[-+]?),(?=\d)/g, ".");
@@ -73,7 +74,7 @@ function cleanCell(text, { decimal }) {
 }
 
 /**
- * Make the cell of a stretch of a text.
+ * Make a cell of a span of a text.
  * @param {Span} span @param {Splitting} splitting
  * @param {import("./spans.js").SpannedText} plain @returns {Cell}
  */
@@ -86,7 +87,7 @@ export function makeCell({ from, to }, splitting, plain) {
 }
 
 /**
- * Split a stretch of a text at blanks and commas into cells.
+ * Split a span of a text at blanks and commas into cells.
  * @param {Span} span @param {Splitting} splitting
  * @param {import("./spans.js").SpannedText} plain
  */
@@ -107,7 +108,7 @@ function splitAtGaps(text, from, to) {
   return [...pieces, { from: start, to }].flatMap((piece) => splitOffMark(piece, text));
 }
 
-// Split a name and the mark behind it, as in "tau =".
+// Split "tau =" into the name and the assignment mark.
 function splitOffMark(piece, text) {
   const [mark] = /(?<=\S\s*)=(?=\s*$)/.exec(text.slice(piece.from, piece.to)) ?? [];
   if (!mark) return [piece];
@@ -118,11 +119,11 @@ function splitOffMark(piece, text) {
   ];
 }
 
-const MARKS = [":=", "<<", "->", ":", "="]; // of an assignment
+const MARKS = [":=", "<<", "->", ":", "="]; // assignment marks
 export const isMark = (text) => MARKS.includes(text);
 
-// Split a text at blanks, commas and assignment marks outside brackets. A piece is `closed` if a
-// comma ends it.
+// Split a text at blanks, commas and assignment marks outside brackets. A piece is `closed` if it
+// ends at a comma.
 function splitPieces(text, from, to, { decimal }) {
   const separatorAt = (at) => {
     if (/\s/.test(text[at]) || (text[at] === "," && !decimal)) return text[at];
@@ -133,7 +134,7 @@ function splitPieces(text, from, to, { decimal }) {
     .map((part) => ({ ...part, closed: text[part.to] === "," && !decimal }));
 }
 
-// Return the assignment mark at a position or "". A colon between the digits of a clock is none.
+// Return the assignment mark at a position, or "". The colon of a clock time, 12:30, is no mark.
 function markAt(text, at) {
   if (!"=:<-".includes(text[at])) return "";
   const mark = MARKS.find((each) => text.startsWith(each, at)) ?? "";
@@ -142,7 +143,7 @@ function markAt(text, at) {
 
 const CLOCK = /(?:^|[^\p{L}\d_])\d{1,2}:\d\d(?![.\d])|:\d\d:\d/u;
 
-// Join pieces of one entry: a sum with blanks about its operators, a number and its unit.
+// Join the pieces of an entry with blanks, such as "0.1 + 0.2" and "5 mm".
 function joinPieces(pieces, text) {
   const joined = [];
   for (const piece of pieces) {
@@ -156,9 +157,9 @@ function joinPieces(pieces, text) {
 
 const ENDS_WITH_OPERATOR = /[*/^]$|(?:^|\s)[-+±~]$/;
 const BEGINS_WITH_OPERATOR = /^[*/^]|^[-+±]$/;
-const FACTOR_END = /^ *(?:rad|[\t\n|&;,]|$)/; // behind a factor π, which no entry follows
+const FACTOR_END = /^ *(?:rad|[\t\n|&;,]|$)/; // behind the factor π of "0.5 π" no entry follows
 
-const LONGEST_END = 40; // characters at the end of a piece that say whether it goes on
+const LONGEST_END = 40; // characters at the end of a piece that show whether the entry continues
 
 // Return whether a piece continues the entry of the piece before it.
 function areOneEntry(last, piece, text) {

@@ -1,11 +1,12 @@
-// Makes the characters of a pasted text plain: one minus, one blank, one quote. Characters that
-// draw or typeset a matrix become brackets, & and row ends. Line ends stay.
+// Makes the characters of a pasted text plain: all forms of minus, blank and quote become the same
+// character. A matrix of LaTeX, HTML or Word is written with brackets, & and row ends. Line ends
+// stay.
 
-export const ROW_END = "\u241e"; // a row's end, as LaTeX's \\ and Word's @ write it
-export const CONTINUED = "\v"; // a blank: MATLAB's line continues in the next one
+export const ROW_END = "\u241e"; // the end of a row, \\ in LaTeX and @ in Word
+export const CONTINUED = "\v"; // MATLAB's "..." at the end of a line that continues
 
 /**
- * List pairs of each of the characters and its replacement.
+ * List a pair of each character and the replacement.
  * @param {string} characters @param {string} replacement @returns {[string, string][]}
  */
 export const mapEach = (characters, replacement) =>
@@ -38,7 +39,7 @@ const PLAIN_CHARACTERS = new Map([
 ]);
 const FOLDED = new RegExp(`[${[...PLAIN_CHARACTERS.keys()].join("")}]`, "g");
 
-// Characters by their names in HTML and in LaTeX.
+// The characters behind names of HTML and LaTeX.
 const NAMED_CHARACTERS = {
   ...{ "&pi;": "π", "&theta;": "θ", "&alpha;": "α", "&tau;": "τ", "&omega;": "ω", "&deg;": "°" },
   ...{
@@ -61,14 +62,15 @@ const lowered = (raised) =>
   `^${[...raised].map((digit) => "-+0123456789"[SUPERSCRIPTS.indexOf(digit)]).join("")}`;
 
 /**
- * Replace characters that have several forms by one.
+ * Replace the forms of a character by the plain form, such as "−" by "-".
  * @template {string | import("./spans.js").SpannedText} T @param {T} text @returns {T}
  */
 export const foldCharacters = (text) =>
   /** @type {any} */ (text).replace(FOLDED, (character) => PLAIN_CHARACTERS.get(character));
 
 /**
- * Replace the names of characters by the characters, and superscripts by powers.
+ * Replace names of characters by the characters, "\\cdot" by "*", and superscripts by powers, "²"
+ * by "^2".
  * @template {string | import("./spans.js").SpannedText} T @param {T} text @returns {T}
  */
 export const foldNames = (text) =>
@@ -77,7 +79,7 @@ export const foldNames = (text) =>
     .replace(NAMED, (name) => NAMED_CHARACTERS[name] ?? name)
     .replace(RAISED, lowered);
 
-// LaTeX's commands that only set a formula out; a ~ before a number may be a minus.
+// Commands of LaTeX that only add space. A ~ before a number stays: it may be a minus.
 const SPACING =
   /\\(?:left|right|[bB]ig[lr]?|displaystyle|q?quad)(?![A-Za-z])\.?|\\[[\],;:! ()]|\$|~(?! *[\d.])/g;
 export const withoutSpacing = (text) => text.replace(SPACING, " ");
@@ -85,13 +87,13 @@ export const withoutSpacing = (text) => text.replace(SPACING, " ");
 const MATRIX =
   String.raw`\\(begin|end)\{(?:\w*matrix\*?|array|tabular\*?)\}` +
   String.raw`(?:\[[^\]\n]{0,9}\])?(?:\{[lcr|\s]{0,60}\})?`;
-// The end of a row of a column vector, where MATLAB has a semicolon.
+// The end of a row in a column vector, which becomes the semicolon of [1; 2; 3].
 const END_IN_COLUMN = new RegExp(
   String.raw`${ROW_END}(?<=\[[^[\]&=]{0,200}${ROW_END})(?=[^[\]&=]{0,200}\])`,
   "g",
 );
 const NOUNS = "wrist|joint|step|column|link|angle|torque|axis|branch|sol(?:ution)?|lösung";
-// A noun and its number in one word.
+// Join a noun and its number to a single word: "joint 2" becomes "joint_2".
 const joinedNoun = (noun) => `${noun.trim()}_`;
 
 /** @type {[RegExp, any][]} */
@@ -118,7 +120,7 @@ const MATRIX_CHARACTERS = [
   [/(?<=\d\.\d{1,20})f(?:0|32|64)?(?!\w)/g, ""], // types of C, Julia and Rust
 ];
 const WORD_MATRIX = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
-// Else a dash may be a minus. A name above a list and a dash before each of its numbers is YAML.
+// Dashes before a bracket, or below a name as in YAML, are bullets. Any other dash may be a minus.
 const DASHES_ARE_BULLETS = /^[ \t]*- +(?=[-[{])|^[A-Za-z]\w*:[ \t]*(?:\n- \d[\d.]*[ \t]*){2}/m;
 const BULLET = /^[ \t]*- +/gm;
 
@@ -136,5 +138,5 @@ export function plainCharacters(folded) {
   return DASHES_ARE_BULLETS.test(plain.text) ? plain.replace(BULLET, "") : plain;
 }
 
-// A text's lines.
+// List the lines of a text.
 export const linesOf = (text) => text.split(/\r\n?|[\n\v\f]/);

@@ -1,4 +1,4 @@
-// Drops the rows and columns of a block that only count, are times, or name the others.
+// Drops the rows and columns of a block that hold counts, times or names of joints.
 
 import { hasDecimals, number } from "./formula.js";
 import { readLabels } from "./ordering.js";
@@ -9,7 +9,7 @@ import { readLabels } from "./ordering.js";
 const textsOf = (cells) => cells.map(({ text }) => text);
 
 /**
- * Return whether cells are only numbers of joints, as in "for joints 1, 2, 4, 5, 6 and 7".
+ * Return whether all cells are joint numbers, as in "for joints 1, 2, 4, 5, 6 and 7".
  * @param {import("./lines.js").Cell[]} cells
  */
 export const isJointCount = (cells) => {
@@ -20,7 +20,7 @@ export const isJointCount = (cells) => {
 const JOINT_NAME = /^[qθ][ _{]{0,2}\d\}?$/i;
 
 /**
- * Drop a first row that holds only names of joints, q1 q2 q3.
+ * Drop the first row if it holds only names of joints, such as q1 q2 q3.
  * @param {Block} block @returns {Block}
  */
 export const dropNameHeader = (block) =>
@@ -29,7 +29,8 @@ export const dropNameHeader = (block) =>
     : block;
 
 /**
- * Drop a first row 1 2 3 above decimals; an empty list without such a row.
+ * Drop the first row if it counts 1 2 3 above decimals. Return an empty list if there is no such
+ * row.
  * @param {Block} block @returns {Block[]}
  */
 export const dropCountHeader = (block) =>
@@ -38,8 +39,8 @@ export const dropCountHeader = (block) =>
     : [];
 
 /**
- * Return whether a row begins with its number: it holds decimals besides, and the row on the next
- * line or the one before begins with the next number or the one before.
+ * Return whether a row of decimals begins with its count. The count is 2 if the next line begins
+ * with 3, or if the line before begins with 1.
  * @param {Row} row @param {Row[]} rows of the text
  */
 export function beginsWithCount({ cells: [first, ...rest], line }, rows) {
@@ -52,8 +53,8 @@ export function beginsWithCount({ cells: [first, ...rest], line }, rows) {
 }
 
 /**
- * Drop the counts of a single column, as of a table pasted with a cell on each line. A count stands
- * before each value, or all counts before the first value.
+ * Drop the counts of a single column, as in a table whose cells were pasted on separate lines. Each
+ * count stands before its value, or all counts stand before all values.
  * @param {Block} block @returns {Block[]}
  */
 export function dropCountCells(block) {
@@ -73,8 +74,8 @@ export function dropCountCells(block) {
 }
 
 /**
- * List the block without a first column that counts or names its rows or holds times, and without a
- * first row that counts or names its columns.
+ * List the block without its first column, without its first row, and without both. The column must
+ * hold counts, names or times, and the row must hold counts or names.
  * @param {Block} block @returns {Block[]}
  */
 export function dropLabels(block) {
@@ -105,13 +106,13 @@ const areNames = (cells) =>
 
 const countsColumns = (cells) => isCount(textsOf(cells)) || isJointCount(cells);
 
-// Return whether cells count from 0 or from 1. A single 0.0 is a value.
+// Return whether texts count from 0 or from 1. A single 0.0 is a value.
 const isCount = (texts) =>
   (texts.length > 1 || !/^0\.0*$/.test(texts[0])) &&
   [0, 1].some((start) => texts.every((text, k) => Number(text) === k + start));
 
 /**
- * Return whether cells count, or grow by equal steps, as times do.
+ * Return whether texts count, or grow in equal steps as times do.
  * @param {string[]} texts
  */
 export function isSeries(texts) {

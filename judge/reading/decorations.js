@@ -1,5 +1,5 @@
-// Takes decorations off a number: emphasis, a box, a colour, an approximate sign, an uncertainty,
-// the mark of a footnote, a comment. The number keeps its position in the pasted text.
+// Removes text around a number that does not change it, such as emphasis, a box, ≈, an uncertainty,
+// a footnote mark and a comment. The number keeps its position in the pasted text.
 
 import { foldCharacters } from "./characters.js";
 import { withoutRepeatedUnits } from "./repetitions.js";
@@ -11,10 +11,10 @@ const BEFORE = String.raw`(?<![^\s|&,;:=[({>$])`;
 const AFTER = String.raw`(?![^\s|&,;:.\])}<$])`;
 const EMPHASIS = `\\*{1,3}|_{1,2}|"|'`;
 
-const SMALL = 0.001; // rad or N m: no two solutions lie as near
+const SMALL = 0.001; // rad or N m: two different solutions are further apart
 
-// Leave out u of x ± u if u is small or a few of the last decimal places of x. Another ± stands for
-// two numbers: 0.3 ± 0.1 may be 0.4 and 0.2.
+// Remove the uncertainty u of x ± u, if it is small or changes only the last decimal places of x. A
+// large u stays, since 0.3 ± 0.1 may stand for the two numbers 0.4 and 0.2.
 function withoutUncertainty(all, decimals = "", unit = "", bare, bracketed) {
   const most = Math.max(SMALL, decimals.length > 1 ? 20 * 10 ** -decimals.length : 0);
   return Number((bare ?? bracketed).replace(",", ".")) <= most ? unit : all;
@@ -31,22 +31,24 @@ const SET_ARGUMENT =
   String.raw`(?:\\(?:${SETTING_COMMANDS}|textcolor\{\w+\})\{|\{\\color\{\w+\}\s*)` +
   String.raw`((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
 
-// (corrected), (was 2.075), but not (rad) nor the factor (a_2 c_2 + a_3)
+// Remarks in brackets, (corrected) and (was 2.075), but neither (rad) nor (a_2 c_2 + a_3).
 const REMARK =
   String.raw`\((?!(?:${UNIT}|pi) ?\))(?![^()\n]*[A-Za-z]\d)` +
   String.raw`[A-Za-z][^()\n*/+^_{}=]{0,30}\)(?! ?[*/^+-])`;
 
-// A name with a bracket directly behind it: its argument, as in atan2(y, x), or a factor.
+// A name directly before a bracket. The bracket is no remark, but an argument, as in atan2(y, x),
+// or a factor.
 const NAME = String.raw`[A-Za-z]_?\d{1,2}(?=\()`;
 
-// A joint's variable may be locked, q3 (locked at 0): the remark is no decoration.
+// A joint variable that is locked, q3 (locked at 0). This remark stays in the text.
 const LOCKED = String.raw`(?<=[A-Za-zθ]_?\d) *\((?:locked|fixed)\b`;
 
-// The end of a value, but not "1", which may be a name.
+// The end of a value with decimals. The end of "1" is left out, since 1 may be a name.
 const END_OF_VALUE =
   String.raw`(?<![\p{L}_]\d{1,2} ?)(?<=(?:[.,]\d{1,22}|(?<![\d.])0)` +
   String.raw`(?:e[-+]?\d{1,2})? ?π?)`;
-// A star, an exclamation mark or an arrow behind a value, at its cell's end or before its unit.
+// A star, an exclamation mark or an arrow behind a value, at the end of its cell or before its
+// unit.
 const MARK_BEHIND =
   String.raw`(?<=[\d\])}°mπ])(?:[*!]|[ ]*<-+)` +
   String.raw`(?=[ ]*(?:$|[,;\t|&"\]])|[ ]{2,}|[ ]and\b|\.\s|[ ]?${UNIT}(?![\w.]))`;
@@ -94,12 +96,12 @@ const DECORATIONS = [
   // a corrected value
   [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.θ])/g, ""],
   [new RegExp(String.raw`${END_OF_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
-  // A unit behind a name belongs to the name: it is no list.
+  // The unit behind a name, tau [Nm], is joined to the name: it is no list.
   [new RegExp(String.raw`(?<=[\p{L}\p{N})\]}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"), "_($1)"],
 ];
 
 /**
- * Take decorations off.
+ * Remove decorations.
  * @param {import("./spans.js").SpannedText} text
  */
 export function withoutDecorations(text) {
@@ -109,19 +111,19 @@ export function withoutDecorations(text) {
       decorated,
     );
   const bare = once(withoutRepeatedUnits(withoutTildes(text)));
-  return withoutRepeatedUnits(once(bare)); // twice: a decoration may stand within another
+  return withoutRepeatedUnits(once(bare)); // again, for a decoration within a decoration
 }
 
 const NEGATIVE = /(?<![^\s|&,;:=[({~])-\s?[\d.]/;
 
-// A ~ before numbers says that they are rounded, if others show that a minus is typed as a minus.
+// Remove the ~ before rounded numbers. If the text has no minus, the ~ stays: it may be the minus.
 const withoutTildes = (text) =>
   NEGATIVE.test(text.text) ? text.replace(/~[ ]?(?=[-+]?[\d.])/g, " ") : text;
 
 const QUOTATION = /^(?:[ \t]*>(?!>)[ \t]?)+/gm; // > before each line
 
 /**
- * Take off what stands before each line: the marks of a quotation, line numbers.
+ * Remove the > of quoted lines and the line numbers.
  * @param {import("./spans.js").SpannedText} pasted
  */
 export const withoutMargins = (pasted) => withoutLineNumbers(pasted.replace(QUOTATION, ""));
@@ -146,7 +148,7 @@ const countUp = (numbers) => numbers.every((number, k) => number === numbers[0] 
 const ENUMERATOR = /^([ \t]*)(?:\[(\d{1,2})\]|\(?(\d{1,2})\)|(\d{1,2})\.)[ \t]+(?=[-+(["'\d.])/gm;
 
 /**
- * Write the numbers of numbered lines, (1) 0.5, as labels, 1: 0.5.
+ * Write the numbers of numbered lines as labels: "(1) 0.5" becomes "1: 0.5".
  * @param {import("./spans.js").SpannedText} text
  */
 export function labelNumberedLines(text) {
@@ -168,20 +170,20 @@ const COMMENTS = [
 
 const blank = (comment) => comment.replace(/[^\n]/g, " ");
 
-// Long runs of blanks, or of one mark with or without a blank behind it. Patterns look back over
-// them at each of their characters.
+// Runs of 200 blanks or of a repeated mark, as "- - - -". Some patterns look back over the whole
+// run at each character, so a long run would take very long.
 const LONG_BLANK = /([^\S\r\n]{200})[^\S\r\n]+/g;
 const LONG_RULE = /(([^\p{L}\p{N}\s][ \t]?)\2{199})\2+/gu;
 
 /**
- * Take text out that was struck through, and shorten long runs of blanks or of one mark.
+ * Replace struck-out text by blanks, and shorten long runs of blanks or of the same mark.
  * @param {import("./spans.js").SpannedText} pasted
  */
 export const withoutStruckText = (pasted) =>
   pasted.replace(STRUCK, blank).replace(LONG_BLANK, "$1").replace(LONG_RULE, "$1");
 
 /**
- * Take comments and struck text out; null where there are none.
+ * Replace comments and struck-out text by blanks. Return null if there are none.
  * @param {import("./spans.js").SpannedText} pasted
  */
 export function withoutComments(pasted) {

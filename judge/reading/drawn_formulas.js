@@ -1,5 +1,5 @@
-// Writes formulas that SymPy drew over several lines on one line each: a fraction with a bar, a
-// root with a line above. Any other drawn formula is refused.
+// Writes fractions and roots that SymPy drew over several lines on a single line. All other drawn
+// formulas are refused.
 
 import { listLines } from "./spans.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -7,26 +7,26 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 /** @typedef {import("./spans.js").SpannedText} SpannedText */
 /** @typedef {import("./spans.js").Span} Span */
 /**
- * Stretches and new characters that take the place of a stretch.
+ * An edit of a text. The `parts` are spans of the text and new characters, and replace its span.
  * @typedef {Span & { parts: (Span | string)[] }} Edit
  */
 
 const ROOT = /\\\/|╲╱/g;
 const OVERLINE = /^_{3,}/;
 const DRAWN_BRACKET = /[⎛-⎭]/g;
-// A bar stands between blanks, brackets and commas. A minus may stand so, too.
+// A bar between blanks, brackets and commas. It may also be a minus.
 const BAR = /(?<![^\s[(⎛-⎭])(?:─+|-+)(?![^\s\]),⎛-⎭])/g;
 const TERM = /^(?=.*[\dπp])(?:[-+*·\d. √π()]|pi)+$/;
-const FRAME = /[\s⎛-⎭[\](),]/g; // characters of a line without entries
+const FRAME = /[\s⎛-⎭[\](),]/g; // characters that are no part of an entry
 const OPENING = /[⎛-⎭[]/;
 const UNREAD_SIGN = /\\\/|╲╱|[⎛-⎭].*─/; // a root or a bar
 const FLATTENED = /√\(|\)\/\(/;
 
 /**
- * Write drawn fractions and roots on one line each.
+ * Write each drawn fraction and root on a single line.
  * @param {SpannedText} pasted
  * @param {string} what the name of the answer, for the error
- * @returns {SpannedText} a text with as many lines
+ * @returns {SpannedText} a text with the same number of lines
  * @throws {ArmError} if a part of a drawn formula cannot be read, such as a power
  */
 export function flattenFormulas(pasted, what) {
@@ -55,7 +55,7 @@ function rewrite(text, listEdits) {
 
 const blank = ({ from, to }) => ({ from, to, parts: [" ".repeat(to - from)] });
 
-// Write √( over the sign of a root and ) over the blank at its end. So all columns stay.
+// Write √( over a root sign, and ) over the blank behind the root. All columns stay in place.
 function listRootEdits(lines, k) {
   const { text, from } = lines[k];
   const above = lines[k - 1] ?? { text: "", from: 0 };
@@ -72,7 +72,7 @@ function listRootEdits(lines, k) {
   });
 }
 
-// Write numerator and denominator in the place of their bar.
+// Write a fraction in place of its bar, and blanks in place of numerator and denominator.
 function listFractionEdits(lines, k) {
   const { text, from } = lines[k];
   return [...text.matchAll(BAR)].flatMap(({ 0: { length }, index }) => {
@@ -81,7 +81,8 @@ function listFractionEdits(lines, k) {
     if (!over || !under || under.text.includes(".")) return [];
     const spare = length - Math.max(over.text.length, under.text.length);
     const isSummand = /[-+] $/.test(text.slice(0, index)) || /^ [-+] /.test(text.slice(end));
-    // SymPy draws a fraction of whole numbers in a sum only. Elsewhere headers stand above a rule.
+    // SymPy draws a fraction of whole numbers only within a sum. Any other whole number above a bar
+    // may be a column header.
     if (spare > 1 || !(isSummand || /[√π]|pi/.test(over.text + under.text))) return [];
     const parts = ["(", over, ")/(", under, ")"];
     return [blank(over), { from: from + index, to: from + end, parts }, blank(under)];
@@ -97,8 +98,8 @@ function findTerm(line, start, end) {
   return { from, to: from + text.length, text };
 }
 
-// Return the index of the first line with a part of a drawn formula that was not read, or -1. SymPy
-// leaves a line without entries between two rows.
+// Return the index of the first line with an unread part of a drawn formula, or -1. Around a drawn
+// row SymPy leaves lines without entries.
 function findUnreadLine(typedLines, flatLines) {
   return flatLines.findIndex((line, k) => {
     const [typed, below = ""] = typedLines.slice(k, k + 2);
@@ -111,8 +112,8 @@ function findUnreadLine(typedLines, flatLines) {
 
 const hasEntries = (line = "") => line.replace(FRAME, "") && !/\p{L}{3}|[:=]\s*$/u.test(line);
 
-// Return whether an exponent stands above the blank behind its base, a letter or a bracket. Words
-// on two lines of a terminal may stand so, too.
+// Return whether a line has an exponent above the blank behind its base. The base ends with a
+// letter or a bracket. Ordinary words on two lines may look the same, and are refused, too.
 const isPower = (line, below) =>
   hasEntries(below) &&
   [...line.matchAll(/[^\s⎛-⎭[\](),]+/g)].some(
@@ -122,7 +123,8 @@ const isPower = (line, below) =>
       /[\p{L})]/u.test(below[index - 1] ?? ""),
   );
 
-// Return whether a name before a line shifts it from the line below, with which it draws a formula.
+// Return whether a line and the line below seem to be parts of a drawn formula whose brackets do
+// not begin at the same column.
 function isShifted(line, below) {
   const [start, startBelow] = [line, below].map((part) => part.search(OPENING));
   if (start < 0 || startBelow < 0 || start === startBelow) return false;

@@ -1,8 +1,8 @@
-// Reads an entry of a field or of an arm's table: a number or a short formula, perhaps with its
-// unit. The module finds the unit by scaling: it evaluates the formula with each unit 1, 2 and 3
-// times as large. A length grows in proportion, a bare number stays, and an area grows with the
-// square. A bare number beside a number in the field's usual unit has that unit too. In an angle,
-// pi counts as radians unless "rad" is typed.
+// Reads the text of a field, such as "250 mm" or "pi/2", as a value in SI. The module finds the
+// unit by scaling: it evaluates the formula with each unit 1, 2 and 3 times as large. A length
+// grows in proportion, a bare number stays, and an area grows with the square. A bare number beside
+// a number in the field's usual unit has that unit, too. In an angle, pi counts as radians unless
+// "rad" is typed.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, tryOrNull } from "../sentences.js";
@@ -11,7 +11,7 @@ import { LENGTH_UNITS } from "./units.js";
 
 const LONGEST = 200; // characters
 
-/** For each quantity: its units in SI, the unit of a bare number, and the largest value. */
+/** The units of each quantity in SI, the unit of a bare number, and the largest value. */
 const QUANTITIES = {
   angle: {
     units: { deg: RAD, rad: 1 },
@@ -49,7 +49,7 @@ function refuse(reason = "") {
   throw new Refused(reason);
 }
 
-// Parse an entry, with a decimal point or comma, as a tree.
+// Parse an entry with a decimal point or a decimal comma.
 /** @param {string} typed */
 function parseEntry(typed) {
   const pointed = typed.includes(".") ? typed : typed.trim().replace(DECIMAL_COMMA, "$1.$2");
@@ -77,9 +77,9 @@ function namesIn(tree) {
 }
 
 /**
- * Evaluate a tree for given sizes of pi, the units and the angles that functions return.
- * @param {any[]} tree @param {Record<string, number>} sizes of pi and the units
- * @param {number} turn factor of an angle that a function returns
+ * Evaluate a tree with scaled values of pi, of the units and of angles from functions.
+ * @param {any[]} tree @param {Record<string, number>} sizes the values of pi and the units
+ * @param {number} turn the factor of angles from functions such as atan
  */
 function evaluateWith(tree, sizes, turn) {
   const [kind, first, second] = tree;
@@ -91,7 +91,7 @@ function evaluateWith(tree, sizes, turn) {
   return value([kind, ...numbers], () => refuse());
 }
 
-const ROUND_OFF = 1e-9; // as a share of the value
+const ROUND_OFF = 1e-9; // relative to the value
 
 /**
  * Evaluate a tree without symbols in SI units.
@@ -117,7 +117,7 @@ function inSI(tree, units, bare) {
   return rest * units[bare] + measured;
 }
 
-// Write a tree as text, its units turned into SI.
+// Write a tree as text, with its units converted to SI.
 function textOf(tree) {
   const [kind, first, second] = tree;
   if (kind === "num" || kind === "name") return String(first);
@@ -128,7 +128,8 @@ function textOf(tree) {
   return `${bracketed(textOf(first))}${kind}${bracketed(textOf(second), true)}`;
 }
 
-// Write a number with a unit in SI: whole multiples of 15° as a share of pi, which stays exact.
+// Write a number with a unit in SI. A multiple of 15° is written as a fraction of pi, which is
+// exact.
 function withUnit(text, unit) {
   const twelfths = Number(text) / 15;
   if (unit === "deg" && Number.isInteger(twelfths)) {
@@ -145,7 +146,7 @@ function withUnit(text, unit) {
 const bracketed = (text, last = false) =>
   (last ? /[-+*/ ]/ : /[-+ ]/).test(text) ? `(${text})` : text;
 
-// Parse a typed text whose units must be among `units`.
+// Parse a typed text. Refuse a unit that is not in `units`.
 /** @param {string} typed @param {Record<string, number>} units */
 function treeOf(typed, units) {
   const tree = parseEntry(typed);
@@ -179,7 +180,7 @@ export function readEntry(typed, kind, unit = "") {
   }
 }
 
-// Return why an entry was refused; an error of another kind is thrown again.
+// Describe why an entry was refused. Errors that are no refusals are thrown again.
 function describeFault(fault, { of, such }) {
   if (fault instanceof ArmError) return "divides by zero or is too large";
   if (!(fault instanceof Refused)) throw fault;
@@ -189,12 +190,12 @@ function describeFault(fault, { of, such }) {
 }
 
 /**
- * Write an entry of an arm's table in plain characters, its units turned into SI.
+ * Write an entry of an arm's table in plain characters, with its units converted to SI.
  *
- * Beside a symbol a number may be bare. `fault` says why the text is no entry; it is empty if there
- * is nothing to add.
+ * A number beside a symbol needs no unit. `fault` is the reason why the text is no entry, or empty
+ * if no reason is known.
  * @param {string} typed
- * @param {(keyof typeof QUANTITIES)[]} kinds of quantity that the entry may be
+ * @param {(keyof typeof QUANTITIES)[]} kinds the quantities that the entry may be
  * @returns {{ text: string } | { fault: string }}
  */
 export function formulaOf(typed, kinds) {

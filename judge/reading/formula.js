@@ -1,6 +1,7 @@
-// Formulas as people type them. A tree is ["num", x], ["name", n], ["neg", tree],
-// ["call", function, tree] or [operator, left, right]. No text is ever run. helpers/expressions.py
-// reads plain formulas of a table without the judge; tests/test_expressions.py holds the two equal.
+// Parses and evaluates formulas such as "-pi/2 + 0.1*cos(q_1)". A formula becomes a tree: ["num",
+// x], ["name", n], ["neg", tree], ["call", function, tree] or [operator, left, right]. Typed text
+// is never executed. helpers/expressions.py reads plain formulas in Python, and
+// tests/test_expressions.py compares both readers.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError, tryOrNull, quoteText } from "../sentences.js";
@@ -34,7 +35,7 @@ const CONSTANTS = { pi: Math.PI, deg: RAD, rad: 1 };
 export const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);
 const isConstant = (word) => Object.hasOwn(CONSTANTS, word);
 
-// Raise a number to a power; NaN if the result is too large.
+// Raise a number to a power. Return NaN if the result is too large.
 function raise(base, exponent) {
   const power = base ** exponent;
   return Number.isFinite(power) ? power : NaN;
@@ -57,7 +58,8 @@ const LATEX = [
   [/\\var(?=theta|phi)/g, "\\"],
   [/\\(?:boldsymbol|(?:math|text)[a-z]*)\s*\{([^{}]*)\}/g, "$1"],
   [/\^\s*\{?\s*°\s*\}?/g, "°"],
-  // The unit in words: 45 degrees. The first test keeps the next one off long runs of blanks.
+  // The unit of "45 degrees". The first lookahead saves time: without it, the lookbehind would run
+  // over each blank of a long run.
   [/(?=deg)(?<=[\d.)]\s*)deg(?:rees?|\.)(?!\s*[\w(])/g, " deg"],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
 ];
@@ -75,20 +77,20 @@ const FACTOR = /[acdlsCS]_?\d+/g;
 
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 
-// Return whether a text is one number in plain characters, as nearly every cell of a long paste is.
+// Return whether a text is a single number in plain characters.
 export const isNumber = (text) => NUMBER.test(text);
 
 const NAME_ALONE = /^[A-Za-z]\w*$/;
 
-// Return whether a number with decimals stands in a text.
+// Return whether a text holds a number with decimals.
 export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 
 const MOST_REMEMBERED = 5000;
-const plainTexts = new Map(); // results of `plain`: a paste is split in several ways
+const plainTexts = new Map(); // results of `plain`, which meets the same cell in each splitting
 
 // Write a text in plain characters: Unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
-  if (isNumber(text) || NAME_ALONE.test(text)) return text; // nearly every text is one of these
+  if (isNumber(text) || NAME_ALONE.test(text)) return text; // the commonest texts
   if (!plainTexts.has(text)) {
     if (plainTexts.size >= MOST_REMEMBERED) plainTexts.clear();
     plainTexts.set(text, spellOut(text));
@@ -150,7 +152,7 @@ export function parse(text, what = "the formula") {
 
 class NoFormula extends Error {}
 
-// Read a sum from the first token on; null if the tokens begin with none.
+// Read a sum from the first token on. Return null if the tokens do not begin with a sum.
 function readSum(tokens) {
   try {
     return sum(tokens, 0, 0);
@@ -160,7 +162,7 @@ function readSum(tokens) {
   }
 }
 
-// List numbers, names and operators of a text; null if it holds another character.
+// List the numbers, names and operators of a text. Return null if it holds any other character.
 function readTokens(text) {
   const tokens = [];
   for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
@@ -199,7 +201,7 @@ function product(tokens, k, depth) {
       const [right, after] = signed(tokens, next + 1, depth);
       [left, next] = [[word, left, right], after];
     } else if (word === "(" || kind !== "sign") {
-      // 1 234.5 and 0 rad 99.125 are no products; (1+2)2 is one
+      // "(1+2)2" is a product, but "1 234.5" and "0 rad 99.125" are not.
       if (kind === "num" && tokens[next - 1][0] !== "sign") throw new NoFormula();
       const [right, after] = power(tokens, next, depth);
       [left, next] = [["*", left, right], after];
@@ -244,11 +246,11 @@ function atom(tokens, k, depth) {
   if (kind === "name") return [["name", word], k + 1];
   if (word !== "(") throw new NoFormula();
   const [inner, next] = sum(tokens, k + 1, depth + 1);
-  at(tokens, next); // only a closing bracket stands behind a sum, if anything does
+  at(tokens, next); // a token behind a sum can only be the closing bracket
   return [inner, next + 1];
 }
 
-// Read the argument of a function: a bracket, or the next factor, as in "sin theta_1".
+// Read the argument of a function, as in "sin(theta_1)" and "sin theta_1".
 function argument(tokens, k, depth) {
   if (depth > DEEPEST) throw new NoFormula();
   if (at(tokens, k)[1] !== "-") return atom(tokens, k, depth);
@@ -257,7 +259,7 @@ function argument(tokens, k, depth) {
 }
 
 /**
- * Collect the names in a tree that are no constants.
+ * Collect the names in a tree, except constants such as pi.
  * @param {any[]} tree @param {Set<string>} [names] to which they are added
  */
 export function symbols(tree, names = new Set()) {
@@ -300,20 +302,20 @@ function evaluateTerm([kind, first, second], known) {
   return number;
 }
 
-// Return half a unit of the last decimal place of a number as typed; 0 if it has no decimals.
+// Return half a unit of the last typed decimal place of a number, or 0 if it has no decimals.
 function halfPlace(word) {
   const [mantissa, power = "0"] = word.toLowerCase().split("e");
   const decimals = mantissa.split(".")[1];
   return decimals ? 0.5 * 10 ** (Number(power) - decimals.length) : 0;
 }
 
-// Among other numbers, decimals coarser than this half place are exact as typed: 0.5*cos(0.3).
+// In a formula with several numbers, coarse decimals count as exact: 0.5*cos(0.3).
 const COARSEST_SLACK = 1e-3;
 
 /**
- * Return how far a formula's value may be off because its decimals were rounded, to first order.
- * Integers, pi and symbols are exact. A formula with a single decimal, as 2.66*10^-2 or 0.68*pi, is
- * that number written otherwise, so its last place counts whatever its size.
+ * Return the round-off of a formula whose decimals were rounded, to first order. Integers, pi and
+ * symbols are exact. If the formula has only a single decimal number, as 2.66*10^-2 and 0.68*pi do,
+ * this number is never exact, even if it is coarse.
  * @param {any[]} tree @param {(name: string) => number | undefined} known
  */
 export function formulaSlack(tree, known) {
@@ -326,7 +328,7 @@ const countDecimals = (tree) =>
     ? Number(Boolean(tree[2]))
     : tree.filter(Array.isArray).reduce((count, part) => count + countDecimals(part), 0);
 
-// The slack of a tree, in which half places of `coarsest` and more count as exact.
+// Return the round-off of a tree. Numbers with half places of `coarsest` or more count as exact.
 function slackOf(tree, known, coarsest) {
   const [kind, first, second] = tree;
   if (kind === "name") return 0;
@@ -344,7 +346,7 @@ function slackOf(tree, known, coarsest) {
 
 const typedSlack = ([, , half = 0], coarsest) => (half < coarsest ? half : 0);
 
-// The slack of x with slack dx, an operator, and y with slack dy.
+// The round-off of x and y joined by an operator, where dx and dy are the round-off of x and y.
 const SLACKS = {
   "+": (dx, dy) => dx + dy,
   "-": (dx, dy) => dx + dy,
@@ -357,8 +359,8 @@ const isPowerOfTen = (tree) => tree[0] === "^" && tree[1][1] === TEN;
 const STEP = 1e-6; // step of the difference quotient
 const derivative = (make, x) => (make(x + STEP) - make(x - STEP)) / (2 * STEP);
 
-// Evaluate a text without symbols; null if it has some or is no formula.
+// Evaluate a text without symbols. Return null if it has symbols or is no formula.
 export const number = (text) => tryOrNull(() => value(parse(text), () => undefined));
 
-// List the symbols of a text; null if it is no formula.
+// List the symbols of a text. Return null if it is no formula.
 export const symbolsIn = (text) => tryOrNull(() => [...symbols(parse(text))]);

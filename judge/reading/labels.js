@@ -1,4 +1,5 @@
-// Reads the labels that order an answer: names of joints, names of rows and counts.
+// Reads labels of numbers, such as "joint 2", "vx" of a Jacobian's row, and the count "3.". The
+// answer is ordered by its labels.
 
 import { hasDecimals, plain } from "./formula.js";
 import { readUnits } from "./units.js";
@@ -23,12 +24,12 @@ const UR_JOINTS = new Map(
 const ROW_OF_MATRIX = /[[({]\d{1,2}, ?:[\])}] ?=?$/; // J(1,:) is no column of a joint
 
 /**
- * A label: its kind "row", "joint" or "count", and its number. Rows count from 0, joints from 1.
+ * A label of the kind "row", "joint" or "count". Rows count from 0, joints from 1.
  * @typedef {{ kind: string, number: number }} Label
  */
 
 /**
- * Parse a label; null if a text is none.
+ * Parse a text as a label. Return null if it is no label.
  * @param {string} text
  * @returns {Label | null}
  */
@@ -49,7 +50,7 @@ function parseLabel(text) {
 
 const UNIT_END = /(?:1\/s|(?:deg(?:rees?)?|rad(?:ians?)?|nm|mm?)(?:\/(?:s|rad))?|\/rad)$/;
 
-// Take brackets, punctuation and the unit behind it off a label.
+// Remove brackets, punctuation and the unit of a label.
 const simplifyLabel = (text) =>
   plain([...text.normalize("NFKC")].map((character) => DOTTED[character] ?? character).join(""))
     .toLowerCase()
@@ -57,11 +58,11 @@ const simplifyLabel = (text) =>
     .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
     .replace(UNIT_END, "");
 
-const MOST_WORDS = 8; // of a label: "for the first joint"
+const MOST_WORDS = 8; // a label such as "for the first joint" has no more words
 
 /**
- * Find the label at the end of words, as "ωx" in "Émilie: ωx"; null if there is none. A name goes
- * before a count.
+ * Find the label at the end of words, such as "ωx" of "Émilie: ωx". The name of a joint or a row is
+ * preferred to a count. Return null if there is no label.
  * @param {{ text: string }[]} words
  */
 export function findLabel(words) {
@@ -81,8 +82,8 @@ export function findValueLabel({ words, name, isAssigned }) {
 }
 
 /**
- * Read the labels before rows and the headers above the first. A line "rows: vx vy vz" above three
- * rows holds their labels.
+ * Read the labels before rows, and the headers above the first row. A line "rows: vx vy vz" above
+ * three rows gives the labels of these rows.
  * @param {import("./lines.js").Row[]} rows
  */
 export function readRowLabels(rows) {
@@ -96,7 +97,7 @@ export function readRowLabels(rows) {
 }
 
 /**
- * Return whether two lines of words, as "Solutions (deg):", name different units of angles.
+ * Return whether two lines of words, such as "Solutions (deg)", state different units of angles.
  * @param {import("./lines.js").Cell[]} words @param {import("./lines.js").Cell[]} others
  */
 export function haveDifferentUnits(words, others) {

@@ -1,4 +1,5 @@
-// Reads the lines of a text as rows of cells. Each cell keeps its position in the pasted text.
+// Reads a text as rows of entries with the words before them, as "q = 0.1 0.2". Entries and words
+// keep their positions in the pasted text.
 
 import { isFunction, isNumber } from "./formula.js";
 import { CONTINUED, ROW_END } from "./characters.js";
@@ -15,21 +16,22 @@ import {
 /** @typedef {import("./cells.js").Cell} Cell */
 /** @typedef {import("./cells.js").Splitting} Splitting */
 /**
- * Entries beside each other without a word between. `words` stand before them, `above` on the line
- * above; `name` is what they are assigned to; `line` and `last` are their first and last line;
- * `scale` is the factor of MATLAB's "1.0e+03 *"; `part` counts MATLAB's "Columns 1 through 4";
- * `depth` is the number of open lists; `tail` counts the words behind the entries. `isColumn` is
- * true if semicolons stand between the entries, `isAssigned` if "=" or ":" stands before the first.
+ * Entries beside each other without a word between them. `words` stand before the entries, and
+ * `above` are the words on the line above. `name` is the name before "=" or ":". `line` and `last`
+ * are the first and last line. `scale` is the factor of MATLAB's "1.0e+03 *", and `part` counts
+ * MATLAB's headings "Columns 1 through 4". `depth` is the number of open lists, and `tail` the
+ * number of words behind the entries. `isColumn` is true if semicolons separate the entries, and
+ * `isAssigned` if "=" or ":" stands before the first entry.
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
  *   scale: string, part: number, above: Cell[], depth: number, tail: number,
  *   isColumn?: boolean, isAssigned: boolean }} Row
  */
 const SEPARATORS = `,;&|\t\n${ROW_END}`;
 const WORD_BEFORE = /([A-Za-z]\w*)$/;
-const MOST_INDEX = 6; // characters of [1, 1] behind a name
+const MOST_INDEX = 6; // characters of the index [1, 1] behind a name
 
 /**
- * Return the kind of each bracket by its position: "list" or "group" (in formulas and names).
+ * Return the kind of each bracket by its position. A "group" belongs to a formula or a name.
  * @param {string} text
  * @returns {Map<number, string>}
  */
@@ -51,7 +53,8 @@ function classifyBrackets(text) {
 
 const OPENS_LIST = /^\s*(?:[\w.]*array\(|\[)/; // np.radians([...])
 
-// Return whether a bracket holds a list: a function's argument, a factor and an index are none.
+// Return whether a bracket holds a list. The argument of a function, a factor and an index are no
+// lists.
 function isList(text, { at, character, isSplit, leaf }, end) {
   const before = text[at - 1] ?? " ";
   const word = WORD_BEFORE.exec(text.slice(Math.max(0, at - 12), at))?.[1] ?? "";
@@ -64,13 +67,13 @@ function isList(text, { at, character, isSplit, leaf }, end) {
   return isRoundList(text, { at, isSplit, leaf }, end, before);
 }
 
-// Return whether round brackets hold several entries and no index.
+// Return whether round brackets hold several entries and are no index.
 function isRoundList(text, { at, isSplit, leaf }, end, before) {
   if (/\w/.test(before) && end - at <= MOST_INDEX) return false;
   return isSplit || !leaf || NUMBERS.test(text.slice(at + 1, end));
 }
 
-const NUMBERS = /^\s*[-+]?[\d.]+(?:\s+[-+]?[\d.]+)+\s*$/; // beside each other
+const NUMBERS = /^\s*[-+]?[\d.]+(?:\s+[-+]?[\d.]+)+\s*$/; // 0.1 0.2
 
 /**
  * Read the rows of a text.
@@ -98,12 +101,13 @@ export function readRows(plain, isEntry, splitting) {
   return { rows: state.rows, words: state.allWords };
 }
 
-// Semicolons part rows in lists, and cells outside.
+// Return whether a character ends a row. A semicolon ends a row within a list only; outside of
+// lists it separates cells.
 const endsRow = (character, { depth }) =>
   character === "\n" || character === ROW_END || (character === ";" && depth > 0);
 
-// Return the state before the first character. `words` are those before the next row, `above` those
-// of the line above, `wordsAtMark` their number at the last = or :.
+// Return the state before the first character. `words` stand before the next row, and `above` are
+// the words of the line above. `wordsAtMark` is the number of words at the last = or :.
 const startState = (plain, isEntry, splitting) => ({
   plain,
   text: plain.text,
@@ -115,7 +119,7 @@ const startState = (plain, isEntry, splitting) => ({
   above: /** @type {Cell[]} */ ([]),
   allWords: /** @type {Cell[]} */ ([]),
   name: "",
-  nameLine: -1, // of a name before =
+  nameLine: -1, // the line of a name before =
   wordsAtMark: -1,
   scale: "",
   line: 0,
@@ -123,13 +127,13 @@ const startState = (plain, isEntry, splitting) => ({
   depth: 0,
 });
 
-// Begin or end a list.
+// Begin a list (step 1) or end it (step -1).
 function crossBracket(state, step) {
   state.row = null;
   state.depth += step;
 }
 
-// End a row, unless the list around it is one row.
+// End a row, unless the list around it counts as a single row.
 function endRow(state, character) {
   if (character === "\n") state.line++;
   const isInRow = character !== ROW_END && state.splitting.wrapped && state.depth > 0;
@@ -139,7 +143,7 @@ function endRow(state, character) {
   if (character === "\n") endLine(state);
 }
 
-// These words take the place of MATLAB's headings.
+// Words that replace MATLAB's headings.
 const FACTOR = "·factor·";
 const PART = "·columns·";
 const SCALE_HEADING = /^[ \t]*(1(?:\.0+)?e[+-]?\d+)[ \t]*\*[ \t]*$/gim;
@@ -152,7 +156,7 @@ const COLUMNS_HEADING = /^[ \t]*Columns?[ \t_]+\d+(?:[ \t]+(?:through|and)[ \t]+
 export const markHeadings = (text) =>
   text.replace(SCALE_HEADING, (_, power) => FACTOR + power).replace(COLUMNS_HEADING, PART);
 
-// Turn the words of a line into those above the next one.
+// End a line. Its words become the words above the next line.
 function endLine(state) {
   const line = state.words.map(({ text }) => text).join(" ");
   if (line.startsWith(FACTOR)) state.scale = `*${line.slice(FACTOR.length)}`;
@@ -162,8 +166,8 @@ function endLine(state) {
   Object.assign(state, { words: [], wordsAtMark: -1 });
 }
 
-const CELL_SEPARATORS = ["\t", "&", "|", ";"]; // if a line has one, commas separate no cells
-const DECIMAL_COMMA = /^\s*[-+]?\d*,\d+[^,\d]*$/; // where another character parts the cells
+const CELL_SEPARATORS = ["\t", "&", "|", ";"]; // on a line with such a separator, commas are none
+const DECIMAL_COMMA = /^\s*[-+]?\d*,\d+[^,\d]*$/; // a cell on such a line
 
 // Add the cells between two brackets or row ends to the rows.
 function readSegment(from, to, state) {
@@ -189,7 +193,8 @@ function readSegment(from, to, state) {
   }
 }
 
-// Read the text between two separators: one cell if it is an entry as a whole or holds no entry.
+// Read the text between two separators. It is a single cell if the whole text is an entry, or if it
+// holds no entry.
 function readSeparatedCells(part, splitting, state) {
   const pieces = splitCells(part, splitting, state.plain);
   const whole = makeCell(part, splitting, state.plain);
@@ -199,7 +204,7 @@ function readSeparatedCells(part, splitting, state) {
   return [{ ...whole, text: state.text.slice(part.from, part.to).trim() }];
 }
 
-// Turn the entry before an assignment mark into a word: it is a name.
+// Turn the entry before an assignment mark into a word, because it is a name.
 function turnEntryIntoName(state) {
   if (!state.row) return;
   const { cells, words } = state.row;
@@ -212,7 +217,7 @@ function turnEntryIntoName(state) {
   state.allWords.push(name);
 }
 
-// Keep the name before an assignment mark; in "tau = g - JTF = [...]" the first name.
+// Store the name before an assignment mark. In "tau = g - JTF = [...]" the first name counts.
 function keepName(mark, state) {
   turnEntryIntoName(state);
   const isSame = mark === "=" && state.name && state.nameLine === state.line;
@@ -248,7 +253,7 @@ function addCell(cell, line, state) {
 
 function addWord(typed, state) {
   if (state.row && !/[\p{L}\d°]/u.test(typed.text)) {
-    state.row.tail++; // an empty cell, as - or ✓, but no unit without its number
+    state.row.tail++; // an empty cell, such as - or ✓; a unit without its number is a word
     return;
   }
   if (!/[\p{L}\d#<>°]/u.test(typed.text)) return;

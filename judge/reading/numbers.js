@@ -1,4 +1,4 @@
-// Reads the numbers that a reader types or passes from Python.
+// Reads the numbers of an answer, from a pasted text or from nested lists of Python.
 
 import {
   fixedRows,
@@ -34,25 +34,25 @@ const SHORT = /^([cs])((?:[+-]?\d)+)$/;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
- * A number as typed: `worth` is the factor of its unit or power of ten, `hasUnit` whether it has a
- * unit of lengths, forces or moments itself, `angle` whether it has one of angles, `slack` the
- * round-off of a formula's decimals.
- * `unitBehind` is the unit that the text has behind it.
+ * A number as typed. `worth` is the factor of its unit or of a power of ten. `hasUnit` is true if
+ * it has a unit of lengths, forces or moments, and `angle` is true if it has a unit of angles or
+ * pi. `slack` is the round-off of a formula with rounded decimals. `unitBehind` is the unit behind
+ * the number in the text.
  * @typedef {{ text: string, worth: number, hasUnit?: boolean, angle: boolean,
  *   slack: number, unitBehind?: string }} Entry
  */
 /**
- * Numbers as typed, row by row, with the unit of the last decimal place of each.
+ * Numbers as typed, row by row. `units` has the unit of the last decimal place of each number.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
  *   entries: Entry[], taken: string[], unusedLines: string[], hasRowNames?: boolean,
  *   statedUnits?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
- *   `trees` are the formulas of a text, `taken` says how it was read, `unusedLines` holds its other
- *   lines, `hasRowNames` says whether its rows were ordered by the names vx to wz, `statedUnits`
- *   holds the units that it names, and `tokens` all its numbers with their owners
+ *   `trees` are the formulas of a text, `taken` has messages on how it was read, and `unusedLines`
+ *   its unused lines. `hasRowNames` is true if its rows were ordered by the names vx to wz.
+ *   `statedUnits` are the units for several numbers, and `tokens` all numbers with their owners.
  */
 
 /**
- * Return a function that looks up symbols for an arm at a pose.
+ * Return a function that looks up symbols of an arm at joint values.
  * @param {number[]} q
  * @param {[string, number][]} values of symbols that the arm does not have
  */
@@ -120,7 +120,7 @@ function readLeaf(leaf, what, wanted) {
   return { tree: ["num", leaf], text: String(leaf) };
 }
 
-// Take off the names before values: ('theta1', 0.3) becomes 0.3.
+// Remove the names before values: ('theta1', 0.3) becomes 0.3.
 export function unnamed(mine) {
   if (!Array.isArray(mine)) return mine;
   if (mine.length === 2 && typeof mine[0] === "string" && typeof mine[1] !== "string") {
@@ -129,7 +129,7 @@ export function unnamed(mine) {
   return mine.map(unnamed);
 }
 
-// Return the shape of nested lists; it ends at lists of different lengths.
+// Return the shape of nested lists: [2, 3] for two lists of three numbers.
 function shapeOf(list) {
   if (!Array.isArray(list)) return [];
   const inner = list.map(shapeOf);
@@ -187,7 +187,7 @@ const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
 const NUMPY_NUMBER = /^float64 ?\(([^()]*)\)$/;
 
 /**
- * Separate the number in a cell from its unit: a degree, or the power of ten of MATLAB's heading.
+ * Separate the number of a cell from its factor. "5*1e-3" is 5 times 0.001.
  * @param {string} typed @param {number} [slack] of a formula @returns {Entry}
  */
 function readCell(typed, slack = 0) {
@@ -195,7 +195,7 @@ function readCell(typed, slack = 0) {
   const [, scaled, power] = SCALED.exec(cell) ?? [];
   if (scaled) {
     const worth = Number(power);
-    // A unit stands as 1e-3, the power of ten in MATLAB's heading as 1.0e-03.
+    // The factor of a unit is written as 1e-3, but MATLAB's heading as 1.0e-03.
     const hasUnit = !power.includes(".");
     return { text: scaled, worth, hasUnit, angle: false, slack: slack / worth };
   }
@@ -212,8 +212,7 @@ function unitsOf(entries) {
 export const eachJoint = (arm) =>
   formatMessage("each joint", { joints: jointNames(arm).join(", ") });
 
-// List the shapes of one value for each joint, and with `many` of any number of such rows. Those of
-// the moving joints come before those of all joints.
+// List the shapes of joint vectors, with a value for each moving joint or for each row of the arm.
 export const jointShapes = (arm, many = true) =>
   [...new Set([movingRows(arm).length, arm.rows.length])].flatMap((columns) => [
     { rows: many ? null : 1, columns, by: "joint" },
@@ -221,7 +220,7 @@ export const jointShapes = (arm, many = true) =>
     ...(many ? [{ rows: columns, columns: null }] : []),
   ]);
 
-// List the rows of numbers of a target, and a pose's point; none if it is a text.
+// List the rows of a target that is given as numbers, and the position of a given pose.
 export function listGivenRows(target) {
   const rows = Array.isArray(target?.[0]) ? target : [target];
   const listed = rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
@@ -229,10 +228,10 @@ export function listGivenRows(target) {
   return isPose ? [...listed, listed.slice(0, 3).map((row) => row[3])] : listed;
 }
 
-/** The names of joint values that a text holds. */
+/** Matches the names of joint values in a text. */
 export const JOINT_NAMES = /^(?:q|th|θ|sol|position|ans$|s\d*$)/i; // position: of ROS
 
-// Read a joint vector with its units, without the values of locked joints.
+// Read a joint vector and its units, without the values of locked joints.
 export function pose(q, arm, angles = "rad") {
   const wants = jointShapes(arm, false);
   const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
@@ -245,7 +244,7 @@ export function pose(q, arm, angles = "rad") {
   return inRadians(typed, arm, angles);
 }
 
-// Drop the values of locked joints from values for all rows, pose after pose.
+// Drop the values of locked joints. The values are those of all rows of the arm, pose after pose.
 export function ofMoving(typed, arm) {
   const moving = movingRows(arm);
   if (moving.length === arm.rows.length) return typed;
@@ -257,7 +256,7 @@ export function ofMoving(typed, arm) {
 }
 
 /**
- * Return whether rows of joint values have constant values of the locked joints.
+ * Return whether rows of joint values have columns for locked joints, whose values are constant.
  * @param {number[][]} rows @param {Arm} arm
  */
 export function hasLockedColumns(rows, arm) {
@@ -267,7 +266,7 @@ export function hasLockedColumns(rows, arm) {
 }
 
 /**
- * Write a note about the locked joints, whose values are not judged.
+ * Write the message that the values of locked joints are not judged.
  * @param {Arm} arm @param {number[]} values one for each row of the arm, pose after pose
  */
 export function noteLockedValues({ rows }, values) {
@@ -307,14 +306,14 @@ export function refuseMisfitUnits(entries, arm, what, isTorque) {
 }
 
 /**
- * Return the factor to m of a length: that of the text's unit, 1 if it has a unit of its own.
+ * Return the factor to m of a length. It is 1 for a length with a unit, which is in m already.
  * @param {Typed} typed @param {number} i
  */
 export const lengthFactor = ({ statedUnits, entries }, i) =>
   statedUnits?.lengths && !entries[i].hasUnit ? statedUnits.lengths : 1;
 
-// Convert joint values to SI, row by row. Angles and slides have last decimal places of their own,
-// since metres need more decimals. An angle with a unit keeps that unit.
+// Convert joint values to SI, row by row. The units of the last decimal places are found separately
+// for angles and lengths, since metres need more decimals. Angles with a unit are in rad already.
 export function inRadians(typed, arm, angles) {
   const turns = revoluteFlags(arm);
   const turn = (i) => turns[i % turns.length];
@@ -337,7 +336,7 @@ export function inRadians(typed, arm, angles) {
 }
 
 /**
- * Look up names: of joint values, of lengths, and of cosines and sines of a sum of joints.
+ * Look up the names of joint values, of lengths, and of cosines and sines such as c_12.
  * @returns {Map<string, number>}
  */
 function lookUpNames(names, arm, q, constants) {
@@ -365,7 +364,7 @@ function lookUpNames(names, arm, q, constants) {
   );
 }
 
-// Evaluate the name of a joint value, or of a cosine or sine as c12; undefined for another name.
+// Evaluate the name of a joint value, or of a cosine or sine such as c12. Else return undefined.
 function evaluateJoints(symbol, q) {
   const [, joint] = JOINT.exec(symbol) ?? [];
   if (joint) return q.get(Number(joint));
@@ -379,7 +378,7 @@ function evaluateJoints(symbol, q) {
 }
 
 /**
- * Refuse numbers of a wrong shape if another list stands in the text: it may hold the answer.
+ * Refuse numbers of a wrong shape if the text has a second list, which may be the answer.
  * @param {Typed} typed @param {string} what the answer @param {string} wanted its shape
  * @throws {ArmError}
  */

@@ -1,4 +1,4 @@
-// Orders the rows and columns of a block by their labels.
+// Orders the rows and columns of a block by their labels, as "q2 = 0.8, q1 = 0.3" by q1, q2.
 
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { findLabel } from "./labels.js";
@@ -11,8 +11,9 @@ import { formatMessage } from "../sentences.js";
 /** @typedef {{ kind: string, numbers: number[] }} Labels labels of one kind */
 
 /**
- * Read the labels of rows or columns; null unless all are of one kind and no two are the same.
- * @param {import("./lines.js").Cell[][]} words those of each row or column
+ * Read the labels of rows or columns. Return null unless all labels have the same kind and
+ * different numbers.
+ * @param {import("./lines.js").Cell[][]} words the words of each row or column
  * @returns {Labels | null}
  */
 export function readLabels(words) {
@@ -28,8 +29,8 @@ export function readLabels(words) {
   return { kind, numbers: [...numbers] };
 }
 
-// Read labels that differ in one number only, as "config(2).q" and "config(1).q"; null unless these
-// numbers are 0, 1, 2 or 1, 2, 3 in any order.
+// Read labels that differ only in a number, as "config(2).q" and "config(1).q". Return null unless
+// the numbers are 0, 1, 2 or 1, 2, 3, in any order.
 /** @param {import("./lines.js").Cell[][]} words @returns {number[] | null} */
 function readNumberedLabels(words) {
   const texts = words.map((cells) => cells.map(({ text }) => text).join(" "));
@@ -45,12 +46,12 @@ function readNumberedLabels(words) {
  * @param {Pick<Block, "headers" | "rows">} block @returns {Labels | null}
  */
 export function readHeaderLabels({ headers, rows }) {
-  const extra = headers.length - rows[0].length; // headers of the labels before the rows
+  const extra = headers.length - rows[0].length; // headers above the labels of the rows
   return extra < 0 ? null : readLabels(headers.slice(extra).map((header) => [header]));
 }
 
 /**
- * Return whether the labels of a block say that its rows are the wanted columns.
+ * Return whether the rows of a block are the wanted columns, as its labels show.
  * @param {Block} block @param {Want} want
  */
 export function isTransposed(block, { by }) {
@@ -60,17 +61,17 @@ export function isTransposed(block, { by }) {
   return rows?.kind === "joint" && block.rows[0].length > 1;
 }
 
-// Return whether the rows of a block are column vectors, [1; 2; 3], typed one after the other.
+// Return whether the rows of a block were typed as column vectors, [1; 2; 3].
 const areColumnVectors = ({ sources }) => sources.every(({ isColumn }) => isColumn);
 
 /**
- * Return whether two column headers or more name joints.
+ * Return whether two or more column headers name joints.
  * @param {import("./lines.js").Cell[]} headers
  */
 export const namesJoints = (headers) =>
   headers.filter((header) => findLabel([header])?.kind === "joint").length > 1;
 
-const TRANSPOSE_MARK = /(?:\.T|\^T|ᵀ|')$/; // behind the name of a transposed matrix
+const TRANSPOSE_MARK = /(?:\.T|\^T|ᵀ|')$/; // at the end of a name, J^T
 
 /**
  * Exchange the rows and columns of a block.
@@ -90,7 +91,7 @@ export function transpose(block) {
 const NO_CELL = { text: "", from: 0, to: 0 };
 
 /**
- * Order values by names of joints that the text lists apart from them, as ROS does.
+ * Order values by a list of joint names elsewhere in the text. ROS prints joint states like this.
  * @param {Block & { taken: string[] }} block @param {Want} want @param {string} text
  */
 export function orderByListedNames(block, { by }, text) {
@@ -102,7 +103,8 @@ export function orderByListedNames(block, { by }, text) {
   return { ...block, rows, taken: [formatMessage("taken: by names")] };
 }
 
-// Find the numbers of `size` joints whose names stand beside each other; null if none do.
+// Find `size` joint names beside each other. Return the joint numbers, or null if there are no such
+// names.
 function findListedJoints(text, size) {
   const plain = plainCharacters(foldNames(foldCharacters(new SpannedText(text))));
   const words = plain.text.split(/[\s,;:=[\]{}"-]+/);
@@ -116,7 +118,7 @@ function findListedJoints(text, size) {
   return null;
 }
 
-// Return the indices of numbers in ascending order of the numbers.
+// Return the indices that sort the numbers.
 const sortIndices = (numbers) => numbers.map((_, k) => k).sort((p, q) => numbers[p] - numbers[q]);
 
 /**

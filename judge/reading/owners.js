@@ -1,5 +1,6 @@
-// Gives each number of a pasted text its owner, which is what the number was taken for. A number on
-// the answer's lines or beside them that no step claims is unread, and then nothing is graded.
+// Records how each number of a pasted text was used: as an entry of the answer, as a label, as
+// context and so on. This is the owner of the number. If a number on the answer's lines or next to
+// them was not used, it is unread, and nothing is graded.
 
 import { RAD } from "../geometry/angles.js";
 import { isUnit } from "./cells.js";
@@ -10,16 +11,16 @@ import { namesOtherQuantity } from "./row_names.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /**
- * A number of the pasted text: its digits, its place, and what it was taken for: "entry", "label"
- * (a joint's number, a row's name, an index, a time), "header" of a column, "given" by the
- * question itself, "context" with its `reason`, or "unread". An entry has its `row` and `column`,
- * from 0, and its `index` among all entries, row by row. `matrix`, of a link matrix A_row, is its
- * row and column there; `column` is then the entry that it gives.
+ * A number of the pasted text with its owner. The owners are "entry", "label" (a joint number, a
+ * row name, an index, a time), "header" of a column, "given" by the question, "context" with a
+ * `reason`, and "unread". An entry has a `row` and `column`, from 0, and an `index` among all
+ * entries, row by row. In a link matrix A_row, `matrix` is the position within the matrix, and
+ * `column` the entry of the table that the number gives.
  * @typedef {{ text: string, from: number, to: number, line: number, owner: string, row?: number,
  *   column?: number, index?: number, matrix?: number[], reason?: string }} Token
  */
 /** @typedef {import("./blocks.js").Block} Block */
-/** The reason of a number that stands in another list. */
+/** The reason of a number in a list that is not the answer. */
 export const OTHER_LIST = "another list";
 
 /** @typedef {import("./lines.js").Row} Row */
@@ -27,7 +28,7 @@ export const OTHER_LIST = "another list";
 const DIGITS = /[0-9０-９٠-٩]+(?:[.．٫][0-9０-９٠-٩]*)?(?:[eE][-+−]?\d+)?|\.\d+(?:[eE][-+−]?\d+)?/g;
 const LINE_END = /\r\n?|[\n\v\f]/g;
 
-/** The numbers of a text. Each is claimed once. */
+/** The numbers of a text. Each number gets its owner from the first step that claims it. */
 export class Tokens {
   /** @param {string} text */
   constructor(text) {
@@ -40,7 +41,7 @@ export class Tokens {
     });
   }
 
-  // The tokens that begin within a span.
+  // List the tokens that begin within a span, by binary search.
   within({ from, to }) {
     let [low, high] = [0, this.list.length];
     while (low < high) {
@@ -54,7 +55,7 @@ export class Tokens {
   }
 
   /**
-   * Give the numbers of a span their owner, unless they have one.
+   * Give an owner to the numbers of a span that have none yet.
    * @param {import("./spans.js").Span} span @param {string} owner @param {object} [more]
    */
   claim(span, owner, more = {}) {
@@ -64,7 +65,7 @@ export class Tokens {
 }
 
 /**
- * List the numbers of a text with their owners, once a block was taken as the answer.
+ * List the numbers of a text with their owners, given the block of the answer.
  * @param {string} text @param {Block} block @returns {Token[]}
  */
 export function tokensOf(text, block) {
@@ -96,13 +97,15 @@ export function tokensOf(text, block) {
   return tokens.list;
 }
 
-// List the words with decimals before rows, unless one stands before each row, as a time does.
+// List the words with decimals before rows. If each row has such a word, it is a label such as a
+// time, and the list is empty.
 const listOddLabels = (labels) => {
   const found = labels.map((words) => words.filter(({ text }) => hasDecimals(text)));
   return found.every(({ length }) => length > 0) ? [] : found.flat();
 };
 
-// Mark numbers as unread that a comma may join to an entry or that "or" offers in its place.
+// Mark numbers as unread if a comma may join them to an entry, "115,2111", or if they are an
+// alternative to an entry, "0.3 or 0.5".
 /** @param {string} text @param {Token[]} tokens */
 function markUnclear(text, tokens) {
   for (const token of listAlternatives(text, tokens)) token.owner = "unread";
@@ -114,8 +117,8 @@ function markUnclear(text, tokens) {
 
 const OR = /^[^#%\n]{0,20}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2}[-+\u2212]?$/iu;
 
-// List the numbers that "or" offers in place of an entry, outside comments, unless they repeat it
-// in another unit.
+// List the numbers behind an entry and "or", outside comments. A number that repeats the entry in
+// degrees or radians is left out.
 /** @param {string} text @param {Token[]} tokens */
 const listAlternatives = (text, tokens) =>
   tokens.filter((token, k) => {
@@ -136,8 +139,9 @@ const signedValue = (text, { text: digits, from }) =>
 const leadsLine = (text, { from }) =>
   /(?:^|\n)[ \t]*$/.test(text.slice(Math.max(0, from - 20), from));
 
-// List the numbers that a comma may join, 115,2111, as their two halves. In "1,0,-1" it separates
-// entries, and at the start of a line the first half may be the number of the row.
+// List pairs of whole numbers that a comma may join to a decimal number, as 115 and 2111 of
+// "115,2111". In "1,0,-1" the commas separate entries. A pair at the start of a line is left out,
+// since its first number may count the row.
 /** @param {string} text @param {Token[]} tokens */
 function listSplitNumbers(text, tokens) {
   return tokens.flatMap((half, k) => {
@@ -150,19 +154,19 @@ function listSplitNumbers(text, tokens) {
   });
 }
 
-// Return whether a number leads its line and is set off, as in "2: 0.5" or "2 | 0.5".
+// Return whether a number is the first on its line with a separator behind it: "2: 0.5", "2 | 0.5".
 /** @param {string} text @param {Token} token */
 const isLineNumber = (text, token) =>
   leadsLine(text, token) && /^[ \t]*[|:.)\t]/.test(text.slice(token.to, token.to + 4));
 
-// Find the rows without a label in a block whose other rows are named after those of a Jacobian.
+// Find the rows without a label, if any row of the block has the name of a Jacobian's row, as "vx".
 function findUnlabelledRows({ labels }) {
   const isNamed = labels.map((words) => findLabel(words)?.kind === "row");
   const unlabelled = isNamed.flatMap((named, row) => (named ? [] : [row]));
   return new Set(isNamed.includes(true) ? unlabelled : []);
 }
 
-// Claim the numbers of a label or a column's header, unless it may be a misspelt entry.
+// Claim the numbers of a label or a header, unless it may be a misspelt entry.
 const claimWord = (tokens, cell, owner) => {
   if (!isMisspelt(cell.text)) tokens.claim(cell, owner);
 };
@@ -174,17 +178,17 @@ const DATES = [
   /^\[?\d{9,}\.\d|^(?:\d+m)?[\d.]+ ?m?s$|\d\.{2,3}[-+−]?[\d.]/,
 ];
 export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
-// Digits with a letter among them, as 7l2 and O.5, or with a mark behind them, as 0!
+// Digits with a letter among them, 7l2 and O.5, or with a mark behind them, 0!
 const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
 
-// Return whether a word holds a number with decimals that was no entry, or an odd number.
+// Return whether a word is likely a misspelt number, such as "7l2" or "0.5x".
 export const isMisspelt = (word) =>
   (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) || ODD_NUMBER.test(word);
 
 const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && !isDate(word);
 
 /**
- * Return the lines next to a block, over empty ones, that may be rows.
+ * Return the lines above and below a block that may be rows. Empty lines are skipped.
  * @param {string} text @param {Block} block @returns {Set<number>}
  */
 function findLinesBeside(text, { from, to }) {
@@ -195,14 +199,14 @@ function findLinesBeside(text, { from, to }) {
   return new Set([above, below].filter((k) => k >= 0 && mayBeRow(lines[k])));
 }
 
-// Return whether a line has neither a name nor a sentence.
+// Return whether a line may be a row, because it has neither a name nor a sentence.
 function mayBeRow(line) {
   if (/^[^\d=:]*\p{L}[^=:\n]{0,30}[=:]/u.test(line)) return false;
   const words = (line.match(/\p{L}[\p{L}-]{2,}/gu) ?? []).filter((word) => !isUnit(word));
   return words.length < 2;
 }
 
-// The words and rows that are no part of the block.
+// Claim the words and rows that are no part of the block.
 function claimOtherRows(tokens, block, beside) {
   const { from, to, sources, lines } = block;
   const starts = new Map(
@@ -220,8 +224,8 @@ function claimOtherRows(tokens, block, beside) {
   }
 }
 
-// Claim the numbers in words. In the block, beside it or in a row of its length a misspelt number
-// is unread; all others are parts of names and sentences.
+// Claim the numbers in words. A misspelt number is unread if it stands in the block, next to it, or
+// in a row of the same length. All other numbers are parts of names and sentences.
 function claimWords(tokens, block, beside) {
   const { from, to, lines } = block;
   const isBrokenRow = findBrokenRows(block, tokens);
@@ -236,8 +240,8 @@ function claimWords(tokens, block, beside) {
   }
 }
 
-// Return a function that tests whether a line apart from the block holds as many numbers, read or
-// not, as a row of the block.
+// Make a test of lines. A line is a broken row if it has as many numbers, including misspelt
+// numbers, as a row of the block.
 function findBrokenRows({ rows, lines }, tokens) {
   const width = rows[0].length;
   if (width < LEAST_ROW) return () => false;
@@ -252,22 +256,22 @@ function findBrokenRows({ rows, lines }, tokens) {
 const hasWord = ({ words }) => words.some(({ text }) => /\p{L}{2}/u.test(text));
 const hasDecimalCell = ({ cells }) => cells.some(({ text }) => hasDecimals(text));
 
-// Return the owner of numbers on the block's lines. They are context below a name of their own, a
-// label if they are a time or an index for each row, or else unread if they may be entries.
+// Return the owner of further numbers on the block's lines. Numbers with a name are context. A time
+// or an index at the start of each row is a label. All other numbers with decimals are unread.
 function chooseOwnerInside(row, mayBeLabel) {
   if (row.name || hasWord(row)) return "context";
   if (mayBeLabel && row.cells.length === 1) return "label";
   return hasDecimalCell(row) ? "unread" : "context";
 }
 
-// Return whether a row holds two numbers or more that do not count joints, as 1, 2, 3 do.
+// Return whether a row holds two or more numbers that are not just joint numbers, such as 1, 2, 3.
 function hasValues({ cells }) {
   const numbers = cells.filter(({ text }) => Number.isFinite(Number(text)));
   return numbers.length > 1 && !isJointCount(numbers);
 }
 
-// Return the owner of numbers apart from the block. They are unread if they may be a row that was
-// torn off the block, else context.
+// Return the owner of numbers outside the block. They are unread if they may be a row of the block,
+// else context.
 function chooseOwnerOutside(row, block, beside) {
   const isRow = hasValues(row) || (hasDecimalCell(row) && widthOf(block) < 3);
   const torn = beside.has(row.line) && isRow && !row.name;
@@ -276,8 +280,8 @@ function chooseOwnerOutside(row, block, beside) {
 
 const widthOf = ({ sources }) => Math.max(...sources.map(({ cells }) => cells.length));
 
-// Return whether a row anywhere in the text may be a row of the block. It is as long as the block's
-// rows, holds values, repeats none of the rows, and has no name.
+// Return whether a row anywhere in the text may be a row of the block. It has the same length,
+// holds values, repeats no row of the block, and has no name.
 function mayBePart(row, { rows, sources }) {
   const { length } = row.cells;
   if (rows.length < 2 || length < LEAST_ROW || length !== widthOf({ sources })) return false;
@@ -288,7 +292,7 @@ function mayBePart(row, { rows, sources }) {
 
 const textsOf = (cells) => cells.map(({ text }) => text).join();
 
-const LEAST_ROW = 3; // numbers of a row that its length distinguishes from other numbers
+const LEAST_ROW = 3; // shorter rows may have the same length by chance
 
 /**
  * Raise an error that quotes the first number that was not read.
@@ -312,7 +316,7 @@ export function refuseUnread(text, tokens, what) {
 }
 
 /**
- * Raise an error that quotes a cell that was not read; its numbers become unread.
+ * Raise an error that quotes an unread cell. The numbers of the cell become unread.
  * @param {string} text @param {Token[]} tokens
  * @param {import("./spans.js").Span} cell @param {string} what
  */
@@ -329,14 +333,14 @@ const dropArmName = (what) => what.slice(what.lastIndexOf(": ") + 1).trim();
 
 const PLAIN_NUMBER = /^[-+−–]?\d*(?:[.,]\d*)?(?:e[-+−–]?\d+)?$/i;
 
-// Return the word around a number, up to blanks and separators of cells.
+// Return the word around a number, up to the next blanks or separators.
 function findWordAround(text, { from, to }) {
   const before = /[^\s|&;[\],]*$/.exec(text.slice(Math.max(0, from - 20), from))[0];
   const behind = /^[^\s|&;[\],]*/.exec(text.slice(to, to + 20))[0];
   return before + text.slice(from, to) + behind;
 }
 
-// Return the joint or the row that the line's label names, in brackets.
+// Return the joint or the row of a number by the label on its line: " (joint 2)".
 function describeLabel(text, { from }) {
   const start = Math.max(text.lastIndexOf("\n", from), from - 60) + 1;
   const words = text

@@ -1,4 +1,5 @@
-// Compares the names of rows, and finds other quantities and old answers by the words before rows.
+// Finds rows that are not the answer, because the words before them call them masses, a force or an
+// old answer. Compares the names of rows that may belong together.
 
 import { hasDecimals } from "./formula.js";
 import { findLabel } from "./labels.js";
@@ -12,8 +13,8 @@ const OTHER_WORDS =
   /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F|norm|elapsed time)\b/i;
 
 /**
- * Return whether the words before a row name a quantity that is no answer: masses, lengths, a
- * force, a target.
+ * Return whether the words before a row name a quantity that is never the answer, such as masses,
+ * lengths, a force or a target.
  * @param {Row} row
  */
 export function namesOtherQuantity({ name, words }) {
@@ -28,8 +29,8 @@ const OTHER_TOPIC = /^(?:[Δ∆]|[qθτ]$|theta|tau|torques?\b|ω|omega)/;
 const OTHER_VALUE = /^(?:[xyz]|[qθτ][ _{]{0,2}\d+\}?|F_?\{?\d\}?)$/;
 
 /**
- * Return whether a row is assigned on its line to joint values, torques or velocities, or its only
- * value to a coordinate, a force or one joint.
+ * Return whether "=" on the line of a row assigns it to joint values, torques or velocities. The
+ * name of a single value may also be a coordinate, a force or a joint.
  * @param {Row} row
  */
 export const namesOtherTopic = ({ name, cells, isAssigned }) =>
@@ -42,7 +43,7 @@ const BEGINS_AS_OLD = new RegExp(String.raw`^\W*(?:${OLD}|before)\b`, "i");
 const OLD_HEADING = new RegExp(String.raw`^\W*(?:my )?(?:${OLD})(?:\W+\w+){0,2}\W*$`, "i");
 
 /**
- * Return whether a line begins by calling its numbers old, as "before: 0.5" does.
+ * Return whether a line calls its numbers old at its beginning, as "before: 0.5" does.
  * @param {string} line
  */
 export const beginsAsOld = (line) => BEGINS_AS_OLD.test(line);
@@ -57,8 +58,8 @@ export const isCalledOld = ({ name, words, above }) =>
   CALLED_OLD.test(`${textOf(words)} ${name}`) || OLD_HEADING.test(textOf(above));
 
 /**
- * Find a row with decimals that has the answer's name, beside a block whose rows all have other
- * names.
+ * Find a row with the answer's name and decimals, if all rows of a block have different names.
+ * Return null if there is no such row.
  * @param {import("./block.js").Block} block @param {(name: string) => boolean} isAnswer
  */
 export function findUnreadAnswer({ name, sources, labels, headers, lines }, isAnswer) {
@@ -70,8 +71,9 @@ export function findUnreadAnswer({ name, sources, labels, headers, lines }, isAn
 }
 
 /**
- * Return whether two single values may be entries of one column. On one line both or neither have a
- * name; on two lines their labels are of one kind. Entries of a list share its name.
+ * Return whether two single values may be entries of the same column. On the same line, both values
+ * have a name or neither has. On different lines, their labels are of the same kind. Values within
+ * brackets need no names.
  * @param {Row} row @param {Row} other
  */
 export function haveSimilarLabels(row, other) {

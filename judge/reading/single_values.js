@@ -1,4 +1,5 @@
-// Makes blocks of single values that have names, have two indices, or stand on a line each.
+// Makes blocks of single values, which have names, q1 = 0.3, or two indices, J[2,3] = 0.5, or stand
+// on separate lines.
 
 import { applyFactor } from "./block.js";
 import { findValueLabel } from "./labels.js";
@@ -9,7 +10,8 @@ import { namesOtherQuantity } from "./row_names.js";
 /** @typedef {import("./lines.js").Row} Row */
 
 /**
- * Join single values with names of joints, q1 = 0.3, to a row for each set of joints.
+ * Join single values with joint names, q1 = 0.3, to rows. A repeated joint name begins the next
+ * row.
  * @param {Row[]} rows @returns {Block[]}
  */
 export function joinNamedValues(rows) {
@@ -43,8 +45,8 @@ export function joinNamedValues(rows) {
   ];
 }
 
-// Return whether d3 = 0.4 stands beside the value of the next joint, q2 = 0.3: then it is the slide
-// of a prismatic joint, and no length.
+// Return whether a value such as d3 = 0.4 belongs to a prismatic joint. The value of a neighbouring
+// joint, such as q2 = 0.3, must stand beside it; otherwise d3 is a length.
 const isSlide = ({ label }, other) =>
   Math.abs(label.number - other.label.number) === 1 && !namesOtherQuantity(other.row);
 
@@ -55,8 +57,8 @@ const joinWords = (words) => ({
 });
 
 /**
- * Join the cells of a table that was pasted with each cell on a line of its own: column headers,
- * then each row behind its label.
+ * Join the cells of a table to rows, if each cell was pasted on a separate line. Column headers
+ * come first, and a label begins each row.
  * @param {Row[]} rows @param {Cell[]} words @returns {Block[]}
  */
 export function joinCellLines(rows, words) {
@@ -85,14 +87,14 @@ export function joinCellLines(rows, words) {
   ];
 }
 
-// Return the index of the first of the words on the lines directly above a line.
+// Return the index of the first header. The headers are words on the lines directly above a line.
 function findFirstHeader(lines, end) {
   let first = end;
   while (lines[first - 1]?.row === null && lines[first - 1].line === lines[first].line - 1) first--;
   return first;
 }
 
-// List the lines with a single cell, an entry or a word, in order.
+// List the lines that hold a single entry or a single word, in order.
 function listSingleCells(rows, words) {
   const entries = rows.flatMap((row) =>
     applyFactor(row).map((cell) => ({ line: row.line, cell, row })),
@@ -105,7 +107,7 @@ function listSingleCells(rows, words) {
     .sort((first, second) => first.line - second.line);
 }
 
-// Read the entries from a line on, up to the next word, and the word before them.
+// Read the entries from a line up to the next word, and the word before them.
 function readCellsFrom(lines, first) {
   let end = first + 1;
   while (lines[end]?.row && lines[end].line === lines[end - 1].line + 1) end++;
@@ -117,8 +119,8 @@ function readCellsFrom(lines, first) {
   };
 }
 
-// Split cells into rows if the first cells of the rows count 1, 2, 3. A row is as long as there are
-// headers above, with or without one for the count.
+// Split cells into rows, if the first cells of the rows count 1, 2, 3. The number of headers above
+// gives the length of a row. The count may have no header.
 function splitCountedRows({ cells, rows }, lines) {
   const first = lines.findIndex(({ row }) => row === rows[0]);
   const width = first - findFirstHeader(lines, first) + 1;
@@ -140,7 +142,7 @@ const countsUp = (texts) => texts.every((text, k) => Number(text) === k + 1);
 const INDICES = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
 
 /**
- * Join single values with two indices, J[2,3] := 0.5, to a matrix.
+ * Join single values with two indices, such as J[2,3] := 0.5, to a matrix.
  * @param {Row[]} rows @returns {Block[]}
  */
 export function joinIndexedValues(rows) {

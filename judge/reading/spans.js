@@ -1,10 +1,13 @@
-// Makes a text plain step by step, while each of its characters keeps the span of the pasted text
-// that it stands for.
-
-/** A stretch of the pasted text. @typedef {{ from: number, to: number }} Span */
+// Defines a text whose characters remember their positions in the pasted text. The steps of the
+// reader change the text, and a message can still quote and mark the pasted text.
 
 /**
- * List the lines of a text with the stretches that they cover.
+ * A part of the pasted text, from a position up to, but without, the position `to`.
+ * @typedef {{ from: number, to: number }} Span
+ */
+
+/**
+ * List the lines of a text with their spans.
  * @param {string} text @returns {(Span & { text: string })[]}
  */
 export function listLines(text) {
@@ -16,6 +19,7 @@ export function listLines(text) {
   });
 }
 
+/** A text with the span of the pasted text that each of its characters stands for. */
 export class SpannedText {
   /** @param {string} text @param {number[]} [starts] @param {number[]} [ends] of each character */
   constructor(text, starts = null, ends = null) {
@@ -25,7 +29,7 @@ export class SpannedText {
   }
 
   /**
-   * Return the stretch of the pasted text that characters stand for.
+   * Return the span of the pasted text that characters of this text stand for.
    * @param {number} from @param {number} to @returns {Span}
    */
   span(from, to) {
@@ -35,7 +39,8 @@ export class SpannedText {
   }
 
   /**
-   * List the stretches of the pasted text that characters stand for; a drawn fraction has several.
+   * List the separate spans of the pasted text that characters stand for. A drawn fraction has a
+   * span on each line.
    * @param {number} from @param {number} to @returns {Span[]}
    */
   stretches(from, to) {
@@ -73,7 +78,7 @@ export class SpannedText {
   }
 
   /**
-   * Replace stretches of the plain text, in order; what is put there stands for the whole stretch.
+   * Replace parts of this text, given in order. The new text stands for the whole part.
    * @param {{ from: number, to: number, text: string }[]} edits
    */
   edit(edits) {
@@ -95,8 +100,8 @@ export class SpannedText {
   }
 
   /**
-   * Make a text of stretches of this one, in any order.
-   * @param {(Span | string)[]} parts stretches, and blanks that stand for nothing
+   * Make a text of parts of this text, in any order.
+   * @param {(Span | string)[]} parts spans of this text, and new characters that stand for nothing
    */
   assemble(parts) {
     const texts = [];

@@ -1,6 +1,6 @@
-// Finds a computation around the numbers of an answer: a sign, a factor or a transpose outside
-// their brackets, as in "-[1, 2]" and "[1, 2]*pi", or a name such as "cos q1". The numbers are then
-// not the answer itself. The judge does not compute it, but asks for the final numbers.
+// Finds text around the numbers of an answer that would change them, such as the sign of "-[1, 2]",
+// the factor of "[1, 2]*pi", or the name "cos q1". The judge does not compute the result, but asks
+// for the final numbers.
 
 /** @typedef {import("./lines.js").Row} Row */
 
@@ -13,7 +13,7 @@ const OPENING = new RegExp(
 const CLOSING = /^(?:\s*(?:[\])}]|\\right\b|\\[bB]ig+r?|\\end\{[^{}\n]*\})|[ \t]|\\[ ,;:!])+/;
 const countBrackets = (text) => text.match(/[[\](){}]/g)?.length ?? 0;
 
-// A sign or a factor before a bracket, or a function of it.
+// A sign, a factor or a function before a bracket.
 const BEFORE = [
   /[=:][ \t]*([-\u2212\u2013])[ \t]*$/,
   /([\w.^{}+⁻⁰¹²³⁴-⁹-]*[\w)\]}⁰¹²³⁴-⁹]\s*(?:[*·×/^]|\\cdot|\\times))\s*$/,
@@ -25,12 +25,12 @@ const BEFORE = [
   /=[ \t]*(\d+(?:[.,]\d+)?(?:e[-+]?\d+)?(?:\/\d+)?)[ \t]*$/i,
   /\b(p?inv|transpose|(?:np\.)?(?:rad2deg|degrees)|(?:a|arc)?(?:sin|cos|tan)|sqrt|abs)\s*$/,
 ];
-// A factor before numbers without a bracket, J = 1.0e+03 *.
+// A factor before numbers without brackets, as in "J = 1.0e+03 *".
 const FACTOR = /[=:][ \t]*(\d+(?:\.\d+)?(?:e[-+]?\d+)?[ \t]*[*·×])\s*$/i;
-// Units of other quantities behind a number.
+// Units behind a number that are those of velocities, stiffnesses or masses times lengths.
 const OTHER_UNIT =
   /^[\s\])}]*((?:rad|deg|°) ?\/ ?s(?!\p{L})|N ?\/ ?m(?!\p{L})|kg ?[·*]? ?m(?![\p{L}\d^²]))/u;
-// A relation other than equality before a value, or words that reject it.
+// A relation before a value, "tau_1 < 3", and words behind a value, "is wrong", that reject it.
 const RELATION =
   /(≠|!=|\\neq?|(?<=[\p{L}\d}] ?)[<≤≥]|(?<=[\p{L}\d}] )>|(?<!\p{L})(?:is|are) not)\s*$/u;
 const REJECTION = new RegExp(
@@ -39,10 +39,12 @@ const REJECTION = new RegExp(
     String.raw`(?:is|are) not (?:the|right|correct)(?!\p{L}))`,
   "iu",
 );
-// The same without a blank before the bracket: elsewhere they are a bullet and a row's number.
+// A sign or a number directly before a bracket. With a blank between, it is a bullet or the number
+// of a row.
 const SIGN = /(?:^|[\s(])([-\u2212\u2013])$/;
 const NUMBER = /(?<![\p{L}\d_.])(\d+(?:\.\d+)?)$/u;
-// A factor, a power or a transpose behind a bracket. A list may be transposed.
+// A factor or an inverse behind a bracket, and a transpose behind a matrix. A list may be
+// transposed.
 const BEHIND = [
   /^(\.?[*/][ \t]*[\d\p{L}\\][\w./]*)/u,
   /^([×·]|\\cdot|\\times|π|\\pi|pi\b)/,
@@ -56,7 +58,7 @@ const TRANSPOSED = new RegExp(
 const DEGREES_BEHIND = /^\.?[*][ \t]*(?:\w+\.)?pi[ \t]*\/[ \t]*180/;
 
 const NAME = String.raw`\\?(?:q|θ|theta|tau|τ|J)`;
-// A name that is a computation, or that of another quantity.
+// A name that is a formula, "cos q1", or that of a velocity or a limit, "q_dot" and "q_max".
 const COMPUTED_NAME = new RegExp(
   [
     String.raw`^-(?=${NAME})`,
@@ -72,10 +74,10 @@ const COMPUTED_NAME = new RegExp(
   "u",
 );
 
-const NEAR = 80; // characters beside a row: brackets, what touches them and a name
+const NEAR = 80; // characters beside a row that hold its brackets, factors and name
 
 /**
- * Find a relation other than equality before the rows of an answer, or words that reject them.
+ * Find a relation such as < before the rows of an answer, or words that reject the rows.
  * @param {string} text as it was pasted @param {Row[]} rows the rows of the answer
  * @returns {string | null} the words of the text
  */
@@ -91,7 +93,8 @@ export function findRejection(text, rows) {
 }
 
 /**
- * Find what touches the numbers of an answer and would change them, or a name that they do not fit.
+ * Find text around the numbers of an answer that would change them, or a name that shows that they
+ * are not the answer.
  * @param {string} text as it was pasted @param {Row[]} rows the rows of the answer
  * @returns {string | null} the words of the text
  */
@@ -107,7 +110,7 @@ export function findComputation(text, rows) {
     const behind = text.slice(last.to, last.to + NEAR);
     const rest = behind.replace(CLOSING, "");
     const closed = countBrackets(behind.slice(0, behind.length - rest.length));
-    // A row in brackets of its own may be transposed: it is a column of the matrix.
+    // A row of a matrix in its own brackets may be transposed, because it is a column.
     const isMatrix = !isList && closed > opened;
     const change =
       firstMatch([OTHER_UNIT], behind) ||
@@ -130,8 +133,8 @@ const findBehind = (rest, isMatrix) =>
 const firstMatch = (patterns, text) =>
   patterns.map((pattern) => pattern.exec(text)?.[1]).find(Boolean) ?? null;
 
-// Return the name that the text before a list ends with: what stands before its first sign of
-// equality, behind the last separator.
+// Return the name at the end of the text before a list, tau of "case 1, tau = g - JTF =". It stands
+// behind the last separator and before the first "=".
 function nameBefore(text) {
   const line = text.slice(text.lastIndexOf("\n") + 1);
   if (!/[=:]\s*$/.test(line)) return "";

@@ -1,6 +1,6 @@
-// Reads a Denavit-Hartenberg table as people type it: rows in any order of columns, parallel lists,
-// dictionaries, Link(...) lines, link matrices. The reader guesses what the text leaves open, and
-// reports each guess.
+// Reads a Denavit-Hartenberg table from a text. People type rows in any order of columns, lists
+// such as a = [0, 0.4], dictionaries, Link(...) calls or link matrices. If the text does not state
+// a unit or the order of the columns, this module guesses it and reports the guess.
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
 import { linesOf } from "./characters.js";
@@ -43,49 +43,53 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 
 /**
- * A row as it was typed.
+ * A row of a table as it was typed.
  * @typedef {object} TypedRow
- * @property {string} kind "revolute", "prismatic", or "unknown" if no variable stands in it
- * @property {Record<string, number>} numbers its entries, in the units that were typed
- * @property {Record<string, string>} texts its entries as they were typed
- * @property {boolean} backwards whether its variable has a minus
- * @property {{ name: string, number: number } | null} [joint] its variable, if that has a number
- * @property {Set<string>} radians the entries with pi, or with their own unit of an angle
- * @property {Set<string>} metres the entries with their own unit of a length, in m
- * @property {Record<string, any>} [trees] the formulas of its entries; a link matrix has none
+ * @property {string} kind "revolute", "prismatic", or "unknown" if the row has no joint variable
+ * @property {Record<string, number>} numbers the entries, in the units that were typed
+ * @property {Record<string, string>} texts the entries as they were typed
+ * @property {boolean} backwards whether the joint variable has a minus
+ * @property {{ name: string, number: number } | null} [joint] the joint variable, if its name has a
+ *   number
+ * @property {Set<string>} radians the entries with pi or with a unit of angles
+ * @property {Set<string>} metres the entries with a unit of lengths; their numbers are in m
+ * @property {Record<string, any>} [trees] the formulas of the entries; missing for a link matrix
  */
 
 /**
- * A table in the units typed, with what was stated or guessed.
+ * A table in the units that were typed, with the stated units and the guesses.
  * @typedef {object} TypedTable
  * @property {TypedRow[]} rows
- * @property {string | null} lengths "m", "cm" or "mm" if it was stated
- * @property {string | null} angles "rad" or "deg" if it was stated
- * @property {string | null} convention "craig" or "standard" if it was stated
- * @property {string[]} assumptions what was guessed, as phrases
- * @property {boolean} [isExchanged] whether the headers of alpha and theta stand over each other's
- *   entries, as the joints' variables show
- * @property {boolean} [isOrderGuessed]
- * @property {string[]} [order] the entries of its columns; a table of link matrices has none
- * @property {string[]} [typedCells] all cells of its rows, without notes and footnote marks
- * @property {import("./spans.js").Span[]} [cellSpans] where those cells stand in the text
- * @property {string[]} [unusedLines] the lines of the text and numbers that were not used
+ * @property {string | null} lengths "m", "cm" or "mm"; null if the text states no unit of lengths
+ * @property {string | null} angles "rad" or "deg"; null if the text states no unit of angles
+ * @property {string | null} convention "craig" or "standard"; null if the text states none
+ * @property {string[]} assumptions the guesses, as phrases
+ * @property {boolean} [isExchanged] whether the headers of alpha and theta are exchanged: the joint
+ *   variables stand below "alpha"
+ * @property {boolean} [isOrderGuessed] whether the order of the columns is a guess
+ * @property {string[]} [order] the entry in each column; missing for link matrices
+ * @property {string[]} [typedCells] all cells of the rows, without notes and footnote marks
+ * @property {import("./spans.js").Span[]} [cellSpans] the positions of the cells in the text
+ * @property {string[]} [unusedLines] the lines and numbers of the text that were not used
  * @property {import("./owners.js").Token[]} [tokens]
  */
 
 /**
  * @typedef {{ columns?: string, lengths?: string, angles?: string, convention?: string }} Options
  */
-/** @typedef {{ options: Options, known: Map<string, number> }} Request `known` are symbols */
+/**
+ * @typedef {{ options: Options, known: Map<string, number> }} Request `known` has the values of
+ *   symbols
+ */
 
 const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 and 0T2
 
 /**
- * List the tables that a text may be, the likeliest first. There are more than one only if the
- * order of the columns is a guess.
+ * List the possible readings of a table, the likeliest first. There is more than one reading only
+ * if the order of the columns is a guess.
  * @param {string} pastedText
- * @param {Options} options what the student stated beside the text
- * @param {[string, number][]} values of its symbols
+ * @param {Options} options the student's settings beside the text
+ * @param {[string, number][]} values of the table's symbols
  * @returns {TypedTable[]}
  */
 export function readTables(pastedText, options = {}, values = []) {
@@ -106,8 +110,8 @@ export function readTables(pastedText, options = {}, values = []) {
   return dropUnclearUnits(listUsedDefinitions(definitions, typedCells, tokens), checked, typedText);
 }
 
-// Refuse a symbol of a table with two lengths or an unread one; give the numbers of used
-// definitions their owner.
+// Apply the lengths that a text defines, such as d_1 = 0.5. Refuse a symbol whose length is unclear
+// or unread.
 /**
  * @param {TypedTable} table @param {import("./table_definitions.js").Definition[]} definitions
  * @param {string[]} undefinedNames symbols of the arm that the text does not define
@@ -194,13 +198,13 @@ function readFirstBlock(text, blocks, request) {
   throw firstError ?? new ArmError(formatMessage("no rows", { given: quoteText(text) }));
 }
 
-// Return whether a cell of the rows is empty, so that it counts as 0.
+// Return whether a row has an empty cell. An empty cell counts as 0.
 /** @param {import("./table_blocks.js").TableBlock} table */
 const hasEmptyCells = ({ block: { sources } }) =>
   sources.some(({ cells }) => cells.some(({ from, to }) => from === to));
 
-// Return the numbers of a block with their owners; refuse unread cells, and poses of frames in the
-// base, which are no link matrices.
+// Return the numbers of a block with their owners. Refuse unread cells, and poses of frames in the
+// base such as T_02, which are no link matrices.
 /**
  * @param {import("./table_blocks.js").TableBlock} table
  * @param {string} text @param {Request} request
@@ -219,7 +223,8 @@ function requireReadable(table, text, { known }) {
   return tokens;
 }
 
-// Return the line of a row whose length is not that of most rows: the unread line or the block's.
+// Return the line whose row has an odd number of cells: 0 for the first line of the text. If most
+// rows are as long as the unread line, the block's first row is the odd row.
 /** @param {import("./table_blocks.js").TableBlock} table @param {number} unreadLine from 0 */
 function findOddLine({ block: { lines, from, rows } }, unreadLine) {
   const length = lines.all.find(({ line }) => line === unreadLine)?.cells.length ?? 0;
@@ -227,7 +232,7 @@ function findOddLine({ block: { lines, from, rows } }, unreadLine) {
   return alike.length > rows.length ? from : unreadLine;
 }
 
-// Refuse a text of two tables: its second half names the joints of the first half once more.
+// Refuse a text with two tables. Its second half repeats the joint numbers of its first half.
 /** @param {TypedTable} table @param {string} text as it was pasted */
 function refuseTwoTables({ rows, tokens }, text) {
   const half = rows.length / 2;
@@ -252,7 +257,7 @@ function readCells(block, { options, known }) {
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
-  // The values of symbols are in m, whatever unit the text states.
+  // The values of symbols are in m, even if the text states mm.
   const isKnown = (name) => known.has(simple(name));
   const hasSymbols = typedCells.some((cell) => symbolsIn(cell)?.some(isKnown));
   const textUnits = hasSymbols ? {} : readStatedLengths(block.context);
@@ -284,7 +289,8 @@ function findConvention({ convention, context }) {
   return isCraig ? "craig" : convention;
 }
 
-// Lengths in cm, or (cm, deg), beside a table; a unit behind a number belongs to that number.
+// The text beside a table states "Lengths in cm" or "(cm, deg)". A unit behind a number does not
+// count: it belongs to the number alone.
 const LENGTHS_IN = new RegExp(
   String.raw`\b(?:lengths?|distances?|dimensions)(?: (?:are|all|given|measured))*` +
     String.raw`(?: in|:| \() ?(${LENGTH_UNIT}|milli|centi|met)(?:met)?(?:ers?|res?)?\b`,
@@ -304,7 +310,7 @@ function readStatedAngles(context) {
   return match && { angles: match[1] ? "rad" : "deg" };
 }
 
-// Read the unit of lengths that a text beside a table states; none if it states two.
+// Read the unit of lengths that a text beside a table states. Two units count as none.
 function readStatedLengths(context) {
   const matches = [LENGTHS_IN, UNITS_ALONE].flatMap((pattern) => [...context.matchAll(pattern)]);
   const names = matches.map(([, unit]) => unit.toLowerCase());
@@ -315,7 +321,7 @@ function readStatedLengths(context) {
 const dropMissing = (fields) =>
   Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
 
-// Choose the units and the convention: those of the student's settings, else those of the headers.
+// Choose the units and the convention. The student's settings come before the column headers.
 function chooseUnits(options, headers = {}, convention = undefined) {
   return {
     lengths: options.lengths || (headers.lengths ?? null),
@@ -330,8 +336,8 @@ function readMatrices(matrices, known, options) {
   return { ...chooseUnits(options), rows, assumptions: [formatMessage("taken: matrices")] };
 }
 
-// Read rows in each possible order of columns. If the stated order fails, the headers of alpha and
-// theta may be exchanged: the joints' variables then stand in alpha.
+// Read rows in each possible order of columns. If the stated order fails, try exchanged headers of
+// alpha and theta, where the joint variables stand below "alpha".
 function readOrders({ orders, isStated, rows }, known) {
   const attempts = orders.map((order) => readOrder(rows, order, known, isStated));
   const tables = attempts.filter((attempt) => attempt.rows);
@@ -342,7 +348,7 @@ function readOrders({ orders, isStated, rows }, known) {
   return [{ ...table, isExchanged: true }];
 }
 
-// Read rows in one order of columns; return the error if they do not fit.
+// Read rows in a given order of columns. Return the error if the rows do not fit.
 function readOrder(cells, order, known, isStated) {
   try {
     const rows = cells.map((row, k) => {
@@ -358,8 +364,8 @@ function readOrder(cells, order, known, isStated) {
 }
 
 /**
- * Read the table of an arm that a reader types into a field for a, alpha, d, theta. Without headers
- * the columns are in the field's order, if they can be.
+ * Read the table that a reader types for an arm of her own. The page asks for the columns in the
+ * order a, alpha, d, theta, so a table without headers is read in this order if possible.
  * @param {string} text
  * @param {string} unit "deg" or "rad", of bare angles
  * @param {[string, number][]} values of its symbols

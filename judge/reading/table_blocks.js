@@ -1,5 +1,5 @@
-// Finds the block of a text that is a table: rows of entries below their headers, or link matrices
-// one below the other.
+// Finds the rows of a Denavit-Hartenberg table in a text, with their column headers. The rows may
+// be those of link matrices, A_1 above A_2.
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { listUnusedLines } from "./unused_lines.js";
@@ -13,16 +13,16 @@ import { ENTRIES, trimEntry, VARIABLE } from "./table_rows.js";
 import { formatMessage } from "../sentences.js";
 
 /**
- * Rows of cells as they were typed, the headers above them, and the rest of the text.
+ * The typed cells of a table, their headers and the rest of the text.
  * @typedef {{ cells: string[][], headers: string[], context: string, unusedLines: string[],
- *   block: import("./blocks.js").Block, isTurned?: boolean,
- *   plainLines: string[] }} TableBlock `isTurned` if each typed
- *   row is a column of the table; `plainLines` are the lines without decorations
+ *   block: import("./blocks.js").Block, isTurned?: boolean, plainLines: string[] }} TableBlock
+ *   `context` is the whole text; `isTurned` is true if each typed row is a column of the table;
+ *   `plainLines` are the lines without decorations
  */
 
 /**
- * List the blocks that may be a table: those with headers first, then those with the most rows,
- * then the last.
+ * List the blocks that may be a table, the likeliest first. A block with headers comes first, then
+ * a block with more rows, then a block further down.
  * @param {string} text
  * @param {Map<string, number>} known symbols that have numbers
  * @param {SpannedText} [pasted] the text without its comments
@@ -59,29 +59,29 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
 
 const DRAWN_MATRIX = /[⎡⎢⎣]|^\[.*\][ \t]*\n\[.*\]/m; // of SymPy, with a bracket on each line
 
-// A line of lengths, "d_1 = 0.5, a_2 = 0.4", which is no row.
+// A line that defines lengths, "d_1 = 0.5, a_2 = 0.4", is no row.
 const LENGTH = String.raw`(?!al|th|q)[a-z]\w{0,6}[ \t]*=[ \t]*-?[\d.]{1,12}(?:[ \t]*m{1,2})?`;
 const DEFINITIONS = new RegExp(String.raw`^[ \t]*(?:${LENGTH}[ \t]*(?:[,;][ \t]*|$)){2,}$`, "gim");
 
-// Stars that mark a joint's variable, or stand for it, mean no product.
+// Stars behind a joint variable, q1*, and in place of a joint variable. They are no products.
 const STARRED = /([A-Za-zθϑφ]_?\{?[\d₀-₉]*\}?)\^?\{?(?:[*∗⋆]|\\(?:ast|star))\}?(?!\S)/g;
 const ALONE = /(?<=\s)\*(?=[ \t]*$)/gm;
 const dropStars = (plain) => plain.replace(STARRED, "$1").replace(ALONE, "?");
 
-// Other names of the row of the tool, which is the last row of a table and has four numbers.
+// Names of the tool's row, as in "EE | 0 | 0 | 0.1 | 0". It is the last row and has four numbers.
 const TOOL_ROW =
   /^([ \t|]*)(?:T|EE|TCP|flange)(?=(?:[ \t|&;,]+[-+−]?[\d.][^\s|&;,]*){4}[\s|&;,\\]*(?![\s\S]))/gm;
 const nameToolRow = (plain) => plain.replace(TOOL_ROW, "$1tool");
 
-// Drop rows that draw a line, | - | - |.
+// Drop rows that only draw a line, | - | - |.
 function dropDrawnRows(block) {
   const drawn = block.rows.map((row) => row.every(({ text }) => text === "-"));
   const kept = (list) => list.filter((_, i) => !drawn[i]);
   return { ...block, rows: kept(block.rows), labels: kept(block.labels) };
 }
 
-// Add the headers to a block, from its first line or shortly above it. If the rows are named after
-// the columns of a table, the block is turned.
+// Add the headers to a block, from its first line or shortly above it. If the words before the rows
+// name a, alpha, d and theta, each row is a column of the table.
 function addHeaders(block, lines, allHeaders) {
   const { rows, labels, from } = block;
   const names = labels.map((words) => findMarkedHeaders(listTexts(words), allHeaders)?.[0]);
@@ -96,19 +96,19 @@ function addHeaders(block, lines, allHeaders) {
 }
 
 const listTexts = (cells) => cells.map(({ text }) => text);
-const NEAR = 3; // lines above a table in which its headers stand: a rule, an opening bracket
+const NEAR = 3; // lines between headers and rows, such as a drawn line and an opening bracket
 
-// Heads
+// Column headers
 
-const HEADER_MARK = "·headers·"; // begins a word that stands for headers, by their number
+const HEADER_MARK = "·headers·"; // "·headers·2" replaces the line with the headers of index 2
 const findMarkedHeaders = (words, allHeaders) => {
   const word = words.find((text) => text.startsWith(HEADER_MARK));
   return word ? allHeaders[Number(word.slice(HEADER_MARK.length))] : null;
 };
 
 /**
- * Put a word in place of each line of column headers, and of a header before a line of entries; an
- * empty cell below headers becomes 0.
+ * Replace each line of column headers, and each header before a line of entries, by a marked word.
+ * An empty cell below headers becomes 0.
  * @param {SpannedText} plain
  * @returns {{ plain: SpannedText, headers: string[][] }}
  */
@@ -137,7 +137,8 @@ function markColumnHeaders(plain) {
 const LINE = new RegExp(`[^\n${ROW_END}]+`, "g");
 const trimOpening = (line) => line.replace(/^[\s[({|]+/, "");
 
-// A 0 for each empty cell of a line that has as many cells as column headers above it.
+// List the edits that write 0 into the empty cells of a line. The line must have as many cells as
+// a line of column headers.
 function listZeros(line, headerLines) {
   if (!line.text.trim()) return [];
   for (const headerLine of headerLines) {
@@ -160,10 +161,10 @@ const ROW_HEADER = new RegExp(
   String.raw`^([^|&\t;:=\d-]{1,24}?(?:\s?[[(][^\])]{1,8}[\])])?)` +
     String.raw`\s*(?:[|&\t;:,]|\s(?=[-+]?[.\d]))`,
 );
-// Cells of HTML are parted by two bars.
+// The first separates the cells of a table that was copied from HTML.
 const SEPARATORS = [/\| {2}\||[|&\t;]/, /\s{2,}/, /,/, /\s+/];
 
-// List the headers of a line that names three of the four columns or more; null for other lines.
+// List the headers of a line. Return null if it names fewer than three of a, alpha, d and theta.
 function listHeaders(typed) {
   const line = trimOpening(typed).replace(/^(?:%|\/\/)+\s*|[|\s\])}]+$/g, (margin) =>
     margin.replace(/[|\s%/]/g, ""),
@@ -181,7 +182,7 @@ function listHeaders(typed) {
   return null;
 }
 
-// Join a unit that stands apart, as in "a (mm)", to its header.
+// Join a unit to the header before it: the words "a" and "(mm)" become "a (mm)".
 function joinUnits(cells) {
   const headers = [];
   for (const cell of cells)
@@ -192,18 +193,18 @@ function joinUnits(cells) {
 
 // Entries
 
-const FRAMES = /^\d{1,2} ?- ?\d{1,2}$/; // 0-1 names a row after its frames
+const FRAMES = /^\d{1,2} ?- ?\d{1,2}$/; // 0-1 names the row between frames 0 and 1
 const TWO_SIGNS = /^[-+−–]\s*[-+−–]\s*[^-+−–\s]/; // --90, which may be a dash of LaTeX
 const FOOTNOTE = /^[-+−–]?\s*\d+\(\d\)$/; // 400(2), which may be a product
-const ANGLE_UNIT = /^(?:deg|rad)$/; // without its number
-// Names of rows, which are no symbols of an arm.
+const ANGLE_UNIT = /^(?:deg|rad)$/; // without a number
+// Names of rows are no symbols of an arm.
 const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
-// A joint's variable, or a length with its number or one letter.
+// A joint variable or a length, such as q1, l_{2} and h.
 const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbe])$/i;
-// The kind of a joint, and what stands for the number of a row that has none.
+// The kind of a joint, and the name of a row without a number.
 const WORD = /^(?:p|revolute|prismatic|fixed|base|tool)$/i;
-// Return whether a cell may stand in a table: a number, a formula of symbols, what stands for a
-// variable.
+// Make a test of cells. A cell may stand in a table if it is a number, a formula of symbols, or a
+// mark for the joint variable.
 export function makeEntryTest(known) {
   const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {

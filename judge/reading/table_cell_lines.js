@@ -1,5 +1,5 @@
-// Joins the cells of a table that was copied out of Word or a PDF with each cell on a line of its
-// own, column headers first.
+// Joins the cells of a table to rows if each cell stands on a line of its own, column headers
+// first. Word and PDF viewers copy tables like this.
 
 import { listLines } from "./spans.js";
 import { findEntry } from "./table_columns.js";
@@ -8,12 +8,12 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /** @typedef {import("./spans.js").Span & { text: string }} Line */
 
-const UNIT = /^[([]\D+[)\]]$/; // on a line below its header
+const UNIT = /^[([]\D+[)\]]$/; // (mm) on the line below its header
 const ROW_NAME = /^(?:[\p{L}#]+[ _]?)?\d{1,2}(?: ?[-–→] ?\d{1,2})?$/u; // Link 1, 0-1
 
 /**
- * Join the cells of such a table to rows; other texts are returned as they are. No character moves:
- * a line's end becomes "|" within a row, and a blank beside a blank line.
+ * Join the cells of such a table to rows. Other texts are returned unchanged. No character moves:
+ * the line end between two cells of a row becomes "|", and blank lines become blanks.
  * @param {string} text
  * @param {(cell: string) => boolean} isEntry whether a cell may be an entry of a table
  */
@@ -37,7 +37,8 @@ export function joinCellLines(text, isEntry) {
   return characters.join("");
 }
 
-// Count the lines of column headers that lines begin with; 0 unless they name all four entries.
+// Count the lines of column headers at the start of the lines. Return 0 unless they name all of a,
+// alpha, d and theta.
 /** @param {Line[]} lines */
 function countHeaderLines(lines) {
   const names = new Set();
@@ -45,7 +46,7 @@ function countHeaderLines(lines) {
   for (const { text } of lines) {
     const header = text.trim();
     const name = findEntry(header);
-    const isOffset = /offset/i.test(header); // of the joint, beside theta and d
+    const isOffset = /offset/i.test(header); // a joint offset beside theta and d
     if (!UNIT.test(header)) {
       if (name === undefined || /[=:]/.test(header)) break;
       if (names.has(name) && !isOffset) break;
@@ -56,7 +57,7 @@ function countHeaderLines(lines) {
   return ENTRIES.every((entry) => names.has(entry)) ? count : 0;
 }
 
-// Take the lines that hold one cell each, up to the first other one.
+// Take the lines up to the first line that is not a single cell.
 /** @param {Line[]} lines @param {(cell: string) => boolean} isEntry */
 function takeCells(lines, isEntry) {
   const isCell = ({ text }) => isEntry(text.trim()) || ROW_NAME.test(text.trim());
@@ -65,7 +66,7 @@ function takeCells(lines, isEntry) {
 }
 
 /**
- * Find the number of columns. A column that counts the rows may have no header.
+ * Find the number of columns. A column of row numbers may have no header.
  * @param {Line[]} headers @param {Line[]} cells
  * @param {Line | undefined} next the line behind the cells
  */

@@ -1,5 +1,5 @@
-// Finds text beside a table that changes it, such as an offset of a joint, a second assignment of
-// an entry, or a tool. The judge does not apply such a change, so it stops the verdict.
+// Refuses a table that the text beside it changes, for example by a joint offset, a second value of
+// an entry, or a tool. The judge does not apply such a change, so there is no verdict.
 
 import { plain } from "./formula.js";
 import { isRemark } from "./remarks.js";
@@ -26,7 +26,7 @@ const FIELD = /\.(?:a|d|alpha|theta|offset|tool|base) ?=(?!=)/;
 const LIST_ENTRY = /(?<![\w.])(?:a|r|d|alpha|theta|offset) ?[[(]\d{1,2}[\])] ?=(?!=)/;
 const TOOL = /(?<![\p{L}\p{N}])(?:tool|base)['"]?[ \t]*[:=│|,](.*)/iu;
 const TRANSFORM = /\.\d{0,20}[1-9]|(?=[^.]{0,80}[1-9])(?:-?\d{1,20}[ ,]{1,9}){2}-?\d/;
-// A base that stands elsewhere, lengths that are scaled, an entry that is doubted
+// "the base stands 30 cm above the floor", "a_2 is doubled"
 const MOVED = new RegExp(
   String.raw`\b(?:base|floor|ground|world|tool|tcp)\b[^\n]{0,60}[1-9][\d.]{0,9} ?` +
     String.raw`(?:${LENGTH_UNIT})\b|\b(?:doubled|halved|not to scale)\b`,
@@ -66,7 +66,8 @@ function isChange(line, isRow, { rows }) {
 }
 
 /**
- * Return whether text beside the entries of a row changes the row, or says that it is no row.
+ * Return whether text beside the entries of a row changes the row, as "q2 + 90" does, or says that
+ * it is no row, as "sum" does.
  * @param {string} text
  */
 export const changesRow = (text) =>
@@ -75,14 +76,14 @@ export const changesRow = (text) =>
   OFFSET_IN_ROW.test(text) ||
   SHIFTED_IN_ROW.test(plain(text));
 
-// Return whether a line assigns a value to an entry or a field.
+// Return whether a line assigns a number other than 0 to an entry or a field.
 const assignsField = (line) =>
   [FIELD, LIST_ENTRY].some((pattern) => {
     const match = pattern.exec(line);
     return match !== null && /[1-9]|pi|π/.test(line.slice(match.index + match[0].length));
   });
 
-// Return whether a joint's variable has an offset in the table.
+// Return whether the row of a joint has an offset in the table.
 /** @param {TypedTable["rows"]} rows @param {number} number */
 const hasOffset = (rows, number) =>
   rows.some(({ joint, numbers }, k) => (joint?.number ?? k + 1) === number && numbers.theta !== 0);

@@ -1,5 +1,5 @@
-// Finds the entry that each column of a table holds: by the headers above the columns, else by
-// what stands in them.
+// Finds whether a column of a table holds a, alpha, d or theta. The header decides; without headers
+// the content of the columns does.
 
 import { hasDecimals, isNumber, number, plain } from "./formula.js";
 import { findLabel } from "./labels.js";
@@ -20,13 +20,13 @@ const HEADERS = new Map([
 
 const LONGEST = 80; // characters of a header
 
-// The unit behind a header, a (mm), a [mm], a in mm, a, mm, a/mm, a_mm.
+// The unit behind a header, as in "a (mm)", "a [mm]", "a in mm", "a, mm", "a/mm" and "a_mm".
 const UNIT = new RegExp(
   String.raw`\([^)]*\)?|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:${LENGTH_UNIT}|deg|rad)$`,
   "g",
 );
 
-// Find the entry that a column header names, or "i" for the rows' numbers.
+// Find the entry that a column header names: "a", "alpha", "d", "theta", or "i" for row numbers.
 export function findEntry(cell) {
   if (cell.length > LONGEST) return undefined;
   const words = plain(replaceSubscripts(cell).replace(/-\s*1/g, ""))
@@ -37,22 +37,22 @@ export function findEntry(cell) {
   return findSpelling(withoutUnit) ?? findSpelling(last);
 }
 
-// Find a spelling of a header, with or without the index of its row.
+// Look up a header as it is and without the index of its row: "a_i" is "a".
 function findSpelling(text) {
   const word = text.replace(/[\s_{}$\\^'"().]/g, "");
   return HEADERS.get(word) ?? HEADERS.get(word.replace(/[ijkn]$/, ""));
 }
 
-// Write aᵢ₋₁ as ai-1, and the α of APL, which the Robotics Toolbox prints, as the Greek one.
+// Write aᵢ₋₁ as ai-1, and the APL symbol ⍺, which the Robotics Toolbox prints, as the Greek α.
 const replaceSubscripts = (text) =>
   text
     .replace(/[ᵢⱼₖₙ₋₁]/g, (character) => "ijkn-1"["ᵢⱼₖₙ₋₁".indexOf(character)])
     .replaceAll("⍺", "α");
 
-/** The entry that is meant where the headers of alpha and theta are exchanged. */
+/** Maps a header to the entry below it if the headers of alpha and theta are exchanged. */
 export const EXCHANGED = { alpha: "theta", theta: "alpha" };
 
-// Name the entry that each column header stands for; an offset beside d is one of theta.
+// Name the entry below each header. "offset" names d, but beside a column "d" it names theta.
 export function nameColumns(headers) {
   const names = headers.map(findEntry);
   const namesTwoD = names.filter((name) => name === "d").length > 1;
@@ -62,6 +62,7 @@ export function nameColumns(headers) {
 
 const UNIT_BEHIND = new RegExp(String.raw`[[(/_]\s?(${LENGTH_UNIT})(?!\w)`, "g"); // a_mm, a (mm)
 const UNIT_APART = new RegExp(String.raw`[[(/_ ]\s?(${LENGTH_UNIT})(?!\w)`); // a mm
+// Read the units and the convention that headers state.
 export function readHeaders(headers) {
   const text = replaceSubscripts(headers.join(" "));
   const units = new Set([...text.matchAll(UNIT_BEHIND)].map(([, unit]) => unit));
@@ -72,7 +73,7 @@ export function readHeaders(headers) {
   return { lengths, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };
 }
 
-// As textbooks and programs write them, the commonest first; all others are tried behind them.
+// The orders of textbooks and programs, the commonest first. Any other order is tried after these.
 const KNOWN_ORDERS = [
   "a alpha d theta",
   "theta d a alpha",
@@ -82,8 +83,8 @@ const KNOWN_ORDERS = [
   "d a alpha theta",
 ].map((order) => order.split(" "));
 
-// Drop the column that numbers the rows. If no column does and the rows are one cell short, only
-// the first header is dropped: nobody typed its column, or it is half of "Joint type".
+// Drop the column of row numbers. If there is no such column and each row is one cell short, drop
+// the first header only: its column is empty, or the header is the word "Joint" of "Joint type".
 export function dropIndexColumn(block) {
   const rest = cutIndexColumn(block);
   const fits = rest.cells.every(({ length }) => [4, rest.headers.length].includes(length));
@@ -125,7 +126,8 @@ const isCounted = (cells) =>
   !cells.some(isVariable) &&
   [0, 1].some((from) => cells.every((text, k) => findLabel([{ text }])?.number === k + from));
 
-// List the possible orders of the columns, whether the order was stated, and the rows.
+// List the possible orders of the columns. Return them with the rows, and whether the student
+// stated the order.
 export const listOrders = (cells, headers, columns) =>
   (columns ? orderByOption(cells, columns) : orderByHeaders(cells, headers)) ??
   orderByContent(cells, headers);
@@ -139,9 +141,9 @@ function orderByOption(cells, columns) {
   return { orders: [order], isStated: true, rows: cells };
 }
 
-// Name the column that each header stands for if all four entries are named: the first of several
-// that name one entry, "i" for the rows' numbers, "offset" for a column of joint offsets; undefined
-// for others.
+// Name the column below each header: "a", "alpha", "d", "theta", "i" for row numbers, "offset" for
+// joint offsets, undefined for anything else. If two headers name the same entry, the first counts.
+// Return null unless the headers name all four entries.
 export function nameTableColumns(headers) {
   const isOffset = (header) => header.toLowerCase().includes("offset");
   const all = headers.map(findEntry);
@@ -158,7 +160,8 @@ export function nameTableColumns(headers) {
   });
 }
 
-// Order by headers that name all four entries; a column of joint offsets is added to the joints.
+// Order the columns by headers that name all four entries. Joint offsets in a column of their own
+// are added to the joint variables.
 function orderByHeaders(cells, headers) {
   const names = nameTableColumns(headers);
   if (!names || cells.some((row) => row.length !== headers.length)) return null;
@@ -176,8 +179,8 @@ function orderByHeaders(cells, headers) {
   return { orders: [ENTRIES], isStated: true, rows, typedOrder, others };
 }
 
-// List every order in which each cell may be an entry of its column, the likeliest first. A column
-// whose header is known keeps it.
+// List the orders in which each cell may be an entry of its column, the likeliest first. A known
+// header fixes its column.
 function orderByContent(cells, headers) {
   requireFourColumns(cells);
   const names = headers.length === 4 ? nameColumns(headers) : [];
@@ -192,7 +195,7 @@ function orderByContent(cells, headers) {
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], isStated: false, rows: cells };
 }
 
-// Add the offset in a column of its own to the variable of its row.
+// Add the offset, which was typed in its own column, to the joint variable of a row.
 function addOffset(i, row, offset) {
   const [d, theta] = [2, 3].map((k) => number(row[k]) === null);
   const at = d && !theta ? 2 : 3;
@@ -221,7 +224,7 @@ function describeCell(text) {
   };
 }
 
-// Return whether the variables stand in theta or d, and no length looks like a twist.
+// Return whether the joint variables stand in theta or d, and no length looks like an angle.
 function isPossibleOrder(descriptions, order) {
   const [a, alpha, d] = ENTRIES.map((name) => descriptions.map((row) => row[order.indexOf(name)]));
   if ([...a, ...d].some(({ angular }) => angular)) return false;

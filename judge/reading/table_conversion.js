@@ -1,5 +1,5 @@
-// Converts a typed table to standard rows in m and rad. Units and conventions that the text does
-// not state are guessed from the numbers, and each guess is reported.
+// Converts a typed table to standard rows in m and rad. If the text does not state a unit, it is
+// guessed from the numbers, and the guess is reported.
 
 import { RAD } from "../geometry/angles.js";
 import { ENTRIES } from "./table_rows.js";
@@ -9,8 +9,8 @@ import { ArmError, formatMessage, formatNumber, formatRowNumbers } from "../sent
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("./table.js").TypedTable} TypedTable */
 
-const LEAST_MILLIMETRES = 10; // a length this large is no number of metres
-export const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle above this is no number of radians
+const LEAST_MILLIMETRES = 10; // no link of an arm is 10 m long
+export const MOST_RADIANS = 2 * Math.PI + 0.1; // a larger angle is in degrees
 const ANGLES = ["alpha", "theta"];
 const LENGTHS = ["a", "d"];
 
@@ -18,7 +18,7 @@ const LENGTHS = ["a", "d"];
  * A table in m and rad.
  * @typedef {object} ConvertedTable
  * @property {TableRow[]} rows in the standard convention
- * @property {string[]} assumptions what was guessed, as phrases
+ * @property {string[]} assumptions the guesses, as phrases
  * @property {number} length the unit of bare lengths, in m
  * @property {number} angle the unit of bare angles, in rad
  */
@@ -26,7 +26,8 @@ const LENGTHS = ["a", "d"];
 /**
  * Convert a typed table to standard rows.
  * @param {TypedTable} table
- * @param {string[]} kinds the rows' kinds if no row holds a variable; [] for joints that all turn
+ * @param {string[]} kinds the kinds of the rows, used if no row has a joint variable; an empty list
+ *   makes all joints revolute
  * @returns {ConvertedTable}
  */
 export function convertTable(table, kinds) {
@@ -50,19 +51,18 @@ export function convertTable(table, kinds) {
   return { rows: isCraig ? convertFromCraig(rows) : rows, assumptions, length, angle };
 }
 
-// Return whether the lengths count as millimetres though nobody said so.
+// Return whether lengths without a stated unit are so large that they must be millimetres.
 const isInMillimetres = ({ lengths, rows }) =>
   lengths === null &&
   rows.some(({ numbers }) => LENGTHS.some((name) => Math.abs(numbers[name]) >= LEAST_MILLIMETRES));
 
-// List the angles typed without pi and without a unit; 0 stands for each other one.
+// List the angles, with 0 in place of an angle that was typed with pi or a unit.
 const listBareAngles = ({ rows }) =>
   rows.flatMap(({ numbers, radians }) =>
     ANGLES.map((name) => (radians.has(name) ? 0 : numbers[name])),
   );
 
-// Refuse angles of which one is above a full turn in radians and another looks like a right angle
-// in radians.
+// Refuse guessed degrees beside an angle such as 1.5708, which looks like a right angle in radians.
 function refuseMixedAngles(angles) {
   const rightAngle = angles.find(isRightAngle);
   if (!rightAngle) return;
@@ -70,8 +70,8 @@ function refuseMixedAngles(angles) {
   throw new ArmError(formatMessage("two angles", fields), [{ field: "angles", value: "deg" }]);
 }
 
-// Refuse angles of more than a turn where radians were stated. In a guessed order of columns they
-// may be lengths.
+// Refuse an angle above a full turn if radians were stated. In a guessed order of columns it may
+// be a length, and is not refused.
 /** @param {TypedTable} table @param {number[]} angles */
 function refuseLargeAngles({ angles: unit, isOrderGuessed }, angles) {
   const most = Math.max(...angles);
@@ -82,7 +82,7 @@ function refuseLargeAngles({ angles: unit, isOrderGuessed }, angles) {
   ]);
 }
 
-// Return whether a number is pi/2 or pi, to two decimals or more.
+// Return whether a number is pi/2 or pi, rounded to two decimals or more.
 const isRightAngle = (x) => [Math.PI / 2, Math.PI].some((angle) => Math.abs(x - angle) < 0.005);
 
 function convertRows(table, kinds, length, angle) {
@@ -96,7 +96,7 @@ function convertRows(table, kinds, length, angle) {
 
 const isUnknown = ({ kind }) => kind === "unknown";
 
-// Return whether row k of a table without variables lies beyond the arm's joints.
+// Return whether row k of a table without joint variables comes after the rows of the arm's joints.
 const isBeyondJoints = ({ rows }, kinds, k) =>
   kinds.length > 0 && k >= kinds.length && rows.every(isUnknown);
 
@@ -115,8 +115,9 @@ const EMPTY_ROW = { kind: "fixed", a: 0, alpha: 0, d: 0, theta: 0 };
 const isEmpty = (row) => row.kind === "fixed" && ENTRIES.every((name) => row[name] === 0);
 
 /**
- * Convert rows of the modified convention, which begin with a_{i-1} and alpha_{i-1}. A fixed row
- * before them takes a_0 and alpha_0; a last row that is left empty is dropped.
+ * Convert rows of the modified (Craig) convention, whose row i holds a_{i-1} and alpha_{i-1}. Each
+ * row takes a and alpha from the row below. A new fixed row takes a_0 and alpha_0 of the first row.
+ * The last row is dropped if it becomes empty.
  * @param {TableRow[]} rows @returns {TableRow[]}
  */
 export function convertFromCraig(rows) {
@@ -130,8 +131,8 @@ export function convertFromCraig(rows) {
 }
 
 /**
- * Describe how a table was read: the order of its columns, its convention, its units and other
- * guesses. A unit is left out if every entry has its own.
+ * Describe how a table was read, from the order of its columns to its units. A unit is left out if
+ * every entry was typed with a unit.
  * @param {TypedTable} table @param {ConvertedTable} converted
  */
 export function describeReading(table, { assumptions, length, angle }) {

@@ -1,9 +1,9 @@
-// Units of angles, lengths, forces and moments: behind one number, as "0.5 rad", and in the words
-// that name the unit of several numbers, as "q (deg)".
+// Finds the unit behind a number, as in "0.5 rad", and the unit that a text states for several
+// numbers, as in "q (deg)". Defines the factors of units to SI.
 
 import { foldCharacters, foldNames, withoutSpacing } from "./characters.js";
 
-/** Units of lengths with their factors to m, and a pattern of their names. */
+/** The factors of units of lengths to m. */
 export const LENGTH_UNITS = { mm: 1e-3, cm: 1e-2, m: 1 };
 export const LENGTH_UNIT = "[cm]?m";
 export const MOMENT_UNITS = { 0.001: "N mm", 0.01: "N cm", 1000: "kN m" }; // by factors to N m
@@ -32,7 +32,7 @@ const PREFIXES = { m: 1e-3, c: 1e-2, k: 1e3 };
 const PREFIXED = new RegExp(`^(?:([km])?N)?(?:${TIMES}([cm])?m)?$`);
 
 /**
- * Return the factor of a unit to rad, m, N or N m; undefined for degrees and other words.
+ * Return the factor of a unit to rad, m, N or N m. Return undefined for degrees and other words.
  * @param {string} unit @returns {number | undefined}
  */
 export function findFactor(unit) {
@@ -42,14 +42,14 @@ export function findFactor(unit) {
 }
 
 /**
- * Return the factor to N m of a moment's unit.
+ * Return the factor from a unit of moments to N m.
  * @param {string} unit such as "N mm" @returns {number | null} null for another unit
  */
 export const momentFactor = (unit) => (isMoment(unit) ? findFactor(unit) : null);
 
 /**
- * Return whether a unit may be that of a joint's value, or of its torque or force. Text after a
- * list in N m may name the moments only, so a sliding joint may have N m.
+ * Return whether a unit fits the value of a joint, or its torque or force. A prismatic joint may
+ * have N m, because a unit behind a list may be meant for the torques only.
  * @param {string} unit @param {{ turns: boolean, isTorque: boolean }} joint
  */
 export function fitsJoint(unit, { turns, isTorque }) {
@@ -59,35 +59,35 @@ export function fitsJoint(unit, { turns, isTorque }) {
 }
 
 /**
- * Name the unit of lengths that has a factor.
+ * Return the name of the unit of lengths with a factor.
  * @param {number} factor to m
  */
 export const nameLengthUnit = (factor) =>
   Object.keys(LENGTH_UNITS).find((name) => LENGTH_UNITS[name] === factor);
 
-// Convert a length to metres without round-off: 72 / 1000 is 0.072, 72 * 0.001 is not.
-/** @param {number} length @param {number} factor of its unit, to m */
+// Convert a length to metres by a division: 72 / 1000 is 0.072, but 72 * 0.001 has a round-off.
+/** @param {number} length @param {number} factor from its unit to m */
 export const toMetres = (length, factor) => length / Math.round(1 / factor);
 
-// Take LaTeX's commands and braces about units off.
+// Remove commands and braces of LaTeX around units.
 const withoutTypesetting = (text) =>
   withoutSpacing(foldNames(foldCharacters(text)).replace(/\\[A-Za-z]+ ?(?=\{)|[{}]/g, ""));
 
-// A letter before = is a name, one before a power or a bracket is a factor.
+// A letter before = is a name, and a letter before a power or a bracket is a factor.
 const UNIT_BEHIND = new RegExp(
   String.raw`^[ \t\])]*(${UNIT}|kg|m?s|Hz)(?![*·]?\p{L}|[\d_^/([]|[ \t]*[=:])`,
   "u",
 );
 
 /**
- * Read the unit that stands behind a number; "" if there is none.
+ * Read the unit behind a number. Return "" if there is none.
  * @param {string} text @param {number} to the end of the number
  */
 export function readUnitBehind(text, to) {
   return UNIT_BEHIND.exec(withoutTypesetting(text.slice(to, to + 40)))?.[1] ?? "";
 }
 
-// Degrees in headings: in English, French, Italian and Spanish, Portuguese, Russian and Chinese.
+// Degrees in the headings of English, French, Italian, Spanish, Portuguese, Russian and Chinese.
 const DEGREE_WORD =
   String.raw`deg(?:rees?)?(?!\p{L})|degr[ée]s?(?!\p{L})|grad[io]s?(?!\p{L})|` +
   String.raw`graus|градус|度|°`;
@@ -97,7 +97,7 @@ const IN_DEGREES = // np.radians([...]), [...]*pi/180
   /\b(?:deg2rad|radians)\s*\(\s*(?:[\w.]*array\(\s*)?[[(]|[\])]\s*\.?\*\s*(?:\w+\.)?pi\s*\/\s*180/;
 const NAMED_RADIANS = /\brad(?:ians?)?\b/i;
 
-// A length's unit as a word of its own: neither that of a number nor that of a moment.
+// A unit of lengths that stands alone, neither behind a number nor within a unit of moments.
 const NAMED_LENGTH = new RegExp(
   String.raw`(?<![\d.]\s?|[\p{L}\d]|\bN${TIMES})[cm]m(?![\p{L}\d])`,
   "u",
@@ -105,11 +105,12 @@ const NAMED_LENGTH = new RegExp(
 const NAMED_MOMENTS = new RegExp(String.raw`(?<!\p{L})(?:${MOMENT})(?!\p{L})`, "gu");
 
 /**
- * Find the units that a text names.
+ * Find the units that a text states for several numbers.
  * @param {string} typed a text
  * @param {boolean} [hasDegrees] whether degrees were found already
- * @returns {{ angles: string | null, lengths: number | null, moments: number | null }} "deg" or
- *   "rad", null if neither or both are named; factors to m and N m, null if no unit is named
+ * @returns {{ angles: string | null, lengths: number | null, moments: number | null }} `angles` is
+ *   "deg" or "rad", and null if the text states neither or both; `lengths` and `moments` are
+ *   factors to m and N m, and null if the text states no unit
  */
 export function readUnits(typed, hasDegrees = false) {
   const text = foldCharacters(typed);
@@ -130,7 +131,7 @@ export function readUnits(typed, hasDegrees = false) {
 
 /**
  * Return whether only the last of several entries on each line is in degrees, as in "10, 20 and 30
- * deg": its unit is that of the whole line.
+ * deg". The unit then belongs to the whole line.
  * @param {import("./owners.js").Token[]} tokens
  * @param {(token: import("./owners.js").Token) => boolean} isDegrees
  */
@@ -143,8 +144,8 @@ export function endInDegrees(tokens, isDegrees) {
   });
 }
 
-// Units that are not converted: minutes of arc, milliradians, turns and gon, which English also
-// calls grad, as German calls a degree; a power of ten above the numbers.
+// Units that the judge does not convert, such as minutes of arc, milliradians, turns and gon, and
+// powers of ten above the numbers. English "grad" is gon, but German "Grad" is a degree.
 const POWER_OF_TEN = String.raw`10(?:\^\s*[({]?[-\u2212+]?\d+[)}]?|[⁻⁺⁰¹²³⁴-⁹]+)`;
 const TURNS = "(?:turn|rev(?:olution)?)s?";
 const UNCONVERTED_UNIT = new RegExp(
@@ -164,7 +165,7 @@ const UNCONVERTED_UNIT = new RegExp(
 const GON = /(?<!\p{L})grad(?!\p{L})/u;
 
 /**
- * Find a unit that is not converted, so that no number is taken for another unit's.
+ * Find a unit that the judge does not convert.
  * @param {string} text @returns {string | null} the unit as it is typed
  */
 export const findOtherUnit = (text) => (UNCONVERTED_UNIT.exec(text) ?? GON.exec(text))?.[0] ?? null;

@@ -1,4 +1,4 @@
-// Reads the numbers of a reader's own symbols: "h = 0.333, phi_0 = pi/4", or Python's dictionary.
+// Reads the values of a reader's own symbols, as "h = 0.333, phi_0 = pi/4" or a Python dictionary.
 
 import { number, plain } from "./formula.js";
 import { ArmError, quoteText } from "../sentences.js";
@@ -6,10 +6,10 @@ import { ArmError, quoteText } from "../sentences.js";
 const NAME = /^[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?$/;
 
 /**
- * Read names and their numbers.
+ * Read symbols and their values.
  * @param {string} text
  * @returns {[string, number][]}
- * @throws {ArmError} if the text holds something else
+ * @throws {ArmError} if the text has a part that is no symbol with its value
  */
 export function readSymbolValues(text) {
   const inner = text.trim().replace(/^\{|\}$/g, "");
