@@ -26,6 +26,10 @@ const DOUBT = [
 const MUST =
   String.raw`(?:should|must|ha[sd] to|have to|needs to|muss) (?:be|have|read|sein)(?: an?| the)? ` +
   SIGNED;
+const MUST_CHANGE =
+  "(?:must|should|ha[sd] to|have to|needs? to|still) be " +
+  "(?:added|subtracted|multiplied|divided|doubled|halved|negated|flipped|swapped|exchanged)";
+const LEFT_OUT = "(?:do(?:es)? not reach|dropped|rejected|left out|invalid|(?:is|are) not valid)";
 const NEAR = "[^?!]{0,120}"; // within one sentence that asks nothing
 const CORRECTION = "(?:correction|corrected|erratum|errata|korrektur|edit|sorry)";
 
@@ -38,6 +42,9 @@ const REMARKS = compile([
   word("(?:do not|don't) (?:use|mark|grade|count)|not my (?:final |own )?answer|discarded"),
   String.raw`^\W*(?:draft(?!\p{L})|(?:wrong, )?ignore(?: this| these)?[:. ]*$)`,
   word("still (?:missing|to be divided)|to be multiplied by|divide by the gear"),
+  word(MUST_CHANGE),
+  `${word("(?:solutions?|branch(?:es)?|answers?|rows?|nos?\\.?) \\d")}${NEAR}${word(LEFT_OUT)}`,
+  `${word("only (?:the )?(?:first|last|rows?|solutions?)")}${NEAR}${word("(?:is|are) my")}`,
   String.raw`in multiples of (?:pi|π)`,
 ]);
 
