@@ -57,9 +57,12 @@ export function readHeaderLabels({ headers, rows }) {
 export function isTransposed(block, { by }) {
   if (by === "row" && (TRANSPOSE_MARK.test(block.name) || areColumnVectors(block))) return true;
   const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
-  if (by === "row") return headers?.kind === "row" || rows?.kind === "joint";
+  if (by === "row")
+    return headers?.kind === "row" || (rows?.kind === "joint" && !COUNTS_ROWS.test(block.name));
   return rows?.kind === "joint" && block.rows[0].length > 1;
 }
+
+const COUNTS_ROWS = /^J\(0\)/; // J[0] is the first row in Python; joints count from 1
 
 // Return whether the rows of a block were typed as column vectors, [1; 2; 3].
 const areColumnVectors = ({ sources }) => sources.every(({ isColumn }) => isColumn);
@@ -71,7 +74,8 @@ const areColumnVectors = ({ sources }) => sources.every(({ isColumn }) => isColu
 export const namesJoints = (headers) =>
   headers.filter((header) => findLabel([header])?.kind === "joint").length > 1;
 
-const TRANSPOSE_MARK = /(?:\.T|\^T|ᵀ|')$/; // at the end of a name, J^T
+// Behind the name of a transposed matrix, J^T(q) too.
+const TRANSPOSE_MARK = /(?:\.T|\^\{?(?:T|\\top)\}?|ᵀ|'|(?<!\p{L})transposed?)(?:\([^()]*\))?$/iu;
 
 /**
  * Exchange the rows and columns of a block.
