@@ -117,17 +117,24 @@ function markUnclear(text, tokens) {
 
 const OR = /^[^#%\n]{0,20}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2}[-+\u2212]?$/iu;
 
-// List the numbers behind an entry and "or", outside comments. A number that repeats the entry in
-// degrees or radians is left out.
+const THAT_IS = /(?:i\.e\.|d\. ?h\.),? {0,2}[-+\u2212]?$/i;
+const UNITS = [1, RAD, 1 / RAD, 1e-3, 1e3];
+
+// List the numbers behind an entry and "or" or "i.e.", outside comments. A number that repeats the
+// entry in a different unit is left out.
 /** @param {string} text @param {Token[]} tokens */
 const listAlternatives = (text, tokens) =>
   tokens.filter((token, k) => {
     const entry = tokens[k - 1];
     if (entry?.owner !== "entry") return false;
-    if (!OR.test(text.slice(entry.to, token.from))) return false;
-    const [value, before] = [token, entry].map((each) => signedValue(text, each));
-    const ratio = value / before;
-    return ![1, RAD, 1 / RAD].some((unit) => Math.abs(ratio / unit - 1) < 0.02);
+    const between = text.slice(entry.to, token.from);
+    const isRestated = THAT_IS.test(between);
+    if (!isRestated && !OR.test(between)) return false;
+    const others = isRestated ? tokens.filter(({ owner }) => owner === "entry") : [entry];
+    const value = signedValue(text, token);
+    const repeats = (other) =>
+      UNITS.some((unit) => Math.abs(value / signedValue(text, other) / unit - 1) < 0.02);
+    return !others.some(repeats);
   });
 
 const signedValue = (text, { text: digits, from }) =>
