@@ -183,7 +183,7 @@ export function listMappedJoints({ signs, offsets }, ownNumbers, reference) {
     const number = reference.joints[k];
     const isRevolute = reference.rows[number - 1].kind === "revolute";
     const shown = formatJointValue(Math.abs(offsets[k]), isRevolute);
-    const isShifted = !/^0 ?\D/.test(shown);
+    const isShifted = /[1-9]/.test(shown);
     const shift = isShifted ? ` ${offsets[k] < 0 ? "-" : "+"} ${shown}` : "";
     const countsOtherwise = sign < 0 || isShifted;
     return { number, isRevolute, countsOtherwise, sign, ownNumber: ownNumbers[k], shift };

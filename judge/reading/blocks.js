@@ -106,10 +106,12 @@ const areGivenValues = (cells, given) =>
       Math.abs(value - given[k]) <= half || Math.abs(value - given[k] / RAD) <= half,
   );
 
-// Read the number of a cell, or NaN if it has none, and half a unit of its last decimal place.
+// Read the number of a cell, or NaN if it has none, and half a unit of its last decimal place. A
+// cell in mm is 200*1e-3.
 function readWithHalfPlace({ text }) {
   const bare = text.replace(/ ?deg$/, "");
-  const half = 0.51 * 10 ** -(bare.split(".")[1]?.length ?? 0);
+  const [digits, factor = 1] = bare.split("*");
+  const half = 0.51 * 10 ** -(digits.split(".")[1]?.length ?? 0) * Number(factor);
   return { value: number(bare) ?? NaN, half };
 }
 

@@ -312,7 +312,7 @@ export function refuseMisfitUnits(entries, arm, what, isTorque) {
  * @param {Typed} typed @param {number} i
  */
 export const lengthFactor = ({ statedUnits, entries }, i) =>
-  statedUnits?.lengths && !entries[i].hasUnit ? statedUnits.lengths : 1;
+  statedUnits?.lengths && !entries[i].hasUnit && !entries[i].unitBehind ? statedUnits.lengths : 1;
 
 // Convert joint values to SI, row by row. The units of the last decimal places are found separately
 // for angles and lengths, since metres need more decimals. Angles with a unit are in rad already.
