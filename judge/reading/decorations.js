@@ -31,9 +31,10 @@ const SET_ARGUMENT =
   String.raw`(?:\\(?:${SETTING_COMMANDS}|textcolor\{\w+\})\{|\{\\color\{\w+\}\s*)` +
   String.raw`((?:[^{}\n]|\{[^{}\n]{0,60}\}){0,80})\}`;
 
-// Remarks in brackets, (corrected) and (was 2.075), but neither (rad) nor (a_2 c_2 + a_3).
+// Remarks in brackets, (corrected) and (was 2.075), but neither (rad) nor (a_2 c_2 + a_3), nor one
+// with two numbers, which may be entries.
 const REMARK =
-  String.raw`\((?!(?:${UNIT}|pi) ?\))(?![^()\n]*[A-Za-z]\d)` +
+  String.raw`\((?!(?:${UNIT}|pi) ?\))(?![^()\n]*(?:[A-Za-z]\d|\d\s+[-+]?[\d.]))` +
   String.raw`[A-Za-z][^()\n*/+^_{}=]{0,30}\)(?! ?[*/^+-])`;
 
 // A name directly before a bracket. The bracket is no remark, but an argument, as in atan2(y, x),
