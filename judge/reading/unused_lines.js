@@ -32,7 +32,7 @@ const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
 
 /**
  * List the numbers on a block's lines that do not belong to the block, including decimals in words.
- * If each row has such a number, it is a label such as a time, and is left out.
+ * If each row has such a number alone, it is a label such as a time, and is left out.
  * @param {Block} block
  */
 function listNumbersBeside({ from, to, sources, lines }) {
@@ -41,7 +41,10 @@ function listNumbersBeside({ from, to, sources, lines }) {
     (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row),
   );
   const words = sources.flatMap((row) => row.words.filter(({ text }) => hasDecimals(text)));
-  return [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])]
-    .filter(({ length }) => sources.length < 2 || length % sources.length)
-    .flat(2);
+  const lists = [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])];
+  return lists.filter((list) => !areLabels(list, sources.length)).flat(2);
 }
+
+// Return whether each of several rows has the same count of single numbers beside it.
+const areLabels = (numbers, rowCount) =>
+  rowCount > 1 && numbers.length % rowCount === 0 && numbers.every(({ length }) => length === 1);
