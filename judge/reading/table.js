@@ -10,7 +10,13 @@ import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
 import { refuseChanges } from "./table_changes.js";
 import { joinCellLines } from "./table_cell_lines.js";
-import { dropIndexColumn, EXCHANGED, listOrders, readHeaders } from "./table_columns.js";
+import {
+  dropContraryOrders,
+  dropIndexColumn,
+  EXCHANGED,
+  listOrders,
+  readHeaders,
+} from "./table_columns.js";
 import { convertTable, describeReading } from "./table_conversion.js";
 import {
   claimDefinitions,
@@ -103,7 +109,7 @@ export function readTables(pastedText, options = {}, values = []) {
   const request = { options, known: new Map([...known, ...defined]) };
   const tables = readWithLengths(typedText, request);
   const undefinedNames = values.map(([name]) => name).filter((name) => !defined.has(simple(name)));
-  const checked = tables.map((table) =>
+  const checked = dropContraryOrders(tables, typedText).map((table) =>
     useDefinitions(table, definitions, undefinedNames, typedText),
   );
   const { typedCells, tokens } = tables[0];
@@ -297,7 +303,8 @@ const LENGTHS_IN = new RegExp(
   "gi",
 );
 const UNITS_ALONE = new RegExp(
-  String.raw`(?:\bunits?(?: are| in|:) ?|^[ \t]*[[(])(${LENGTH_UNIT}), ?(?:deg|rad|°)`,
+  String.raw`(?:\bunits?(?: are| in|:) ?|\bin |^[ \t]*[[(])(${LENGTH_UNIT})` +
+    String.raw`(?:, ?| and )(?:deg|rad|°)`,
   "gim",
 );
 const ANGLES_IN =

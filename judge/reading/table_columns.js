@@ -195,6 +195,30 @@ function orderByContent(cells, headers) {
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], isStated: false, rows: cells };
 }
 
+const STATED_ORDER = /\b(?:columns?|order|spalten|reihenfolge)\b[^\n]*/gi;
+
+/**
+ * Drop the tables whose guessed order of columns is not the one that a line names, as "columns are
+ * d a theta alpha"; refuse the text if that leaves none.
+ * @param {import("./table.js").TypedTable[]} tables @param {string} text as it was pasted
+ */
+export function dropContraryOrders(tables, text) {
+  const [stated] = [...text.matchAll(STATED_ORDER)].flatMap(([line]) => {
+    const names = line.split(/[^\p{L}\p{N}_{}\\-]+/u).map(findEntry);
+    const order = names.map((_, k) => names.slice(k, k + 4).join(" ")).find(isOrder);
+    return order ? [{ line, order }] : [];
+  });
+  const kept = tables.filter(
+    ({ isOrderGuessed, order }) => !stated || !isOrderGuessed || order.join(" ") === stated.order,
+  );
+  if (kept.length) return kept;
+  const [{ tokens }] = tables;
+  const quoted = quoteText(stated.line.trim());
+  throw new ArmError(formatMessage("contrary words", { quoted }), [], tokens, text);
+}
+
+const isOrder = (names) => names.split(" ").sort().join() === ENTRIES.join();
+
 // Add the offset, which was typed in its own column, to the joint variable of a row.
 function addOffset(i, row, offset) {
   const [d, theta] = [2, 3].map((k) => number(row[k]) === null);
