@@ -816,9 +816,14 @@ def test_vertical_swipe_ignores_sliders(visit):
 
     swipe(0, -120)
     np.testing.assert_allclose(here.q(), start, atol=1e-12)
-    swipe(60, 0)
-    until(page, lambda: here.q()[3] > start[3] + 0.1)  # from where it stood
-    assert here.q()[3] < start[3] + 2, "not to where the thumb is"
+
+    def has_moved():
+        """Swipe sideways. A touch on a page that still scrolls only stops it."""
+        swipe(60, 0)
+        return here.q()[3] > start[3] + 0.1
+
+    until(page, has_moved)
+    assert here.q()[3] < start[3] + 2, "from where it stood, not to where the thumb is"
     page.locator("[data-cell='7-d']").scroll_into_view_if_needed()
     picture = page.locator(".stage").bounding_box()
     assert picture["y"] >= 0
