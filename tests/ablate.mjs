@@ -107,7 +107,8 @@ function instrument(file, code) {
     if (parent?.callee?.property?.name === "filter" && node.body && node.body.type !== "BlockStatement") wrap("decide", node.body, [true]);
     if (node.regex || (type === "NewExpression" && callee.name === "RegExp")) wrap("trace", node);
     const start = type === "VariableDeclaration" && /^(Prog|Exp)/.test(parent.type) && node.declarations[0].init;
-    const isList = start && (/^(Array|Object)/.test(start.type) || /^(Map|Set)$/.test(start.callee?.name));
+    const isFilled = /^(Map|Set)$/.test(start?.callee?.name) && start.arguments.length; // an empty one is filled later
+    const isList = start && (/^(Array|Object)/.test(start.type) || isFilled);
     if (isList && !/\/[gimuy]*[,\]]|RegExp|=>/.test(code.slice(...start.range))) wrap("list", start);
     for (const child of visitorKeys[type].flatMap((key) => node[key] ?? [])) if (child) visit(child, node);
   };
