@@ -27,7 +27,7 @@ export class ArmError extends Error {
     this.advice = advice;
     this.tokens = tokens;
     this.text = text;
-    /** @type {import("./reading/spans.js").Span[] | undefined} lines of answers that differ */
+    /** @type {{ firstLine: number, lastLine: number }[] | undefined} of answers that differ */
     this.answers = undefined;
   }
 }

@@ -158,10 +158,10 @@ function refuseOtherNames(block, { what, names = NO_NAME }) {
 }
 
 // Return the first and the last line of a block. A drawn fraction adds the lines above and below.
-function findLinesOfEntries({ from, to }, tokens) {
+function findLinesOfEntries({ firstLine, lastLine }, tokens) {
   const entries = tokens.filter(({ owner }) => owner === "entry");
-  const [first, last] = [entries[0]?.line ?? from, entries.at(-1)?.line ?? to];
-  return { from: Math.min(from, first), to: Math.max(to, last) };
+  const [first, last] = [entries[0]?.line ?? firstLine, entries.at(-1)?.line ?? lastLine];
+  return { firstLine: Math.min(firstLine, first), lastLine: Math.max(lastLine, last) };
 }
 
 // Find the block that fits by the first shape wanted and the first splitting of the text. A block
@@ -206,8 +206,8 @@ function isOtherQuantity({ sources }, names = NO_NAME) {
 }
 
 // Make an error that quotes the only readable list: the words before it call it old.
-function makeQuotingError(key, text, { from }, { what }) {
-  const line = quoteText(linesOf(text)[from] ?? "");
+function makeQuotingError(key, text, { firstLine }, { what }) {
+  const line = quoteText(linesOf(text)[firstLine] ?? "");
   return new ArmError(formatMessage(key, { what, line }));
 }
 
@@ -245,13 +245,15 @@ function withoutRepeated(blocks) {
 }
 
 function askWhich(blocks) {
-  const options = blocks.slice(0, MOST_ANSWERS).map(({ rows, from }) => {
+  const options = blocks.slice(0, MOST_ANSWERS).map(({ rows, firstLine }) => {
     const numbers = quoteText(textsOf(rows.flat().slice(0, MOST_NUMBERS)).join(" "));
-    return `line ${from + 1} (${numbers})`;
+    return `line ${firstLine + 1} (${numbers})`;
   });
   const advice = options.map((_, k) => ({ field: "which", value: k + 1 }));
   const error = new ArmError(formatMessage("which", { blocks: joinList(options) }), advice);
-  error.answers = blocks.slice(0, MOST_ANSWERS).map(({ from, to }) => ({ from, to }));
+  error.answers = blocks
+    .slice(0, MOST_ANSWERS)
+    .map(({ firstLine, lastLine }) => ({ firstLine, lastLine }));
   return error;
 }
 
@@ -274,7 +276,7 @@ function refuseRivals(block, blocks, { wants, names = NO_NAME }) {
   const answers = blocks.filter(({ name }) => ANSWER_WORD.test(name));
   const rivals = wants
     .flatMap((want) => [blocks, answers].flatMap((all) => listFits(all, want, { wants, names })))
-    .filter((other) => other.from > block.to || other.to < block.from)
+    .filter((other) => other.firstLine > block.lastLine || other.lastLine < block.firstLine)
     .filter((other) => countEntries(other) === countEntries(block) && mayBeAnswer(other))
     .filter((other) => values(other) !== values(block))
     .filter(({ rows }) => rows.flat().some(({ text }) => hasDecimals(text)))
@@ -326,7 +328,9 @@ function listRowsAlone(block, { columns }) {
   const alone = (row, i) => {
     const source = block.sources[i];
     const name = block.labels[i].at(-1)?.text ?? block.name;
-    const place = isOwn ? { sources: [source], from: source.line, to: source.last } : { name };
+    const place = isOwn
+      ? { sources: [source], firstLine: source.line, lastLine: source.last }
+      : { name };
     const labelled = isCounted[i]
       ? { rows: [row.slice(1)], labels: [[...block.labels[i], row[0]]] }
       : { rows: [row], labels: [block.labels[i]] };
@@ -361,7 +365,7 @@ function makeRefusal(text, question, blockFinders) {
   const sorted = [...blocks].sort((p, q) => countEntries(q) - countEntries(p));
   refuseUnread(text, tokensOf(text, sorted[0]), what); // may have broken the block
   const found = describeSize(sorted[0].rows.length, sorted[0].rows[0].length);
-  const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
+  const line = quoteText(linesOf(text)[sorted[0].firstLine] ?? "");
   const message = formatMessage("no fit", { what, found, line, wanted });
   return isFarTooLong(sorted[0], wants) ? new ArmError(message) : new NoFitError(message);
 }

@@ -6,15 +6,15 @@ import { readRowLabels } from "./labels.js";
 /** @typedef {import("./lines.js").Row} Row */
 /**
  * A rectangle of entries. `labels` are the words before each row, and `headers` the words above the
- * first row. `name` is the name before "=" or ":". `from` and `to` are the first and last line.
+ * first row. `name` is the name before "=" or ":". `firstLine` and `lastLine` count from 0.
  * `sources` are the rows of the text in the block, and `lines` are all rows and words of the text.
  * @typedef {object} Block
  * @property {Cell[][]} rows
  * @property {Cell[][]} labels
  * @property {Cell[]} headers
  * @property {string} name
- * @property {number} from
- * @property {number} to
+ * @property {number} firstLine
+ * @property {number} lastLine
  * @property {Row[]} sources
  * @property {Lines} [lines]
  * @property {boolean} [splitsCommas] whether its entries were split at commas that may be decimal
@@ -41,8 +41,8 @@ export function makeBlock(rows) {
     rows: rows.map(applyFactor),
     ...readRowLabels(rows),
     name: rows[0].name || rows[0].words.at(-1)?.text || "",
-    from: rows[0].line,
-    to: rows.at(-1).last,
+    firstLine: rows[0].line,
+    lastLine: rows.at(-1).last,
     sources: rows,
   };
 }

@@ -169,7 +169,7 @@ function joinMatrixParts(groups) {
   if (parts.length < 2 || parts.some(({ rows }) => rows.length !== parts[0].rows.length)) return [];
   const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
   const sources = parts.flatMap((part) => part.sources);
-  return [{ ...parts[0], rows, headers: [], to: parts.at(-1).to, sources }];
+  return [{ ...parts[0], rows, headers: [], lastLine: parts.at(-1).lastLine, sources }];
 }
 
 // Group rows with the same words before them, such as "positions:". Other rows may stand between

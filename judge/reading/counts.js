@@ -68,8 +68,8 @@ export function dropCountCells(block) {
     if (!isCount(textsOf(labels.flat())) || !hasDecimals(textsOf(values.flat()).join(" ")))
       return [];
     const valueSources = sources.filter((_, k) => !isLabel(k));
-    const from = valueSources[0].line;
-    return [{ ...block, rows: values, labels, sources: valueSources, from }];
+    const firstLine = valueSources[0].line;
+    return [{ ...block, rows: values, labels, sources: valueSources, firstLine }];
   });
 }
 

@@ -198,11 +198,11 @@ const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && 
  * Return the lines above and below a block that may be rows. Empty lines are skipped.
  * @param {string} text @param {Block} block @returns {Set<number>}
  */
-function findLinesBeside(text, { from, to }) {
+function findLinesBeside(text, { firstLine, lastLine }) {
   const lines = text.split(LINE_END);
   const hasText = (line) => /[\p{L}\d]/u.test(line);
-  const above = lines.findLastIndex((line, k) => k < from && hasText(line));
-  const below = lines.findIndex((line, k) => k > to && hasText(line));
+  const above = lines.findLastIndex((line, k) => k < firstLine && hasText(line));
+  const below = lines.findIndex((line, k) => k > lastLine && hasText(line));
   return new Set([above, below].filter((k) => k >= 0 && mayBeRow(lines[k])));
 }
 
@@ -215,11 +215,11 @@ function mayBeRow(line) {
 
 // Claim the words and rows that are no part of the block.
 function claimOtherRows(tokens, block, beside) {
-  const { from, to, sources, lines } = block;
+  const { firstLine, lastLine, sources, lines } = block;
   const starts = new Map(
     sources.flatMap(({ line, last, cells: [cell] }) => [line, last].map((k) => [k, cell.from])),
   );
-  const isNear = (line) => line >= from && line <= to;
+  const isNear = (line) => line >= firstLine && line <= lastLine;
   claimWords(tokens, block, beside);
   const isLeading = ({ line, cells }) => cells[0].from < starts.get(line);
   const perRow = lines.all.filter(isLeading).length % sources.length === 0;
@@ -234,13 +234,13 @@ function claimOtherRows(tokens, block, beside) {
 // Claim the numbers in words. A misspelt number is unread if it stands in the block, next to it, or
 // in a row of the same length. All other numbers are parts of names and sentences.
 function claimWords(tokens, block, beside) {
-  const { from, to, lines } = block;
+  const { firstLine, lastLine, lines } = block;
   const isBrokenRow = findBrokenRows(block, tokens);
   for (const word of lines.words) {
     const [token] = tokens.within(word);
     if (!token) continue;
     const { line } = token;
-    const isNear = (line >= from && line <= to) || beside.has(line);
+    const isNear = (line >= firstLine && line <= lastLine) || beside.has(line);
     const unread =
       (isNear && isMisspelt(word.text)) || (isBrokenRow(line) && beginsAsNumber(word.text));
     tokens.claim(word, unread ? "unread" : "context", { reason: "a name or a sentence" });

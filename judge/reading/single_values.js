@@ -38,8 +38,8 @@ export function joinNamedValues(rows) {
       labels: sets.map(() => []),
       headers,
       name: first.name,
-      from: first.line,
-      to: last.last,
+      firstLine: first.line,
+      lastLine: last.last,
       sources: values.map(({ row }) => row),
     },
   ];
@@ -80,8 +80,8 @@ export function joinCellLines(rows, words) {
       labels: values.map(({ label }) => [label]),
       headers: lines.slice(Math.max(top, end - width - 1), end).map(({ cell }) => cell),
       name: "",
-      from: sources[0].line,
-      to: sources.at(-1).last,
+      firstLine: sources[0].line,
+      lastLine: sources.at(-1).last,
       sources,
     },
   ];
@@ -163,8 +163,8 @@ export function joinIndexedValues(rows) {
       labels: matrix.map(() => []),
       headers: [],
       name: first.name,
-      from: first.line,
-      to: last.last,
+      firstLine: first.line,
+      lastLine: last.last,
       sources: indexed.map(({ row }) => row),
     },
   ];

@@ -232,10 +232,10 @@ function requireReadable(table, text, { known }) {
 // Return the line whose row has an odd number of cells: 0 for the first line of the text. If most
 // rows are as long as the unread line, the block's first row is the odd row.
 /** @param {import("./table_blocks.js").TableBlock} table @param {number} unreadLine from 0 */
-function findOddLine({ block: { lines, from, rows } }, unreadLine) {
+function findOddLine({ block: { lines, firstLine, rows } }, unreadLine) {
   const length = lines.all.find(({ line }) => line === unreadLine)?.cells.length ?? 0;
   const alike = lines.all.filter(({ cells }) => cells.length === length);
-  return alike.length > rows.length ? from : unreadLine;
+  return alike.length > rows.length ? firstLine : unreadLine;
 }
 
 // Refuse a text with two tables. Its second half repeats the joint numbers of its first half.

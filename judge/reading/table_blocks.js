@@ -83,11 +83,11 @@ function dropDrawnRows(block) {
 // Add the headers to a block, from its first line or shortly above it. If the words before the rows
 // name a, alpha, d and theta, each row is a column of the table.
 function addHeaders(block, lines, allHeaders) {
-  const { rows, labels, from } = block;
+  const { rows, labels, firstLine } = block;
   const names = labels.map((words) => findMarkedHeaders(listTexts(words), allHeaders)?.[0]);
   const named = names.flatMap((name, i) => (name ? [i] : []));
   if (new Set(named.map((i) => findEntry(names[i]))).size < 3) {
-    const above = lines.slice(Math.max(0, from - NEAR), from + 1).reverse();
+    const above = lines.slice(Math.max(0, firstLine - NEAR), firstLine + 1).reverse();
     const headers = findMarkedHeaders(above.join(" ").split(" "), allHeaders) ?? [];
     return [{ block, cells: rows.map(listTexts), headers }];
   }

@@ -129,10 +129,10 @@ function findUnreadInRow({ rows, words, candidates }, line, start) {
 // Make a test of lines. A line is beside a table if it stands between the rows or next to them. A
 // turned table has no such lines: the line of joints above it is no row.
 /** @param {number[]} lines @param {TableBlock} table */
-function makeBesideTest(lines, { block: { from, to }, isTurned }) {
+function makeBesideTest(lines, { block: { firstLine, lastLine }, isTurned }) {
   if (isTurned) return () => false;
-  const above = lines.findLast((line) => line < from) ?? from;
-  const below = lines.find((line) => line > to) ?? to;
+  const above = lines.findLast((line) => line < firstLine) ?? firstLine;
+  const below = lines.find((line) => line > lastLine) ?? lastLine;
   return (line) => line >= above && line <= below;
 }
 
@@ -180,7 +180,7 @@ const FEWEST_PROSE = 3; // a sentence has three words or more
 // Return whether a line may hold headers of unknown names. It has no digit and stands above a table
 // without headers.
 const isUnknownHeader = ({ headers, block, plainLines }, line) =>
-  !headers.length && line < block.from && !/\d/.test(plainLines[line]);
+  !headers.length && line < block.firstLine && !/\d/.test(plainLines[line]);
 
 const trimMarks = (text) => text.replace(/^[^\p{L}\d.+-]+|[^\p{L}\d]+$/gu, "");
 

@@ -15,15 +15,15 @@ const textsOf = (cells) => cells.map(({ text }) => text);
  * @param {SpannedText} [uncommented] the text without comments
  */
 export function listUnusedLines(text, block, uncommented = null) {
-  const { from, to } = block;
+  const { firstLine, lastLine } = block;
   const lines = linesOf(text);
-  const rest = lines.filter((_, i) => i < from || i > to);
+  const rest = lines.filter((_, i) => i < firstLine || i > lastLine);
   const linesWithText = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
   const isAligned = uncommented?.text.length === text.length;
   const uncommentedLines = isAligned ? linesOf(uncommented.text) : lines;
   const comments = lines
-    .slice(from, to + 1)
-    .map((line, i) => line.slice(uncommentedLines[from + i].trimEnd().length).trim())
+    .slice(firstLine, lastLine + 1)
+    .map((line, i) => line.slice(uncommentedLines[firstLine + i].trimEnd().length).trim())
     .filter(Boolean);
   return [...linesWithText.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
 }
@@ -35,10 +35,10 @@ const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX
  * If each row has such a number alone, it is a label such as a time, and is left out.
  * @param {Block} block
  */
-function listNumbersBeside({ from, to, sources, lines }) {
+function listNumbersBeside({ firstLine, lastLine, sources, lines }) {
   const rowsOfBlock = new Set(sources);
   const others = lines.all.filter(
-    (row) => row.line >= from && row.line <= to && !rowsOfBlock.has(row),
+    (row) => row.line >= firstLine && row.line <= lastLine && !rowsOfBlock.has(row),
   );
   const words = sources.flatMap((row) => row.words.filter(({ text }) => hasDecimals(text)));
   const lists = [others.map(({ cells }) => textsOf(cells)), words.map(({ text }) => [text])];

@@ -168,7 +168,7 @@ class NumberEditor {
 // Make a button for each of several answers that differ. It puts the other answers behind #.
 function makeChoices(text, answers, onCorrect) {
   if (answers.length < 2) return [];
-  const inside = ({ from, to }, line) => line >= from && line <= to;
+  const inside = ({ firstLine, lastLine }, line) => line >= firstLine && line <= lastLine;
   const choose = (answer) =>
     onCorrect(
       commentLines(
@@ -178,9 +178,9 @@ function makeChoices(text, answers, onCorrect) {
     );
   const buttons = answers.map((answer) => {
     const lines =
-      answer.from === answer.to
-        ? `line ${answer.from + 1}`
-        : `lines ${answer.from + 1} to ${answer.to + 1}`;
+      answer.firstLine === answer.lastLine
+        ? `line ${answer.firstLine + 1}`
+        : `lines ${answer.firstLine + 1} to ${answer.lastLine + 1}`;
     return h("button", { onclick: () => choose(answer) }, `My answer is in ${lines}`);
   });
   return ["The others go behind #: ", ...buttons];
