@@ -73,7 +73,7 @@ const DECORATIONS = [
     /(?<=\d)[ \t]*[×·*x][ \t]*10[ \t]*\^\s*[({]?[ \t]*([-+]?\d{1,2})(?:[ \t]*[)}])?(?!\.?\d)/g,
     "e$1",
   ],
-  [/≈\s*(?=[-+]?[\p{L}\d.\\])/gu, " "],
+  [/≈\s*(?=[-+]?(?:[\p{L}\d.\\]|,\d))/gu, " "],
   [new RegExp(UNCERTAINTY, "g"), withoutUncertainty],
   // The uncertainty of 0.3768(12), or the number of a footnote.
   [
