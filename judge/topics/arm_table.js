@@ -1,4 +1,5 @@
-// Reads a table as an arm for Python's Arm.from_table, and describes how it was read.
+// Reads a Denavit-Hartenberg table as an arm, and describes how it was read. Arm.from_table in
+// Python calls this.
 
 import { ANGLE_TOLERANCE } from "../geometry/rows.js";
 import { readTables } from "../reading/table.js";
@@ -49,7 +50,8 @@ export function readArmTable(text, options) {
   return { rows, reading: parts.join("; "), guessed, warnings };
 }
 
-// Note the joints whose numbers in the table differ from those of their rows, which count here.
+// Note the joints whose typed numbers differ from the numbers of their rows. The arm uses the
+// numbers of the rows.
 /** @param {TypedTable} typed */
 function noteRenumberedJoints(typed, { added }, rows) {
   const pairs = typed.rows.flatMap(({ joint }, k) => {

@@ -1,4 +1,5 @@
-// Judges a list of inverse kinematics solutions. It judges each answer and names missing branches.
+// Judges a list of inverse kinematics solutions. It judges each joint vector, and names the
+// solution branches that are missing.
 
 import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
 import { causeName, causeMessage } from "../causes/ranking.js";
@@ -44,8 +45,8 @@ function judgeBranches(mine, arm, typedTarget, options = {}) {
   );
 }
 
-// Joint vectors of an answer: twice the 16 branches that an arm of six joints can have. Each wrong
-// one is searched for mistakes.
+// The most joint vectors of an answer, twice the 16 branches that an arm of six joints can have.
+// The search for mistakes in each wrong vector takes time.
 const MOST_ANSWERS = 32;
 
 function judgeAnswers(mine, solutions, target, options) {

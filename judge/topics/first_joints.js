@@ -1,4 +1,4 @@
-// Judges torques and joint angles of the first joints if those of the last joints are missing.
+// Judges an unfinished answer, which has the torques or joint angles of the first joints only.
 
 import { makeTorqueMaker } from "../causes/torques.js";
 import { SO_FAR, WRONG } from "../digits.js";
@@ -27,8 +27,8 @@ import { makeVerdict } from "../verdict.js";
 const MOST_CHARACTERS = 6000;
 
 /**
- * Judge an answer. If it has too few numbers, they are judged as those of the first joints. A part
- * is tried in many shapes, so a long text is read only once.
+ * Judge an answer. If it has too few numbers, judge them as the numbers of the first joints. A part
+ * is tried in many shapes, so a long text is not tried as a part.
  * @template {Verdict} T
  * @param {any} mine text or nested lists
  * @param {() => T} judge throws a NoFitError if there are too few numbers
@@ -132,8 +132,8 @@ export function judgeFirstAngles(mine, { arm, branches }, question) {
   return null;
 }
 
-// Return whether each number of a text is an entry or a label that counts joints or vectors, these
-// from 1. Any other number may be an entry that could not be read.
+// Return whether each number of a text is an entry, or a label that counts joints or vectors. Any
+// other number may be an entry that could not be read.
 /** @param {Typed} typed @param {Arm} arm */
 function hasOnlyFirstJoints({ tokens = [], values, shape }, arm) {
   const labels = tokens.filter(({ owner }) => owner !== "entry");

@@ -40,7 +40,7 @@ import {
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const ANSWER_NAMES = /^(?:j|ans$)/i; // of variables that hold the answer
+const ANSWER_NAMES = /^(?:j|ans$)/i; // variables that may hold the answer
 
 /**
  * Judge a Jacobian of an arm's tip at q.
@@ -60,7 +60,7 @@ function judgeJacobian(mine, arm, q, options = {}) {
   );
 }
 
-// Judge a text with fewer rows than are asked for. Null if they are not the right first rows.
+// Judge a text with too few rows. Return null if they are not the right first rows.
 function judgeFirstRowsInText(mine, arm, typedQ, options) {
   const known = lookup(arm, typedQ.values, options.values ?? []);
   const question = { ...options, arm, typedQ, frame: options.frame ?? 0 };
@@ -128,7 +128,7 @@ const exchangeTypedHalves = (typed) => ({
 });
 
 /**
- * Read an answer as a matrix. A single row or column of all entries is taken row by row.
+ * Read an answer as a matrix. All entries in a single row or column are read row by row.
  * @param {any} mine
  * @param {any} known values of symbols
  * @param {Arm} arm
@@ -157,7 +157,8 @@ function readMatrix(mine, known, arm, question) {
   return { ...read, units, symbolic, shape: isFlat ? [6, dof] : shape };
 }
 
-// List the shapes that are judged: whole or half, then those of known mistakes, and all in one row.
+// List the shapes that are judged. The whole Jacobian and its halves come first, then the shapes of
+// known mistakes, then all entries in a single row.
 const listShapes = (dof, all) => [
   { rows: 6, columns: dof, by: "row" },
   { rows: 3, columns: dof, by: "row" },
@@ -174,7 +175,7 @@ function listReducedShapes(arm, columns) {
   return counts.flatMap((rows) => (rows > 1 && rows < 6 ? [{ rows, columns, by: "row" }] : []));
 }
 
-// Convert the linear rows to metres if the text names another unit of lengths.
+// Convert the linear rows to metres if the text states a different unit of lengths.
 function convertToMetres(typed, arm) {
   const { shape, statedUnits } = typed;
   const count = countLinearRows(shape[0], arm) * shape[1];
@@ -320,7 +321,7 @@ function reportWrong(causes, findWrongColumns, arm) {
   return makeJacobianVerdict(arm, WRONG, headline, { findings });
 }
 
-// Describe each wrong column. It is that of a different joint, or wrong in some rows.
+// Describe each wrong column. It may be the column of a different joint, or wrong in some rows.
 function listWrongColumns({ values, units, shape }, columns, wrong, arm, rowNames) {
   const width = shape[1];
   return jointNumbers(arm).flatMap((joint, k) => {
@@ -342,8 +343,8 @@ function listWrongColumns({ values, units, shape }, columns, wrong, arm, rowName
   });
 }
 
-// Return each joint's number and column in the chosen frame, then those that locked joints would
-// have if they could turn.
+// Return the number and the column of each joint in the chosen frame. Locked joints come last, with
+// the columns that they would have if they could turn.
 /** @returns {[number, number[]][]} */
 function computeAllColumns(arm, q, frame) {
   const chain = chains.makeChain(arm, q);

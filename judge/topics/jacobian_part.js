@@ -9,7 +9,7 @@ import { ROWS } from "./jacobian_rows.js";
 
 /** @typedef {import("../reading/numbers.js").Typed} Typed */
 
-/** How many rows may be typed so far. Three are a half of the Jacobian, which is judged as such. */
+/** Counts of rows in an unfinished Jacobian. Three rows are missing here: they are a half. */
 export const PARTIAL_COUNTS = [5, 4, 2];
 
 /**

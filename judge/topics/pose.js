@@ -1,5 +1,5 @@
-// Judges whether joint values reach a target. It compares the target's entries with those of the
-// tip.
+// Judges whether joint values take the tip to a target. It compares the entries of the target with
+// the pose of the tip.
 
 import { listExchangedDigits, listJointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
@@ -259,7 +259,7 @@ function* listSingleMistakes(arm, T) {
   yield { cause: makeCause("pose.half turn"), make: makeTurned }; // slip 18
 }
 
-// Combine a mistake in the joint values with one in the table.
+// Combine a mistake in the joint values with a mistake in the table.
 /** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* listMistakePairs(arm, T) {
   for (const [table, change] of listTableMistakes(arm)) {

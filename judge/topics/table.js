@@ -35,9 +35,9 @@ const MOST_ORDERS = 4; // orders of columns that are searched for mistakes if th
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 
 /**
- * How to read the table. An empty or missing option is guessed.
+ * The student's settings for reading the table. An empty or missing option is guessed.
  * @typedef {object} Options
- * @property {string} [columns] their order, as "theta d a alpha"
+ * @property {string} [columns] the order of the columns, such as "theta d a alpha"
  * @property {string} [lengths] "m", "cm" or "mm"
  * @property {string} [angles] "rad" or "deg"
  * @property {string} [convention] "standard" or "craig"
@@ -56,7 +56,7 @@ const MOST_ORDERS = 4; // orders of columns that are searched for mistakes if th
  * @property {number} angleUnit the unit of the last typed place of the angles (rad)
  * @property {number} lengthScale the unit in which lengths are typed (m)
  * @property {number} angleScale the unit in which angles are typed (rad)
- * @property {string[]} assumptions what was guessed, as phrases
+ * @property {string[]} assumptions the guesses, as phrases
  * @property {boolean} modified whether it is in Craig's convention, where a and alpha stand one row
  *   further down than in `rows`
  * @property {number} added 1 if `rows` begins with a fixed row for Craig's first a and alpha
@@ -176,7 +176,8 @@ function reportNoLink({ message, causes, tokens }, { name }) {
   return makeVerdict("table", { name }, WRONG, headline, { findings, causes, tokens });
 }
 
-// Find the first row whose joint has a number not below that of the next named row.
+// Find the first row that breaks the order of joint numbers: the next row with a joint number has
+// the same number or a smaller one.
 function findMisnamedRow(rows) {
   const named = rows.flatMap(({ joint }, k) => (joint ? [{ ...joint, row: k + 1 }] : []));
   const k = named.findIndex(({ number }, i) => number >= named[i + 1]?.number);

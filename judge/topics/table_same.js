@@ -23,7 +23,7 @@ import {
 
 const TIP_TOLERANCE = 1e-4; // m: tips this close are at the same point
 const TURN_TOLERANCE = 1e-3; // rad, of a joint's zero
-const MOST_MISTAKES = 3; // wrong entries; with more of them the student chose other zeros
+const MOST_MISTAKES = 3; // with more wrong entries, the student chose other zeros of the joints
 
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -45,8 +45,8 @@ const MOST_MISTAKES = 3; // wrong entries; with more of them the student chose o
  * @property {TableAxes} expectedAxes of the reference
  */
 /**
- * A fault of a table in what the question fixes. It has a message without a full stop, the position
- * in the table, and the column of the wrong entry ("" for any).
+ * A fault of a table that the question does not allow, such as a wrong base. It has a message
+ * without a full stop, the position in the table, and the column of the wrong entry ("" for any).
  * @typedef {{ message: string, where: string, entry: string }} Fault
  */
 /**
@@ -119,7 +119,7 @@ function noteLastFrame({ reference, axes, expectedAxes }, map, isToolReversed) {
 
 const listOwnNumbers = (table, axes) => axes.joints.map((i) => typedRowNumber(table, i, "d"));
 
-// What the question fixes
+// Requirements of the question
 
 /** @param {TablePair} pair @param {JointMap | null} map @returns {Fault | null} */
 function findFault(pair, comparison, map, { length, startPose }) {
@@ -269,7 +269,7 @@ function describeDifferentEntries({ table, rows, expectedRows }, length, column 
     .map((entry) => describeEntry(table, comparison, entry, length));
 }
 
-// Turn a sentence into a clause of another sentence.
+// Turn a sentence into a clause, with a small first letter and without a full stop.
 const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
 
 const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };

@@ -1,4 +1,4 @@
-// Judges joint torques at one pose or along a trajectory.
+// Judges joint torques at a single pose or along a trajectory.
 
 import {
   makeLoad,
@@ -106,7 +106,7 @@ function judgeTorques(typed, context) {
 }
 
 // List the shapes that are read. They have a row for each pose or a list for each joint, with or
-// without locked joints. One number for each pose is an energy.
+// without locked joints. A single number for each pose is an energy.
 function listShapes(count, arm) {
   const widths = [...new Set([movingRows(arm).length, arm.rows.length])];
   return [
@@ -228,8 +228,8 @@ function judgeArrangedTorques(typed, typedQ, load, { arm, tolerance, isGradeOnly
   return makeTorquesVerdict(arm, judged.grade, headline, { ...rest, notes });
 }
 
-// Judge torques at all poses. If there are many, the mistakes are first tried at a few of them, and
-// only those that fit there at all poses.
+// Judge torques at all poses. If there are many poses, each mistake is tried at a few poses first.
+// Only mistakes that fit there are tried at all poses.
 function judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
   const { dof } = load.c;
   const count = load.wrenches.length;

@@ -101,8 +101,8 @@ function judgeTypedTrace(typed, arm, path, options = {}) {
   });
 }
 
-// Judge the first rows of a trajectory whose last rows are missing. Refuse rows from which others
-// are left out. Null if they leave the path, turn the tool or jump.
+// Judge the first rows of a trajectory whose last rows are missing. Refuse a trajectory with gaps
+// between its rows. Return null if the rows leave the path, turn the tool or jump.
 function judgeTooFewSteps(typed, arm, path, { angles = "rad", tolerance = null }) {
   const count = typed.shape[0];
   const all = path.times.length;
@@ -130,7 +130,8 @@ function judgeTooFewSteps(typed, arm, path, { angles = "rad", tolerance = null }
   });
 }
 
-// Arrange the rows of the first steps; null if they are too few, or all or all but one.
+// Arrange the rows of the first steps. Return null if there are too few rows, or if at most a
+// single row is missing.
 function arrangeFirstPart(typed, arm, all, angles) {
   const count = typed.shape[0];
   if (count < FEWEST_STEPS || count >= all - 1) return null;
@@ -280,8 +281,8 @@ function reportCause(arm, cause, symptoms, taken, rest) {
   });
 }
 
-// Judge a trajectory of which only one row is wrong, or return null. A wrong first or last row may
-// belong to a jump, unless its joints explain it.
+// Judge a trajectory with a single wrong row, or return null. A wrong first or last row may belong
+// to a jump, unless its joints explain it.
 function judgeOnlyWrongRow(trajectory, frames, arm, path, allowed) {
   const wrongRow = findOnlyWrongRow(trajectory, arm, path, frames, allowed);
   if (!wrongRow || trajectory.hasExtraStep) return null;

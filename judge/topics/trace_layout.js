@@ -64,7 +64,8 @@ export function arrangeBySteps(typed, arm, count, unit) {
   };
 }
 
-// Write all values in the units that the text names. Those with a unit of their own are in SI.
+// Write all values in the units that the text states for them. Values that were typed with a unit
+// are in SI.
 /** @param {number[]} list @param {import("../reading/numbers.js").Typed} typed */
 function convertToNamedUnits(list, { entries, statedUnits }, unit) {
   const findFactor = (/** @type {any} */ { angle, hasUnit }) => {

@@ -32,7 +32,7 @@ import { boundTipError } from "./trace_units.js";
  */
 
 const FEWEST_RIGHT = 3; // rows; fewer could lie on the path by chance
-const AS_NEAR = 3; // a row this many times as far from the rows beside it is on another branch
+const AS_NEAR = 3; // a row three times as far from its neighbours is on a different branch
 
 /**
  * Find the only row whose tip is off the path, or whose tool is turned. Null if no or several rows
@@ -47,7 +47,7 @@ export function findOnlyWrongRow({ q, units }, arm, path, frames, allowed) {
   const keepsTool = movingRows(arm).length >= 6; // its tool keeps its orientation
   const points = path.times.map(path.position);
   const distances = frames.map(({ o }, k) => norm(minus(o, points[k])));
-  // The tool of the first row is the right one, unless the first row is the wrong one.
+  // The tool of the first row is right, unless the first row is the wrong row.
   for (const reference of [frames[0], frames[1]]) {
     const angles = frames.map((frame) => (keepsTool ? rotationBetween(reference, frame) : 0));
     const wrongRows = frames.flatMap((_, k) =>
@@ -90,8 +90,8 @@ function findRowCorrections(q, row, arm, goal) {
 const reachesGoal = (tip, { point, tool, distance, angle }) =>
   norm(minus(tip.o, point)) <= distance && (!tool || rotationBetween(tool, tip) <= angle);
 
-// Select the corrections that leave the row nearest to the rows beside it. Farther away the row is
-// right as well, but on another branch.
+// Select the corrections that leave the row nearest to its neighbours. A correction that leads
+// farther away is on a different branch.
 function selectNearest(corrections, before, after) {
   const distances = corrections.map(({ pose }) =>
     norm(pose.map((x, i) => x - (before[i] + after[i]) / 2)),

@@ -45,8 +45,8 @@ function leavesPath(q, arm, { times, position }, k) {
   return error > norm(minus(position(times[k + 1]), position(times[k])));
 }
 
-// Remove jumps by whole turns, such as atan2 makes, and note it. Nothing is changed if other jumps
-// remain.
+// Remove jumps by whole turns, as atan2 makes them, and note it. If further jumps remain, nothing
+// is changed.
 /** @returns {[number[][], string[]]} the joint values and the notes */
 export function removeWholeTurns(q, arm, path) {
   const isRevolute = revoluteFlags(arm);
