@@ -142,6 +142,7 @@ function readTextOrNoLink(text, options, known) {
     const filledPart = dropUnfilledEnd(text);
     if (filledPart !== text) return readTextOrNoLink(filledPart, options, known);
     const split = dropOtherColumns(text);
+    if (!split.others.length) throw error; // the same text, which takes as long again
     const tables = tryOrNull(() => readTables(split.rest.text, options, known));
     if (!tables) throw error;
     return tables.map((table) => ({
