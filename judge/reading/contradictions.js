@@ -96,14 +96,19 @@ const TIP = "(?:tool|tip|wrist|hand|end[- ]?effector|flange|gripper|last joint)"
 const FROM_TIP = new RegExp(
   [
     String.raw`(?:counted|numbered|listed|ordered|starting|beginning|order) from (?:the )?${TIP}`,
-    String.raw`${TIP}[\s\d]*(?:->|→|to|\.{2,}|…)\s*(?:the )?base|last joint first`,
+    String.raw`${TIP}[\s\d]*(?:->|→|\.{2,}|…)\s*base|last joint first`,
   ].join("|"),
   "iu",
 );
 // "columns: q3 q2 q1" of a Jacobian
 const LISTED_JOINTS = /\b(?:columns?|order|spalten)\b[^\n\d]{0,20}[qθ]_?\d(?:[\s,;|&]+[qθ]_?\d)+/iu;
-const TOOL_FRAME =
-  /(?:tool|tip|end[- ]?effector|ee|body|hand|flange) (?:frame|axes|coordinates)(?!\p{L})/iu;
+// "in the tool frame" and "(tool frame)", but not "the velocity of the tool frame"
+const TOOL_FRAME = new RegExp(
+  String.raw`(?:(?<!\p{L})(?:in|into|to|w\.?r\.?t\.?) (?:the )?|\()` +
+    String.raw`(?:tool|tip|end[- ]?effector|ee|body|hand|flange)(?:'s)? ` +
+    String.raw`(?:frame|axes|coordinates)(?!\p{L})`,
+  "iu",
+);
 const BASE_FRAME = /(?<!\p{L})(?:base|world|space)(?!\p{L})|frame 0/iu;
 
 const LINEAR = String.raw`(?:J_?\{?[vp]\}?|v|(?:linear|translation(?:al)?)(?: part| rows)?)`;
