@@ -102,9 +102,9 @@ const FROM_TIP = new RegExp(
 );
 // "columns: q3 q2 q1" of a Jacobian
 const LISTED_JOINTS = /\b(?:columns?|order|spalten)\b[^\n\d]{0,20}[qθ]_?\d(?:[\s,;|&]+[qθ]_?\d)+/iu;
-// "in the tool frame" and "(tool frame)", but not "the velocity of the tool frame"
+// "in the tool frame" and "(tool frame, 4 digits)", but not "the velocity of the tool frame"
 const TOOL_FRAME = new RegExp(
-  String.raw`(?:(?<!\p{L})(?:in|into|to|w\.?r\.?t\.?) (?:the )?|\()` +
+  String.raw`(?:(?<!\p{L})(?:in|into|to|w\.?r\.?t\.?) (?:the )?|[(,] ?)` +
     String.raw`(?:tool|tip|end[- ]?effector|ee|body|hand|flange)(?:'s)? ` +
     String.raw`(?:frame|axes|coordinates)(?!\p{L})`,
   "iu",
