@@ -1,6 +1,6 @@
 // Finds the mistakes that explain an answer. A candidate is a single mistake or a pair. It explains
-// the answer only if it gives every entry to the typed digits; if no candidate does, entries may be
-// off by one in the last place, as after rounding on the way.
+// the answer only if it gives every entry to the typed digits. If no candidate does, last places
+// may be off by one, as after rounding on the way.
 
 import {
   agrees,

@@ -1,7 +1,8 @@
-// Refuses an answer that its own text contradicts, for example by "[0.5, 1] = [28.6°, 60°]", or by
-// rows that are called y before x, or by words that name another order or frame than the numbers.
+// Refuses an answer that its own text contradicts. Examples are "[0.5, 1] = [28.6°, 60°]", a row
+// "vy" above a row "vx", and "in the tool frame" beside numbers in the base frame.
 
 import { number, parse, plain, simple, symbols, value } from "./formula.js";
+import { TRANSPOSED } from "./ordering.js";
 import { agree } from "./repetitions.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
@@ -68,7 +69,8 @@ const DEFINITION = new RegExp(
 );
 
 /**
- * Raise an error if the text defines a symbol of the answer otherwise than the question does.
+ * Raise an error if the text gives a symbol of the answer a value that differs from its value in
+ * the question.
  * @param {string} text @param {Map<string, number>} meanings of the symbols in the answer
  * @param {(names: Set<string>) => Map<string, number>} known looks symbols up
  */
@@ -124,7 +126,8 @@ const ORDER_OF_HALVES = new RegExp(
 );
 
 /**
- * Raise an error if words of a right answer name another order or frame than its numbers have.
+ * Raise an error if words beside a right answer state an order or a frame that does not fit its
+ * numbers.
  * @param {string} text
  * @param {{ topic: string, typed?: import("./numbers.js").Typed }} verdict
  * @param {{ angularFirst?: boolean, frame?: number }} options of a Jacobian
@@ -142,28 +145,32 @@ const findInJacobian = (text, typed, options) =>
   findContraryColumns(text, typed) ??
   findContraryTranspose(text, typed);
 
-// Find a line that lists the joints of the columns in another order. Columns that headers name were
-// ordered by them.
+// Find a line that lists the joints of the columns in a different order. Columns with headers were
+// ordered by their headers.
 function findContraryColumns(text, { taken }) {
   const words = LISTED_JOINTS.exec(text)?.[0] ?? "";
   const isAscending = [...words.matchAll(/\d/g)].every(([x], k, all) => !k || x > all[k - 1][0]);
   return isAscending || taken.includes(formatMessage("taken: by names")) ? null : words;
 }
 
-const TRANSPOSE = /J(?:_\w+)?(?:\^\{?(?:T|\\top)\}?|ᵀ|\.T)(?:\([^()\n]*\))?(?=\s*[=:])/u;
+const TRANSPOSED_NAME = new RegExp(
+  String.raw`J(?:_\w+)?${TRANSPOSED}(?:\([^()\n]*\))?(?=\s*[=:])`,
+  "u",
+);
 
 // Find the name of a transposed matrix before numbers that were taken row by row.
 function findContraryTranspose(text, { tokens }) {
   const entries = tokens.filter(({ owner }) => owner === "entry");
-  const name = TRANSPOSE.exec(text.slice(0, entries[0].from))?.[0];
+  const name = TRANSPOSED_NAME.exec(text.slice(0, entries[0].from))?.[0];
   return name && entries[1].column === 1 ? name : null;
 }
 
-// Find the name of the tool's frame where the rows are those in the base frame.
+// Find words that name the tool's frame, although the rows are those in the base frame.
 const findContraryFrame = (text, { frame = 0 }) =>
   frame || BASE_FRAME.test(text) ? null : (TOOL_FRAME.exec(text)?.[0] ?? null);
 
-// Find words that order the halves of a Jacobian otherwise: "ω above v", or a name above each half.
+// Find words or names that exchange the halves of a Jacobian, such as "ω above v", and "J_w" above
+// the linear half.
 function findContraryHalves(text, { tokens, shape, hasRowNames }, { angularFirst = false }) {
   const [rows, width] = shape;
   if (rows !== 6 || hasRowNames) return null;

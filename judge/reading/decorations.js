@@ -131,7 +131,7 @@ export const withoutMargins = (pasted) => withoutLineNumbers(pasted.replace(QUOT
 
 const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:] ?|\t| {2}|$)/gm;
 
-// Take off the lineNumbers of lines if all lines have one and they count from 1.
+// Remove the numbers of lines if all lines have a number and the numbers count from 1.
 function withoutLineNumbers(text) {
   const lines = text.text.split("\n").filter((line) => line.trim());
   const lineNumbers = listNumbers(text, LINE_NUMBER);

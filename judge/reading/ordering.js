@@ -74,8 +74,13 @@ const areColumnVectors = ({ sources }) => sources.every(({ isColumn }) => isColu
 export const namesJoints = (headers) =>
   headers.filter((header) => findLabel([header])?.kind === "joint").length > 1;
 
-// Behind the name of a transposed matrix, J^T(q) too.
-const TRANSPOSE_MARK = /(?:\.T|\^\{?(?:T|\\top)\}?|ᵀ|'|(?<!\p{L})transposed?)(?:\([^()]*\))?$/iu;
+/** A pattern of the mark of a transposed matrix: J^T, J.T and Jᵀ. */
+export const TRANSPOSED = String.raw`(?:\.T|\^\{?(?:T|\\top)\}?|ᵀ)`;
+// The end of the name of a transposed matrix, such as J^T(q), J' and "J transposed".
+const TRANSPOSE_MARK = new RegExp(
+  String.raw`(?:${TRANSPOSED}|'|(?<!\p{L})transposed?)(?:\([^()]*\))?$`,
+  "iu",
+);
 
 /**
  * Exchange the rows and columns of a block.

@@ -23,11 +23,10 @@ const DOUBT = [
   "wrong|incorrect|falsch|typo|mistyped|opposite sign|other sign|reversed|please read",
   "not as written|(?:positive|negative),? of course|natürlich (?:positiv|negativ)",
 ].join("|");
-const MUST =
-  String.raw`(?:should|must|ha[sd] to|have to|needs to|muss) (?:be|have|read|sein)(?: an?| the)? ` +
-  SIGNED;
+const SHOULD = "should|must|ha[sd] to|have to";
+const MUST = String.raw`(?:${SHOULD}|needs to|muss) (?:be|have|read|sein)(?: an?| the)? ` + SIGNED;
 const MUST_CHANGE =
-  "(?:must|should|ha[sd] to|have to|needs? to|still) be " +
+  `(?:${SHOULD}|needs? to|still) be ` +
   "(?:added|subtracted|multiplied|divided|doubled|halved|negated|flipped|swapped|exchanged)";
 const LEFT_OUT = "(?:do(?:es)? not reach|dropped|rejected|left out|invalid|(?:is|are) not valid)";
 const NEAR = "[^?!]{0,120}"; // within one sentence that asks nothing

@@ -198,8 +198,8 @@ function orderByContent(cells, headers) {
 const STATED_ORDER = /\b(?:columns?|order|spalten|reihenfolge)\b[^\n]*/gi;
 
 /**
- * Drop the tables whose guessed order of columns is not the one that a line names, as "columns are
- * d a theta alpha"; refuse the text if that leaves none.
+ * Drop the tables with a guessed order of columns if a line states a different order, as "columns
+ * are d a theta alpha" does. Refuse the text if no table is left.
  * @param {import("./table.js").TypedTable[]} tables @param {string} text as it was pasted
  */
 export function dropContraryOrders(tables, text) {

@@ -36,7 +36,7 @@ test("joints that are counted from the tip", () => {
   assertHarmless(["counted from the base", "base -> tool", "from tool to base"]);
 });
 
-test("columns in another order of the joints", () => {
+test("columns in a different order of the joints", () => {
   assertContrary(["columns: q3 q2 q1", "column q3, q2", "order: θ3; θ2", "Spalten q_3|q_2", "columns q3 & q1 & q2"]);
   assertHarmless(["columns: q1 q2 q3", "q3 q2 q1", "columns"]);
 });
@@ -52,7 +52,7 @@ test("rows in the frame of the tool", () => {
 const LINEAR = ["J_v", "Jp", "J_{v}", "v", "linear", "linear part", "linear rows", "translation", "translational part"];
 const ANGULAR = ["J_w", "Jω", "J_omega", "J_\\omega", "w", "ω", "omega", "\\omega", "angular", "angular rows", "rotation", "rotational part"];
 
-test("halves in another order", () => {
+test("halves that the words exchange", () => {
   assertContrary(LINEAR.map((linear) => `angular above ${linear}`));
   assertContrary(ANGULAR.map((angular) => `${angular} above v`));
   assertContrary(["over", "on top of", "before", "above the", ";"].map((above) => `ω ${above} v`));
@@ -73,10 +73,10 @@ test("the name of a transposed Jacobian", () => {
   assertHarmless(["J =", "tau = J^T F", "J^T follows"]);
 });
 
-test("a symbol that is defined otherwise", () => {
+test("a symbol with a different value than in the question", () => {
   const meanings = new Map([["c23", Math.cos(0.3)], ["a2", 0.4]]);
   const known = () => new Map([["q2", 0.7], ["q3", -0.4]]);
-  const isOtherwise = (text) => throws(() => refuseContraryDefinitions(text, meanings, known));
-  for (const text of ["c23 = cos(q2 - q3)", "c_23 := sin(q2 + q3)", "a2 = 0.45", "a_{2} = .45"]) assert.ok(isOtherwise(text), text);
-  for (const text of ["c23 = cos(q2 + q3)", "a2 = 0.4", "a2 = 0.45 mm", "a2 = 0.8/2", "b2 = 0.45", "a2 = 0.4e0"]) assert.ok(!isOtherwise(text), text);
+  const isContraryDefinition = (text) => throws(() => refuseContraryDefinitions(text, meanings, known));
+  for (const text of ["c23 = cos(q2 - q3)", "c_23 := sin(q2 + q3)", "a2 = 0.45", "a_{2} = .45"]) assert.ok(isContraryDefinition(text), text);
+  for (const text of ["c23 = cos(q2 + q3)", "a2 = 0.4", "a2 = 0.45 mm", "a2 = 0.8/2", "b2 = 0.45", "a2 = 0.4e0"]) assert.ok(!isContraryDefinition(text), text);
 });

@@ -235,7 +235,7 @@ export function findArm(question, arms) {
  * @property {string} [error] why there is no verdict
  * @property {Advice[]} [advice] settings that the reader may have meant
  * @property {Token[]} [tokens] the numbers of the text with their owners
- * @property {{ firstLine: number, lastLine: number }[]} [answers] several answers that differ
+ * @property {{ firstLine: number, lastLine: number }[]} [answers] where answers that differ stand
  * @property {Arm & { explorer?: string, reading?: string }} [arm] `reading` says how a typed table
  *   was read
  * @property {number[]} [q]
