@@ -1,8 +1,8 @@
 """Run each chapter with an arm that a reader has changed.
 
-A reader may change a length, a mass or a limit in the chapter's first cell. Run All must then reach
-the last cell, the numbers must follow, and a check of the book's own numbers must only print a
-note. A chapter that needs a length other than 0 warns and goes on with the book's. `make test`
+A reader may change a length, a mass or a limit in the cell `lengths` below the chapter's imports.
+Run All must then reach the last cell, the numbers must follow, and a check of the book's own
+numbers must only print a note. A chapter that needs a length other than 0 warns and goes on with the book's. `make test`
 tries one change in two of the chapters, which a chapter's checksum chooses, so that an edited
 chapter is tried with another change. `make changed` tries all changes.
 """
@@ -72,7 +72,8 @@ def chosen_changes():
 def test_chapter_runs_with_changed_arm(path, line):
     notebook = nbformat.read(path, as_version=4)
     stored = [cell.get("outputs") for cell in notebook.cells]
-    next(cell for cell in notebook.cells if cell.cell_type == "code").source += f"\n{line}"
+    imports, below = [cell for cell in notebook.cells if cell.cell_type == "code"][:2]
+    (below if below.id == "lengths" else imports).source += f"\n{line}"
     folder = {"metadata": {"path": path.parent}}
     NotebookClient(notebook, timeout=300, kernel_name="python3", resources=folder).execute()
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]

@@ -121,6 +121,17 @@ def test_chapter_imports_arms_only_in_first_cell(path):
 
 
 @every_notebook
+def test_solution_assigns_no_name_that_the_exercise_gives_the_reader(path):
+    """Otherwise, after Run All, the solution would be judged in place of the reader's answer."""
+    folded = False
+    for cell in read(path).cells:
+        heading = re.search(r"(?m)^#+ ", cell.source) if cell.cell_type == "markdown" else None
+        folded = "#### Solution" in cell.source if heading else folded
+        if folded and cell.cell_type == "code":
+            assert not re.search(r"(?m)^mine = ", cell.source), cell.source
+
+
+@every_notebook
 def test_cells_do_not_measure_time(path):
     """Times depend on the machine's load, so printed times would differ in each run."""
     clock = r"(import|from) +(time|timeit|datetime)\b|^ *%%?time"
