@@ -7,7 +7,7 @@ that no line is wider than a page.
 import sympy as sp
 
 from answers.content import Answer, AnswerSheet, Array
-from helpers.formulas import break_lines, formula_latex, visible_length
+from helpers.formulas import break_lines, formula_latex, print_latex, visible_length
 
 _WIDTH = 56  # characters in a line
 _HEIGHT = 16  # lines in a display
@@ -32,7 +32,7 @@ def format_symbols(sheet: AnswerSheet, answer: Answer, complete: bool = False) -
     """
     value, names = answer.value, _name_entries(sheet, answer)
     if not answer.is_number and _measure_width(value) <= _WIDTH:
-        return [f"{format_name(answer)} = {sp.latex(value)}"]
+        return [f"{format_name(answer)} = {print_latex(value)}"]
     if value.cols == 1:
         first = next((axis for axis in sheet.axes if axis.value == value), answer)
         if first is not answer and not complete:
@@ -44,7 +44,7 @@ def format_symbols(sheet: AnswerSheet, answer: Answer, complete: bool = False) -
     )
     by_columns = sorted({*long} - shared_names.keys(), key=lambda k: (k % value.cols, k))
     return [
-        f"{format_name(answer)} = {sp.latex(cut)}",
+        f"{format_name(answer)} = {print_latex(cut)}",
         *_format_aligned([(names[k], value[k]) for k in by_columns]),
     ]
 

@@ -1,21 +1,21 @@
 """Write formulas as textbooks do.
 
-c_23 stands for cos(q_2 + q_3), common factors are taken out of sums, and terms and factors stand in
-the arm's order, from the base to the tip.
+c_23 stands for cos(q_2 + q_3), common factors are taken out of sums, and terms and factors are
+written in the arm's order, from the base to the tip. `abbreviate` returns an expression of SymPy
+like any other; the order is that of the printer, `latex`.
 
-In this file a sum is a dictionary from monomials to numbers, and a monomial is a sorted tuple of
-(sort key, power, atom): lengths come before cosines and sines, and both are sorted by their joints.
+While factors are looked for, a sum is a dictionary from monomials to numbers, and a monomial is a
+sorted tuple of (sort key, power, atom): lengths come before cosines and sines, and both are sorted
+by their joints.
 """
 
 import re
-from collections.abc import Iterable
 from functools import cache, lru_cache
-from typing import NamedTuple
 
 import sympy as sp
+from sympy.printing.latex import LatexPrinter
 
-from helpers.deprecated import deprecated_names
-from helpers.inputs import ArmError, shorten
+from helpers.inputs import ArmError, shorten, whole_number
 
 SortKey = tuple[int, int, str, str]  # an atom's kind, joint, index and name
 Factor = tuple[SortKey, int, sp.Expr]
@@ -27,42 +27,11 @@ _LENGTH, _ANGLE, _MIXED = range(3)
 _LAST_JOINT = 10**6  # larger than any joint number, so that such atoms are sorted last
 
 
-class Terms(sp.Add):
-    """A sum that is printed in the order of its arguments."""
-
-    func = property(lambda _: sp.Add)
-
-    def as_ordered_terms(self, order=None, data=False):
-        """Return the terms in their order."""
-        return list(self.args)
-
-
-class Factors(sp.Mul):
-    """A product that is printed in the order of its arguments."""
-
-    func = property(lambda _: sp.Mul)
-
-    def _latex(self, printer):
-        """Write a fraction without sorting its numerator, as SymPy's printer would."""
-        number, rest = self.as_coeff_Mul()
-        if not number.is_Rational or number.q == 1:
-            return printer._print_Mul(self)
-        sign = "- " if number < 0 else ""
-        above = [sp.Integer(abs(number.p))] if abs(number.p) != 1 else []
-        above = Factors._from_args([*above, *sp.Mul.make_args(rest)])
-        return rf"{sign}\frac{{{printer._print(above)}}}{{{number.q}}}"
-
-    def as_ordered_factors(self, order=None):
-        """Return the factors in their order."""
-        return list(self.args)
-
-
 def abbreviate(expression):
-    """Write an expression, or each entry of a matrix, as textbooks do.
+    """Write an expression, or each entry of a matrix, with short names and common factors.
 
     c_23 is cos(q_2 + q_3), s_1 is sin(q_1). Common factors such as d_6 + l_pen or c_1 are taken
-    out, and terms and factors are printed in the arm's order. The result is for reading: SymPy
-    computes with it as with any other expression.
+    out. The result is an expression of SymPy like any other; `latex` prints it in the arm's order.
 
     Args:
         expression: An expression of SymPy, or a matrix of them.
@@ -83,6 +52,35 @@ def abbreviate(expression):
     if isinstance(abbreviated, sp.MatrixBase):
         return abbreviated.applyfunc(_shorten_expression)
     return _shorten_expression(abbreviated)
+
+
+def latex(expression) -> str:
+    """Write an expression, or a matrix, in LaTeX as textbooks do.
+
+    It is abbreviated, and its terms and factors stand in the arm's order.
+
+    Args:
+        expression: An expression of SymPy, or a matrix of them.
+
+    Raises:
+        ArmError: `expression` is neither.
+
+    Example:
+        >>> q_2, d_1, a_2 = sp.symbols("q_2 d_1 a_2")
+        >>> latex(a_2 * sp.sin(q_2) + d_1)
+        'd_{1} + a_{2} s_{2}'
+    """
+    return print_latex(abbreviate(expression))
+
+
+def latex_lines(expression: sp.Expr, width: int) -> list[str]:
+    """Write an expression in LaTeX as textbooks do, in lines of about `width` characters.
+
+    Example:
+        >>> latex_lines(sp.sympify("d_1 + a_2*sin(q_2) + a_3*sin(q_2 + q_3)"), 8)
+        ['d_{1} + a_{2} s_{2}', '+ a_{3} s_{23}']
+    """
+    return break_lines(abbreviate(expression), whole_number(width, "width"))
 
 
 def require_expression(expression: object) -> None:
@@ -116,10 +114,42 @@ def _make_short_index(angle: sp.Expr) -> str:
 # LaTeX
 
 
+class _TextbookPrinter(LatexPrinter):
+    """SymPy's printer of LaTeX, with terms and factors in the arm's order."""
+
+    def __init__(self) -> None:
+        super().__init__({"order": "none"})  # a product is printed in the order of its arguments
+
+    def _as_ordered_terms(self, expr, order=None):
+        return _sort_terms(expr)
+
+    def _print_Mul(self, expr):
+        number, factors = _split_number(expr)
+        above, below = sp.fraction(sp.Mul(*factors), exact=True)
+        top, bottom = (number.p, number.q) if number.is_Rational else (number, 1)
+        text = self._print_product(abs(top), above)
+        if bottom != 1 or below != 1:
+            text = rf"\frac{{{text}}}{{{self._print_product(bottom, below)}}}"
+        return f"- {text}" if number < 0 else text
+
+    def _print_product(self, number, product):
+        """Print a positive number and a product without denominators."""
+        factors = sorted(sp.Mul.make_args(product), key=_get_sort_key)
+        factors = [sp.sympify(number)] * (number != 1) + factors * (product != 1)
+        if len(factors) < 2:
+            return self._print(factors[0] if factors else sp.S.One)
+        return super()._print_Mul(sp.Mul._from_args(factors))
+
+
+def print_latex(formula) -> str:
+    """Write a formula or a matrix in LaTeX in the arm's order, without abbreviating it."""
+    return _TextbookPrinter().doprint(formula)
+
+
 @lru_cache(maxsize=4096)
 def formula_latex(formula: sp.Expr) -> str:
     """Write a formula in LaTeX, with plain parentheses, within which a line may be broken."""
-    text = sp.latex(formula).replace(r"\left(", "(").replace(r"\right)", ")")
+    text = print_latex(formula).replace(r"\left(", "(").replace(r"\right)", ")")
     return text.replace(" )", ")")
 
 
@@ -145,7 +175,7 @@ def break_lines(formula: sp.Expr, width: int) -> list[str]:
     return [line.replace("~", " ") for line in lines]
 
 
-# Monomials
+# Order
 
 
 @cache
@@ -164,6 +194,42 @@ def _make_sort_key(atom: sp.Expr) -> SortKey:
     _, index, rest = name.partition("_")
     number = re.search(r"\d+", rest)
     return _LENGTH, int(number[0]) if number else _LAST_JOINT * bool(index), "", name
+
+
+@lru_cache(maxsize=4096)
+def _get_sort_key(part: sp.Expr) -> tuple:
+    """Return the key by which a term or factor is sorted: its kind, then its atoms' keys.
+
+    A number has the empty key.
+    """
+    base, power = part.as_base_exp()
+    if isinstance(part, sp.Add):
+        keys = [_get_sort_key(term) for term in _sort_terms(part)]
+    elif isinstance(part, sp.Mul):
+        keys = sorted(_get_sort_key(factor) for factor in _split_number(part)[1])
+    elif isinstance(base, sp.Add) and power.is_Integer and power > 0:
+        return _get_sort_key(base)
+    elif part.is_Number:
+        return ()
+    else:
+        key, number, _ = _make_factor(part)
+        return key[0], (key, number)
+    keys = [key for key in keys if key]
+    kinds = {kind for kind, *_ in keys}
+    return kinds.pop() if len(kinds) == 1 else _MIXED, *(k for _, *rest in keys for k in rest)
+
+
+def _sort_terms(formula: sp.Expr) -> list[sp.Expr]:
+    return sorted(sp.Add.make_args(formula), key=lambda term: _get_sort_key(term)[1:])
+
+
+def _split_number(product: sp.Expr) -> tuple[sp.Expr, list[sp.Expr]]:
+    """Return a product's number, and its other factors."""
+    number, *factors = sp.Mul.make_args(product)
+    return (number, factors) if number.is_Number else (sp.S.One, [number, *factors])
+
+
+# Sums as dictionaries
 
 
 def _make_polynomial(expression: sp.Expr) -> Polynomial:
@@ -193,105 +259,63 @@ def _get_key_and_power(factor: Factor) -> tuple[SortKey, int]:
 # Common factors
 
 
-class _Part(NamedTuple):
-    """A part of a formula as it will be printed.
-
-    Attributes:
-        key: Key by which parts are sorted.
-        symbols: Number of symbols in the part.
-        has_minus: Whether a minus stands first.
-        formula: The expression.
-    """
-
-    key: tuple
-    symbols: int
-    has_minus: bool
-    formula: sp.Expr
-
-
 def _shorten_expression(expression: sp.Expr) -> sp.Expr:
     """Return an expression in its short form.
 
     A product stays a product.
     """
     if isinstance(expression, sp.Add):
-        return _make_sum_part(_make_sum_terms(_make_polynomial(expression))).formula
-    number, rest = expression.as_coeff_Mul()
-    parts = []
-    for factor in sp.Mul.make_args(rest):
+        return sp.Add(*_list_sum_terms(_make_polynomial(expression)))
+    number, factors = _split_number(expression)
+    shared = []
+    for factor in factors:
         base, power = factor.as_base_exp()
         if isinstance(base, sp.Add) and power.is_Integer and power > 0:
-            sign, shared = _factor_out(_make_polynomial(base))
-            number *= sign**power
-            parts += [_make_power_part(part, power) for part in shared]
-        elif factor != 1:
-            parts.append(_make_atom_part(_make_factor(factor)))
-    return _make_product_part(number, parts).formula
+            base_number, parts = _factor_out(_make_polynomial(base))
+            number *= base_number**power
+            shared += [part**power for part in parts]
+        else:
+            shared.append(factor)
+    return _multiply(number, shared)
 
 
-def _make_atom_part(factor: Factor) -> _Part:
-    key, power, atom = factor
-    return _Part((key[0], (key, power)), power, False, sp.Pow(atom, power))
+def _multiply(number: sp.Expr, factors: list[sp.Expr]) -> sp.Expr:
+    """Multiply, without distributing a number over a sum."""
+    product = sp.Mul(*factors)
+    is_sum = isinstance(product, sp.Add) and number != 1
+    return sp.Mul(number, product, evaluate=not is_sum)
 
 
-def _make_power_part(part: _Part, power: sp.Integer) -> _Part:
-    return part._replace(formula=sp.Pow(part.formula, power, evaluate=False)) if power > 1 else part
-
-
-def _make_product_part(number: sp.Expr, parts: list[_Part]) -> _Part:
-    """Multiply parts in the order of a textbook.
-
-    The number comes first, then lengths, cosines and sines, and sums of both.
-    """
-    parts = sorted(parts, key=lambda part: part.key)
-    factors = [part.formula for part in parts]
-    if number != 1 or not parts:
-        factors.insert(0, number)
-    key = _join_keys(parts) if parts else ()
-    symbols = sum(part.symbols for part in parts)
-    return _Part(key, symbols, number < 0, Factors._from_args(factors))
-
-
-def _join_keys(parts: Iterable[_Part]) -> tuple:
-    """Join the sort keys of several parts.
-
-    The key begins with the parts' common kind, or with _MIXED.
-    """
-    keys = [part.key for part in parts if part.key]
-    kinds = {kind for kind, *_ in keys}
-    return kinds.pop() if len(kinds) == 1 else _MIXED, *(k for _, *rest in keys for k in rest)
-
-
-def _factor_out(poly: Polynomial) -> tuple[sp.Expr, list[_Part]]:
+def _factor_out(poly: Polynomial) -> tuple[sp.Expr, list[sp.Expr]]:
     """Return a sum as a number and its factors, none of which begins with a minus."""
     number = _get_leading_number(poly)
     powers = [{factor[::2]: factor[1] for factor in monomial} for monomial in poly]
     common = {key: min(p.get(key, 0) for p in powers) for key in powers[0]}
-    rest = {
+    others = {
         tuple((p, more, a) for p, n, a in monomial if (more := n - common.get((p, a), 0))): value
         / number
         for monomial, value in poly.items()
     }
-    parts = [_make_atom_part((key, n, atom)) for (key, atom), n in common.items() if n]
-    if len(rest) == 1:
-        return number, parts
-    for pairs in (_factor_pairs(rest, *cut) for cut in _list_cuts(rest)):
+    factors = [atom**n for (_, atom), n in common.items() if n]
+    if len(others) == 1:
+        return number, factors
+    for pairs in (_factor_pairs(others, *cut) for cut in _list_cuts(others)):
         if len(pairs) == 1 and min(map(len, pairs[0])) > 1:
             (sign, first), (other, second) = map(_factor_out, pairs[0])
-            return number * sign * other, [*parts, *first, *second]
-    part = _make_sum_part(_group_terms(_freeze_polynomial(rest)))
-    if part.has_minus:
-        negated = {m: -n for m, n in rest.items()}
-        number, part = -number, _make_sum_part(_group_terms(_freeze_polynomial(negated)))
-    return number, [*parts, part]
+            return number * sign * other, [*factors, *first, *second]
+    total = sp.Add(*_group_terms(_freeze_polynomial(others)))
+    if _sort_terms(total)[0].could_extract_minus_sign():
+        negated = {m: -n for m, n in others.items()}
+        number, total = -number, sp.Add(*_group_terms(_freeze_polynomial(negated)))
+    return number, [*factors, total]
 
 
-def _make_sum_terms(poly: Polynomial) -> tuple[_Part, ...]:
-    """Return a sum as a product if its terms have a common factor, else as its terms."""
-    number, parts = _factor_out(poly)
-    if len(poly) > 1 and len(parts) == 1 and abs(number) == 1:
+def _list_sum_terms(poly: Polynomial) -> tuple[sp.Expr, ...]:
+    """Return a sum as one product if its terms have a common factor, else as its terms."""
+    number, factors = _factor_out(poly)
+    if len(poly) > 1 and len(factors) == 1 and abs(number) == 1:
         return _group_terms(_freeze_polynomial(poly))
-    return (_make_product_part(number, parts),)
+    return (_multiply(number, factors),)
 
 
 def _get_leading_number(poly: Polynomial) -> sp.Expr:
@@ -310,23 +334,30 @@ def _freeze_polynomial(poly: Polynomial) -> frozenset:
 
 
 @lru_cache(maxsize=4096)
-def _group_terms(items: frozenset) -> tuple[_Part, ...]:
+def _group_terms(items: frozenset) -> tuple[sp.Expr, ...]:
     """Return the terms of a sum, grouped so that the fewest symbols are left.
 
     Args:
         items: The items of a `Polynomial`, frozen so that results can be cached.
     """
     poly = dict(items)
-    groupings = [
-        tuple(
-            _make_product_part(n, [*map(_make_atom_part, monomial)]) for monomial, n in poly.items()
-        )
-    ]
+    groupings = [tuple(sp.Mul(n, *(atom**power for _, power, atom in m)) for m, n in poly.items())]
     for cut, swapped in _list_cuts(poly):
         pairs = _factor_pairs(poly, cut, swapped)
         if 1 < len(pairs) < len(poly):
             groupings.append(tuple(term for pair in pairs for term in _multiply_sums(*pair)))
-    return min(groupings, key=lambda terms: sum(term.symbols for term in terms))
+    return min(groupings, key=lambda terms: sum(map(_count_symbols, terms)))
+
+
+@lru_cache(maxsize=4096)
+def _count_symbols(part: sp.Expr) -> int:
+    """Count the symbols that are written in a formula, a square as two."""
+    base, power = part.as_base_exp()
+    if isinstance(base, sp.Add | sp.Mul):
+        return sum(map(_count_symbols, base.args))
+    if part.is_Number:
+        return 0
+    return int(power) if power.is_Integer and power > 0 else 1
 
 
 def _list_cuts(poly: Polynomial) -> list[tuple[tuple[int, ...], bool]]:
@@ -364,19 +395,9 @@ def _factor_pairs(
     return [(first_sum, dict(shared)) for shared, first_sum in first_sums.items()]
 
 
-def _multiply_sums(first: Polynomial, second: Polynomial) -> tuple[_Part, ...]:
+def _multiply_sums(first: Polynomial, second: Polynomial) -> tuple[sp.Expr, ...]:
     """Return the product of two sums."""
     if [*first] == [()]:
-        return _make_sum_terms({monomial: n * first[()] for monomial, n in second.items()})
-    (number, parts), (other_number, other_parts) = _factor_out(first), _factor_out(second)
-    return (_make_product_part(number * other_number, parts + other_parts),)
-
-
-def _make_sum_part(terms: Iterable[_Part]) -> _Part:
-    terms = sorted(terms, key=lambda part: part.key[1:])
-    formula = Terms._from_args([part.formula for part in terms])
-    symbols = sum(part.symbols for part in terms)
-    return _Part(_join_keys(terms), symbols, terms[0].has_minus, formula)
-
-
-__getattr__ = deprecated_names(__name__, short="abbreviate")
+        return _list_sum_terms({monomial: n * first[()] for monomial, n in second.items()})
+    (number, factors), (other_number, other_factors) = _factor_out(first), _factor_out(second)
+    return (_multiply(number * other_number, factors + other_factors),)

@@ -6,8 +6,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike
 
-from helpers.deprecated import deprecated_names
-from helpers.formulas import abbreviate, break_lines
+from helpers.formulas import abbreviate, break_lines, print_latex
 from helpers.inputs import finite_array, require_type
 
 __all__ = ["MarkdownOutput", "frames", "matrices"]
@@ -37,7 +36,7 @@ def matrices(named: Mapping[str, object]) -> MarkdownOutput:
 
     Args:
         named: For each name, in LaTeX, a matrix of SymPy or numbers of shape (m, n). Formulas are
-            written as `symbolic.abbreviate` does, long entries in several lines. Numbers are
+            written as `symbolic.latex` does, long entries in several lines. Numbers are
             rounded to four decimals.
 
     Example:
@@ -79,7 +78,7 @@ def _entry_latex(entry: sp.Expr) -> str:
     """Write an entry of a matrix in LaTeX, and a long entry in several lines."""
     first, *rest = break_lines(entry, _LINE_WIDTH)
     if not rest:
-        return sp.latex(entry)
+        return print_latex(entry)
     # Each line is a group, because Temml would join a line break with a bracket that follows it.
     below = "".join(rf" \\ {{\quad {line}}}" for line in rest)
     return rf"\begin{{array}}{{l}}{{{first}}}{below}\end{{array}}"
@@ -87,6 +86,3 @@ def _entry_latex(entry: sp.Expr) -> str:
 
 def _number_text(value: float) -> str:
     return f"{np.round(value, 4) + 0.0:g}"
-
-
-__getattr__ = deprecated_names(__name__, Shown="MarkdownOutput")

@@ -12,8 +12,7 @@ from sympy.polys.matrices import DomainMatrix
 from sympy.polys.rings import PolyElement
 
 from helpers.arm import Arm
-from helpers.deprecated import deprecated_names
-from helpers.formulas import abbreviate, require_expression
+from helpers.formulas import abbreviate, latex, latex_lines, require_expression
 from helpers.inputs import ArmError, finite_number, require_type
 from helpers.polynomials import (
     Matrix,
@@ -35,6 +34,8 @@ __all__ = [
     "jacobian",
     "jacobian_by_differentiation",
     "joint_symbols",
+    "latex",
+    "latex_lines",
     "link_frames",
     "link_transforms",
     "potential_energy",
@@ -80,8 +81,8 @@ def link_frames(arm: Arm) -> list[Matrix]:
         >>> abbreviate(link_frames(ELBOW)[2][:3, 3])
         Matrix([
         [  a_2*c_1*c_2],
-        [  a_2*s_1*c_2],
-        [d_1 + a_2*s_2]])
+        [  a_2*c_2*s_1],
+        [a_2*s_2 + d_1]])
     """
     ring = Ring(arm)
     return [ring.matrix([*transpose(frame), [0, 0, 0, 1]]) for frame in symbolic_frames(arm, ring)]
@@ -93,7 +94,7 @@ def forward_kinematics(arm: Arm) -> Matrix:
     Example:
         >>> from helpers.robots import ELBOW
         >>> abbreviate(forward_kinematics(ELBOW)[2, 3])
-        d_1 + a_2*s_2 + a_3*s_23
+        a_2*s_2 + a_3*s_23 + d_1
     """
     return link_frames(arm)[-1]
 
@@ -292,6 +293,3 @@ def _link_transform(arm: Arm, i: int) -> Matrix:
     return Matrix(
         [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
     )
-
-
-__getattr__ = deprecated_names(__name__, short="abbreviate")

@@ -131,6 +131,8 @@ RIGHT = {
     "symbolic.gravity_torque": dict(arm=HEAVY),
     "symbolic.body_numbers": dict(gravity=9.81),
     "symbolic.abbreviate": dict(expression=sp.cos(sp.Symbol("q_1"))),
+    "symbolic.latex": dict(expression=sp.cos(sp.Symbol("q_1"))),
+    "symbolic.latex_lines": dict(expression=sp.cos(sp.Symbol("q_1")), width=60),
     "symbolic.with_numbers": dict(expression=sp.Symbol("a_3")),
     "motion.line": dict(start=[0, 0, 0], end=[0, 0.1, 0], period=5, steps=10),
     "motion.circle": dict(centre=[0, 0, 0], plane="yz", period=5, steps=10),

@@ -6,8 +6,6 @@ The sheets derive formulas with SymPy. The expected numbers come from `helpers.k
 
 import json
 import re
-import subprocess
-import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -23,6 +21,7 @@ from answers.content import AnswerSheet
 from helpers import kinematics, robots, statics
 from helpers.arm import Arm, ArmError, Body, fixed, prismatic, revolute
 from helpers.derive import Axis, derive
+from helpers.formulas import print_latex
 from helpers.robots import ELBOW, PANDA
 from helpers.urdf import from_urdf
 from tools import answers
@@ -186,14 +185,14 @@ def strip_brackets(tex):
 def test_displayed_formulas_are_complete(sheet):
     """Long parts of T_0i and J stand under Axes and Origins; what is copied is whole by itself."""
     vectors = {
-        f"({displays.format_name(vector)})_{{{axis}}}": sp.latex(x)
+        f"({displays.format_name(vector)})_{{{axis}}}": print_latex(x)
         for vector in (*sheet.axes, *sheet.origins)
         for axis, x in zip("xyz", vector.value, strict=True)
     }
     for item in sheet.answers:
         shown, whole = (
             displays.format_symbols(sheet, item),
-            [strip_brackets(sp.latex(x)) for x in item.value],
+            [strip_brackets(print_latex(x)) for x in item.value],
         )
         assert read_entries(item, shown, vectors) == whole or shown[0] in PARALLEL
         missing = [display for display in shown if f"$$\n{display}\n$$" not in page(sheet)]
@@ -393,27 +392,3 @@ def test_arm_without_joints_is_rejected():
 def test_other_arm_needs_the_same_rows():
     with pytest.raises(ArmError, match="Panda has other rows than Elbow arm; expected other value"):
         make_markdown_sheet(ELBOW, "Elbow", "An arm.", (PANDA,))
-
-
-# The old name
-
-
-def test_helpers_sheets_warns_of_its_new_name(tmp_path):
-    command = [
-        sys.executable,
-        "-m",
-        "helpers.sheets",
-        "elbow arm",
-        "--out",
-        tmp_path / "elbow.html",
-    ]
-    done = subprocess.run(command, cwd=answers.ROOT, capture_output=True, text=True, check=True)
-    assert "DeprecationWarning: helpers.sheets is now called answers" in done.stderr
-    assert (tmp_path / "elbow.html").read_text(encoding="utf-8") == make_html_sheet(ELBOW)
-
-
-def test_helpers_sheets_still_has_its_functions():
-    sys.modules.pop("helpers.sheets", None)
-    with pytest.warns(DeprecationWarning, match="say from answers import make_html_sheet"):
-        from helpers.sheets import document as old_document
-    assert old_document is make_html_sheet
