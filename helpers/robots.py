@@ -11,7 +11,6 @@ from math import pi
 from typing import Any
 
 from helpers.arm import Arm, ArmError, Body, CircleTask, prismatic, revolute
-from helpers.deprecated import deprecated_names
 from helpers.inputs import require_choice, require_type, tuple_of_items
 
 __all__ = [
@@ -226,6 +225,3 @@ def restore_lengths(arm: Arm, names: Iterable[str]) -> Arm:
             stacklevel=2,
         )
     return arm.with_values(**missing)
-
-
-__getattr__ = deprecated_names(__name__, named="find_arm")

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.deprecated import deprecated_attribute, deprecated_names
 from helpers.inputs import require_type
 from helpers.kinematics import forward_kinematics
 
@@ -52,9 +51,6 @@ class Census:
     slip_pairs: int
     unseen_by_tip: Sequence[tuple[TableSlip, ...]]
     unseen_by_pose: Sequence[tuple[TableSlip, ...]]
-
-    one = deprecated_attribute("one", "single_slips")
-    two = deprecated_attribute("two", "slip_pairs")
 
 
 def list_slips(arm: Arm) -> Sequence[TableSlip]:
@@ -127,6 +123,3 @@ def apply_slip(
     if slip.entry == "q":
         return arm, q * np.where(np.array(arm.joints) == slip.row, slip.value, 1)
     return arm.with_row(slip.row, **{slip.entry: slip.value}), q
-
-
-__getattr__ = deprecated_names(__name__, Slip="TableSlip", slips="list_slips")

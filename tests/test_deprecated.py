@@ -1,40 +1,9 @@
-"""Test that old names of the helpers still work, and warn with the new name."""
-
-import importlib
+"""Test that a renamed name of the helpers still works, and warns with the new name."""
 
 import pytest
 
 from helpers.deprecated import deprecated_names
 from helpers.robots import ELBOW
-from helpers.slips import census
-
-RENAMED = [
-    ("motion", "joined", "join_traces"),
-    ("motion", "Report", "TraceReport"),
-    ("robots", "named", "find_arm"),
-    ("derive", "Step", "DerivationStep"),
-    ("show", "Shown", "MarkdownOutput"),
-    ("slips", "slips", "list_slips"),
-    ("slips", "Slip", "TableSlip"),
-    ("symbolic", "short", "abbreviate"),
-    ("formulas", "short", "abbreviate"),
-    ("plotting", "seen", "project_points"),
-    ("plotting", "frames", "draw_frames"),
-    ("plotting", "torques", "plot_torques"),
-]
-
-
-@pytest.mark.parametrize(("module", "old", "new"), RENAMED)
-def test_old_name_warns_and_gives_the_new_object(module, old, new):
-    module = importlib.import_module(f"helpers.{module}")
-    with pytest.warns(DeprecationWarning, match=f"{old} is now .*{new}; the old name"):
-        assert getattr(module, old) is getattr(module, new)
-
-
-def test_old_attribute_warns_and_gives_the_new_value():
-    counts = census(ELBOW, [[0.3, 0.5, -0.2]])
-    with pytest.warns(DeprecationWarning, match=r"Census.one is now Census.single_slips"):
-        assert counts.one == counts.single_slips
 
 
 def test_unknown_name_of_a_module_is_no_attribute():

@@ -8,11 +8,10 @@ import pytest
 
 import helpers
 
-OLD_NAMES = {"helpers.sheets"}  # importing it warns, which is an error in tests
 MODULES = sorted(
     module.name
     for module in pkgutil.walk_packages(helpers.__path__, "helpers.")
-    if not module.name.endswith("__main__") and module.name not in OLD_NAMES
+    if not module.name.endswith("__main__")
 )
 
 

@@ -34,7 +34,6 @@ LATE_UPWARD_IMPORTS = {
     ("helpers.expressions", "helpers.checks.engine"),
     ("helpers.poses", "helpers.checks.compare"),
 }
-OLD_NAMES = {"helpers.sheets"}  # renamed modules, which import their new place
 
 
 def find_python_modules() -> dict[str, Path]:
@@ -146,7 +145,6 @@ def test_python_rooms_import_only_rooms_below():
         for name, target in pairs
         if (room := name.partition(".")[0]) != (other := target.partition(".")[0])
         and other not in ALLOWED_ROOMS[room]
-        and name not in OLD_NAMES
     }
     assert upward == set()
 

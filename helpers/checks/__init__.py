@@ -11,7 +11,6 @@ from helpers.checks.compare import (
 )
 from helpers.checks.marked_text import UnreadNumberError
 from helpers.checks.verdict import Finding, Verdict
-from helpers.deprecated import deprecated_names
 
 __all__ = [
     "Finding",
@@ -25,5 +24,3 @@ __all__ = [
     "compare_torques",
     "compare_trace",
 ]
-
-__getattr__ = deprecated_names(__name__, Report="helpers.checks.Verdict")

@@ -10,10 +10,7 @@ Hutchinson and Vidyasagar, Robot Modeling and Control, section 3.2.2; Craig, Int
 Robotics, section 3.4, for the modified table, which has the same common normals.
 """
 
-from helpers.deprecated import deprecated_names
 from helpers.derive.steps import derive
 from helpers.derive.values import Axis, Derivation, DerivationStep, Line
 
 __all__ = ["Axis", "Derivation", "DerivationStep", "Line", "derive"]
-
-__getattr__ = deprecated_names(__name__, Step="DerivationStep")

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.deprecated import deprecated_attribute
 from helpers.inputs import (
     ArmError,
     broadcast_shape,
@@ -92,8 +91,6 @@ class Solutions:
             )
         rows = zip(self.branches, self.q, self.valid, self.merged, strict=True)
         return {_shorten_branch_name(name, merged): q for name, q, valid, merged in rows if valid}
-
-    ways = deprecated_attribute("ways", "by_name")
 
     def __repr__(self) -> str:
         if self.q.ndim != 2:

@@ -1,6 +1,5 @@
 """Define paths of the tip, follow them by resolved rates, and report how well it went."""
 
-from helpers.deprecated import deprecated_names
 from helpers.motion.joining import join_traces
 from helpers.motion.paths import Path, circle, circle_below, line, rest_to_rest
 from helpers.motion.rates import (
@@ -36,5 +35,3 @@ __all__ = [
     "self_motion_directions",
     "trace",
 ]
-
-__getattr__ = deprecated_names(__name__, Report="TraceReport", joined="join_traces")

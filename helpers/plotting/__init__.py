@@ -4,7 +4,6 @@ Functions called `plot_...` label the axes with their units, functions called `d
 in m. Both draw on the axes that they receive and return None.
 """
 
-from helpers.deprecated import deprecated_names
 from helpers.plotting.branches import (
     draw_law_of_cosines,
     draw_shoulder_triangles,
@@ -61,28 +60,3 @@ __all__ = [
     "project_points",
     "use_book_style",
 ]
-
-__getattr__ = deprecated_names(
-    __name__,
-    angle="draw_angle",
-    arm_2d="plot_arm",
-    arm_drawing="draw_arm",
-    arrow_2d="draw_arrow",
-    axis_lines="draw_joint_axes",
-    dh_numbers="draw_dh_numbers",
-    dimension="draw_dimension",
-    frames="draw_frames",
-    joints="plot_joints",
-    law_of_cosines="draw_law_of_cosines",
-    lengths="draw_lengths",
-    moving_picture="animate_trace",
-    path_2d="plot_path",
-    postures="draw_postures",
-    regions="plot_regions",
-    row_drawing="draw_row",
-    seen="project_points",
-    shoulder_triangles="draw_shoulder_triangles",
-    torque_shares="plot_torque_shares",
-    torques="plot_torques",
-    ur_triangle="draw_ur_triangle",
-)
