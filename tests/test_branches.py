@@ -168,7 +168,11 @@ def test_solutions_are_read_as_a_student_asks():
     many = inverse.elbow(ELBOW, [(0.5, 0.0, 0.5), (1.0, 0.0, 0.5)])
     assert repr(many) == "Elbow arm: 1 of 2 targets within reach"
     assert repr(inverse.solve(ELBOW, (1.0, 0.0, 0.5))).startswith(
-        "not reached from 1 start, 0.3 m and 0 rad off"
+        "not reached from 21 starts, 0.3 m and 0 rad off; try restarts=105: q = "
+    )
+    limited = ELBOW.with_row(1, limits=(-3, 3))
+    assert repr(inverse.solve(limited, [(1.0, 0.0, 0.5)], restarts=0)).endswith(
+        "0.3 m and 0 rad off, from 1 start within the limits; try restarts=20, or limits=False"
     )
     assert repr(inverse.solve(ELBOW, (0.5, 0.0, 0.5))).startswith("reached in ")
     found = inverse.solve(ELBOW, (0.5, 0.0, 0.5))._repr_markdown_().splitlines()

@@ -1,5 +1,4 @@
-"""Numeric inverse kinematics for any arm: Levenberg and Marquardt's damped least squares, in
-batches."""
+"""Solve inverse kinematics of any arm numerically, by damped least squares in batches."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,16 +29,17 @@ _CHUNK = 4096  # so many descents at a time keep the recursion over the links in
 
 @dataclass(frozen=True, repr=False)
 class NumericSolution:
-    """One joint vector for each target, and how well it does.
+    """The best configuration found for each target, and its errors.
 
     Attributes:
-        q: shape (..., dof), the best found, reached or not.
-        reached: whether both errors are within the tolerance, shape (...).
-        position_error: distance from tip to target, shape (...), in m.
-        orientation_error: angle of the turn that is missing, shape (...), in rad; 0 where only
+        q: Configurations, shape (..., dof), reached or not.
+        reached: Whether both errors are within the tolerance, shape (...).
+        position_error: Distances from tip to target, shape (...), in m.
+        orientation_error: Angles of the missing rotations, shape (...), in rad; 0 where only
             positions were asked for.
-        iterations: steps taken from the start that gave q, shape (...).
-        starts: how many starts were tried, shape (...).
+        iterations: Steps taken from the start that gave q, shape (...).
+        starts: Number of starts that were tried, shape (...).
+        limits: Whether the joints were kept within limits.
     """
 
     q: Array
@@ -48,17 +48,22 @@ class NumericSolution:
     orientation_error: Array
     iterations: NDArray[np.int_]
     starts: NDArray[np.int_]
+    limits: bool
 
     def __repr__(self) -> str:
         off = (
             f"{np.max(self.position_error):.3g} m and {np.max(self.orientation_error):.3g} rad off"
         )
+        most = np.max(self.starts, initial=0)
+        tried = f"from {'1 start' if most == 1 else f'{most} starts'}"
+        tried += " within the limits" if self.limits else ""
+        advice = f"try restarts={5 * max(most, 4)}" + ", or limits=False" * self.limits
         if self.reached.ndim:
-            return f"{self.reached.sum()} of {self.reached.size} targets reached, at worst {off}"
-        tried = "1 start" if self.starts == 1 else f"{self.starts} starts"
-        how = f"reached in {self.iterations} steps"
-        how = how if self.reached else f"not reached from {tried}, {off}"
-        return f"{how}: q = {np.array2string(self.q.round(6) + 0.0, separator=', ')}"
+            text = f"{self.reached.sum()} of {self.reached.size} targets reached, at worst {off}"
+            return text if self.reached.all() else f"{text}, {tried}; {advice}"
+        text = f"reached in {self.iterations} steps"
+        text = text if self.reached else f"not reached {tried}, {off}; {advice}"
+        return f"{text}: q = {np.array2string(self.q.round(6) + 0.0, separator=', ')}"
 
     def _repr_markdown_(self) -> str:
         if self.reached.ndim:
@@ -77,18 +82,36 @@ def solve(
     limits: bool = True,
     tolerance: float = 1e-10,
     iterations: int = 100,
-    restarts: int = 0,
+    restarts: int = 20,
 ) -> NumericSolution:
-    """A joint vector near `start` that takes the tip to each of `targets`: poses (..., 4, 4), or
-    positions (..., 3) in m, or the text of one. A pose printed with few decimals is taken as by
-    `solutions`.
+    """Find a configuration that takes the tip to each target.
 
-    The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda in proportion to the error e, which
-    grows while steps fail: far from the target it is cautious, close to it Newton's. Metres and
-    radians count alike. With `limits` joints stay within theirs. Targets not reached within
-    `tolerance` (m and rad) after `iterations` steps are tried again from up to `restarts` random
-    starts. `start` has shape (..., dof); home unless given. Raises ArmError for bad shapes or
-    numbers. Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
+    It lies near `start` if the descent from there reaches the target. Otherwise random starts are
+    tried, always the same ones. The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda that is
+    proportional to the error e and grows while steps fail: far from the target it is cautious,
+    close to it Newton's. Metres and radians count alike.
+
+    Args:
+        arm: The arm.
+        targets: Poses (..., 4, 4), or positions (..., 3) in m. A pose printed with few decimals is
+            taken as by `solutions`.
+        start: Configurations (..., dof) from which the first descent begins; home by default.
+        limits: Whether the joints stay within their limits.
+        tolerance: Largest distance (m) and angle (rad) from a target that is reached.
+        iterations: Largest number of steps of a descent.
+        restarts: Largest number of random starts for a target that was not reached.
+
+    Raises:
+        ArmError: An argument has a wrong shape or value.
+
+    Example:
+        >>> from helpers.kinematics import forward_kinematics
+        >>> from helpers.robots import PANDA
+        >>> target = forward_kinematics(PANDA, PANDA.home)
+        >>> bool(solve(PANDA, target, start=[0] * 7).reached)
+        True
+
+    Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
     require_joints(arm)
     if not isinstance(limits, bool | np.bool_):
@@ -105,22 +128,36 @@ def solve(
     whole_number(restarts, "restarts")
     finite_number(tolerance, "tolerance", "a positive number of m and rad", above=0)
 
-    bounds = arm.limits if limits else (np.full(arm.dof, -np.inf), np.full(arm.dof, np.inf))
-    rule = _Rule(bounds, tolerance, iterations)
+    unbounded = _Rule((np.full(arm.dof, -np.inf), np.full(arm.dof, np.inf)), tolerance, iterations)
+    rule = _Rule(arm.limits, tolerance, iterations) if limits else unbounded
     best = _descend(arm, goal, start, rule)
     starts, random = np.ones(len(goal), int), np.random.default_rng(0)
     for _ in range(restarts):
         missed = np.flatnonzero(best.worst > tolerance)
         if not missed.size:
             break
-        again = random.uniform(*_start_range(arm), (missed.size, arm.dof))
-        found = _descend(arm, goal[missed], again, rule)
+        begin = random.uniform(*_start_range(arm), (missed.size, arm.dof))
+        if limits:
+            # A descent often ends at a limit. This one passes it, and whole turns bring the joints
+            # back between their limits, from where the second descent begins.
+            passed = _descend(arm, goal[missed], begin, unbounded).q
+            begin = _turn_into_limits(arm, passed)
+        descent = _descend(arm, goal[missed], begin, rule)
         starts[missed] += 1
-        better = found.worst < best.worst[missed]
-        for old, new in zip(best, found, strict=True):
+        better = descent.worst < best.worst[missed]
+        for old, new in zip(best, descent, strict=True):
             old[missed[better]] = new[better]
     results = (best.q, best.worst <= tolerance, best.position, best.orientation, best.steps, starts)
-    return NumericSolution(*(x.reshape((*shape, *x.shape[1:])) for x in results))
+    arrays = (x.reshape((*shape, *x.shape[1:])) for x in results)
+    return NumericSolution(*arrays, limits=bool(limits and np.isfinite(arm.limits).any()))
+
+
+def _turn_into_limits(arm: Arm, q: Array) -> Array:
+    """Turn revolute joints by whole turns to just above their lower limits if they are outside."""
+    lower, upper = arm.limits
+    outside = arm.turning & ((q < lower) | (q > upper))
+    turns = np.ceil((np.where(outside, lower, q) - q) / (2 * np.pi))
+    return q + 2 * np.pi * turns
 
 
 class _Descent(NamedTuple):

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.inverse import solve
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.statics import gravity_torque
 from helpers.urdf import from_urdf
@@ -133,6 +134,23 @@ def test_serial_arm_matches_pinocchio(name):
     file, base, tip, others = ARMS[name]
     largest = assert_same_arm((ROBOTS / file).read_text(encoding="utf-8"), base, tip, others)
     assert largest > 1 or name not in ("UR5", "Panda", "Jaco", "xArm7", "Z1 with its gripper")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "UR3", "UR5", "UR10, joints limited", "Panda", "Jaco", "xArm7", "Z1 with its gripper",
+        "SO-100", "Talos", "Tiago", "Baxter",
+    ],
+)  # fmt: skip
+def test_solve_finds_reachable_pose_by_itself(name):
+    """At least 99.5 % of 1000 random configurations within the limits, from home."""
+    file, base, tip, *_ = {**ARMS, **LIMBS}[name]
+    arm = from_urdf(ROBOTS / file, base, tip)
+    far = np.where(arm.turning, np.pi, 1.0)
+    lower, upper = (np.clip(limit, -far, far) for limit in arm.limits)
+    q = np.random.default_rng(3).uniform(lower, upper, (1000, arm.dof))
+    assert solve(arm, forward_kinematics(arm, q)).reached.mean() >= 0.995
 
 
 @pytest.mark.parametrize("name", LIMBS)
