@@ -84,3 +84,11 @@ def test_numbers_reach_the_engine_unchanged():
 def test_nan_is_rejected_before_the_engine():
     with pytest.raises(ValueError, match="Out of range"):
         engine.ask_judge("numbers", mine=[float("nan")], what="mine", wanted="numbers")
+
+
+def test_crash_of_the_judge_is_no_refusal(tmp_path, monkeypatch):
+    script = tmp_path / "judge.js"
+    script.write_text("const ArmJudge = { ask: (text) => null.length };", "utf-8")
+    monkeypatch.setattr(engine, "_SCRIPT", script)
+    with pytest.raises(RuntimeError, match=r"the judge has a fault \(TypeError: cannot read"):
+        checks.compare_jacobian(J, ELBOW, Q)

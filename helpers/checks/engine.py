@@ -24,7 +24,7 @@ _engines = threading.local()  # each thread needs its own context
 def ask_judge(topic: str, **question: Any) -> Any:
     """Return the judge's answer to a question.
 
-    Raises ArmError with the judge's message if it refuses.
+    Raises ArmError with the judge's message if it refuses, and RuntimeError if the judge crashes.
     """
     if not hasattr(_engines, "ask"):
         _engines.ask = _start_engine()
@@ -60,10 +60,15 @@ def _start_quickjs(script: str) -> Callable[[str], str]:
     def ask_within_limits(text: str) -> str:
         try:
             return ask(text)
-        except (quickjs.JSException, quickjs.StackOverflow) as problem:
+        except quickjs.JSException as problem:
             # An interrupted engine may be inconsistent. The next question starts a new engine.
             del _engines.ask
             first = str(problem).partition("\n")[0]
+            # QuickJS reports its limits of time and memory as InternalError, or as null where no
+            # memory is left for an error.
+            is_limit = first.startswith(("InternalError", "null"))
+            if not is_limit and not isinstance(problem, quickjs.StackOverflow):
+                raise RuntimeError(f"the judge has a fault ({first}); report it") from problem
             raise ArmError(
                 f"the judge gave up ({first}); expected a question that takes it at most"
                 f" {_SECONDS} s and {_MEMORY >> 20} MB"
