@@ -15,6 +15,7 @@ const common = {
   charset: "utf8",
   legalComments: "eof",
   loader: { ".css": "text" },
+  logOverride: { "import-is-undefined": "error" },
 };
 
 // The explorer contains its worker's script as text, because a page opened from a file may not load
