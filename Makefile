@@ -95,11 +95,12 @@ lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder m
 refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 	$(BIN)/python -m tools.refresh $(NOTEBOOKS)
 
-lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check the types (needs Node.js)
+lint: $(BIN)/.installed-dev ## check code, notebooks, types and bundles (needs Node.js)
 	$(BIN)/pre-commit run --all-files
 	$(BIN)/mypy
 	npm ci --silent
 	npm run lint --silent
+	$(BIN)/python -m pytest -q -m npm tests/test_ablate.py tests/test_explorer.py
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python -m tools.pdf

@@ -10,6 +10,7 @@ import os
 import shutil
 import subprocess
 import threading
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,15 @@ NODE = shutil.which("node")
 needs_node = pytest.mark.skipif(
     NODE is None and not os.environ.get("CI"), reason="Node.js is not installed"
 )
+PACKAGES = Path(__file__).parents[1] / "node_modules"
+_skip_without_packages = pytest.mark.skipif(
+    not PACKAGES.exists(), reason="the packages of package.json are not installed: npm ci"
+)
+
+
+def needs_packages(test: Callable) -> Callable:
+    """Skip a test where `npm ci` has not run; `make lint`, which runs it, runs these tests."""
+    return pytest.mark.npm(needs_node(_skip_without_packages(test)))
 
 
 def ask_node(script: str, question: dict) -> Any:

@@ -3,10 +3,10 @@
 import json
 
 from tests.ablate import switch_decisions
-from tests.node import needs_node
+from tests.node import needs_packages
 
 
-@needs_node
+@needs_packages
 def test_ablation_lists_only_decisions_without_effect(tmp_path):
     question = {"topic": "numbers", "mine": "1 2\n3 4", "what": "J"}
     line = {"script": "judge_bundle.mjs", "question": json.dumps(question)}

@@ -3,9 +3,7 @@
 import hashlib
 import json
 import math
-import os
 import re
-import shutil
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -28,7 +26,7 @@ from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque, potential_energy, static_torque
 from tests.machines import random_pair
-from tests.node import NODE, ask_node, needs_node
+from tests.node import NODE, ask_node, needs_node, needs_packages
 from tests.test_tables import flip_x, flip_z, replace_rows, shift_zero
 
 ROOT = Path(__file__).parents[1]
@@ -432,13 +430,8 @@ def measure_difference(arm, p, q):
     return np.where(slides, np.abs(p - q), np.abs(2 * np.sin((p - q) / 2))).max(axis=-1)
 
 
-@needs_node
+@needs_packages
 def test_bundles_are_up_to_date(tmp_path):
-    assert NODE, "Node.js is not installed"
-    if not ROOT.joinpath("node_modules").exists():
-        if not os.environ.get("CI"):
-            pytest.skip("npm packages are not installed: npm ci")
-        subprocess.run([shutil.which("npm"), "ci", "--silent"], cwd=ROOT, check=True)
     subprocess.run(
         [NODE, "page/build.js", str(tmp_path)], cwd=ROOT, check=True, capture_output=True
     )
