@@ -11,7 +11,7 @@ import pytest
 from IPython.display import display
 from ipywidgets import interactive
 
-from helpers.robots import PANDA
+from helpers.robots import PANDA_HOMEWORK
 from helpers.statics import static_torque
 
 CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
@@ -56,5 +56,5 @@ def test_force_slider_matches_static_torque(capsys):
     capsys.readouterr()
     pushed(F_x=20, F_y=0, F_z=-10)
     told = re.findall(r"joint \d: +(-?[\d.]+) N m", capsys.readouterr().out)
-    tau = static_torque(PANDA, PANDA.home, [20, 0, -10, 0, 0, 0])
+    tau = static_torque(PANDA_HOMEWORK, PANDA_HOMEWORK.home, [20, 0, -10, 0, 0, 0])
     assert np.array(told, dtype=float) == pytest.approx(tau, abs=6e-4)

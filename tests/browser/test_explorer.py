@@ -550,9 +550,9 @@ def test_chapter_3_only_one_circle_winds(visit):
 def test_chapter_4_pushed_pen_overloads_joint_6(visit):
     page = visit(name="04_static_torque").page
     totals = page.locator(".bars .total")
-    assert totals.nth(1).inner_text() == "21.81"
+    assert totals.nth(1).inner_text() == "22.18"
     page.get_by_label("F x, N", exact=True).fill("5")
-    expect(totals.nth(1)).to_have_text("26.68")  # 4.865 N m more
+    expect(totals.nth(1)).to_have_text("27.10")  # 4.92 N m more
     page.get_by_label("F x, N", exact=True).fill("0")
     page.get_by_label("F z, N", exact=True).fill("-60")
     verdict = page.locator(".torque .verdict")
