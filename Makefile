@@ -2,7 +2,7 @@
 VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?= python3
-NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
+NOTEBOOKS := $(sort $(wildcard book/*.ipynb book/further/*.ipynb book/exercises/*.ipynb))
 HTML := book/_build/html
 # Each file of these folders may change a page. What a build writes there is no source.
 SOURCES := $(shell find book helpers answers tools -type f -not -path 'book/_build/*' -not -path 'book/answers/*' \
@@ -88,7 +88,7 @@ LINKED_PAGES = $(wildcard book/*.md book/answers/*.md)
 
 # A copy that exists may hold the reader's own work and stays.
 lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab
-	@mkdir -p my/answers && for page in $(NOTEBOOKS) $(LINKED_PAGES); do copy=my/$${page#book/}; test -e $$copy || cp $$page $$copy; done
+	@mkdir -p my/answers my/further my/exercises && for page in $(NOTEBOOKS) $(LINKED_PAGES); do copy=my/$${page#book/}; test -e $$copy || cp $$page $$copy; done
 	@echo "Your copies: $(CURDIR)/my. Delete one, and the next make lab copies it anew."
 	$(BIN)/jupyter lab my
 

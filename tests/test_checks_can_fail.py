@@ -10,12 +10,13 @@ expect a literal, since two derivations agree for any arm.
 import ast
 from copy import deepcopy
 from itertools import count
-from pathlib import Path
 
 import nbformat
 import pytest
 
-NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
+from tools.numbering import list_notebooks
+
+NOTEBOOKS = list_notebooks()
 # Labels of checks on algebra or on a slip's arithmetic, for which no helper exists.
 BY_HAND = {
     "the appendix's 40 pi, in mm/s",

@@ -7,16 +7,16 @@ was never run, and does not compare PNG pictures or cells with certain tags.
 import re
 import xml.etree.ElementTree as ET
 from itertools import pairwise
-from pathlib import Path
 from statistics import median
 
 import nbformat
 import pytest
 
+from tools.numbering import list_notebooks
 from tools.refresh import hide_drawing_code, write_derived_cells
 from tools.setup_note import IMPORT_COMMENT, format_setup_note
 
-NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
+NOTEBOOKS = list_notebooks()
 PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
 CHAPTERS = [path for path in NOTEBOOKS if path.stem[:2].isdigit()]
 ALLOWED_TAGS = {"hide-input", "hide-output", "hide-cell", "remove-input", "remove-cell"}
@@ -209,7 +209,7 @@ def test_notebook_is_below_750_kb(path):
 def test_notebook_is_as_refresh_leaves_it(path):
     """Its note on `helpers`, the folded code of drawings, citations with their list."""
     notebook = read(path)
-    write_derived_cells(notebook, path.stem)
+    write_derived_cells(notebook, path)
     assert notebook == read(path), f"run: make refresh NOTEBOOKS=book/{path.name}"
 
 

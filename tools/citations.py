@@ -33,13 +33,16 @@ def make_label(key: str) -> str:
     return re.sub(r"[{}]", "", f"{authors} {work.fields['year']}")
 
 
-def format_list_item(key: str) -> str:
-    """Return a work as an item of a notebook's list, with the anchor that citations link to."""
+def format_list_item(key: str, to_book: str = "") -> str:
+    """Return a work as an item of a notebook's list, with the anchor that citations link to.
+
+    `to_book` leads from the notebook's folder to the book's, as ../ does.
+    """
     title = re.sub(r"[{}]", "", read_works()[key].fields["title"]).replace("--", "–")
-    return f'- <a id="{key}"></a>[{make_label(key)}](references.md#{key}): *{title}*'
+    return f'- <a id="{key}"></a>[{make_label(key)}]({to_book}references.md#{key}): *{title}*'
 
 
-def write_citations(notebook: nbformat.NotebookNode) -> None:
+def write_citations(notebook: nbformat.NotebookNode, to_book: str = "") -> None:
     """Write the label of each citation, and the list of all cited works at the end."""
     cited: set[str] = set()
 
@@ -55,7 +58,9 @@ def write_citations(notebook: nbformat.NotebookNode) -> None:
             cell.source = LINK.sub(label_link, text)
             if heading:
                 keys = sorted(cited, key=make_label)
-                cell.source += f"{heading}\n" + "\n".join(map(format_list_item, keys))
+                cell.source += f"{heading}\n" + "\n".join(
+                    format_list_item(key, to_book) for key in keys
+                )
 
 
 def register_works(app: Sphinx, _doctree: nodes.document) -> None:

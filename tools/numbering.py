@@ -22,6 +22,7 @@ from sphinx.util import logging
 
 LOGGER = logging.getLogger(__name__)
 BOOK = Path(__file__).parents[1] / "book"
+FOLDERS = ("exercises", "further")  # notebooks beside the chapters
 
 ANCHOR = re.compile(r'<a id="([\w.-]+)"></a>')
 HEADING = re.compile(r"(?m)^(#+) +(.+)$")
@@ -109,9 +110,15 @@ def read_cells(path: Path) -> list[Cell]:
     ]
 
 
+def list_notebooks(folder: Path = BOOK) -> list[Path]:
+    """Return the notebooks of the book's folder and of the folders beside the chapters."""
+    beside = [path for name in FOLDERS for path in folder.glob(f"{name}/*.ipynb")]
+    return sorted([*folder.glob("*.ipynb"), *beside])
+
+
 def read_book(folder: Path = BOOK) -> dict[Path, list[Cell]]:
     """Return the cells of every notebook and page, without the sheets in `answers`."""
-    paths = sorted([*folder.glob("*.ipynb"), *folder.glob("*.md")])
+    paths = sorted([*list_notebooks(folder), *folder.glob("*.md")])
     return {path.resolve(): read_cells(path) for path in paths}
 
 

@@ -14,7 +14,7 @@ import nbformat
 from nbclient import NotebookClient
 
 from tools.citations import write_citations
-from tools.numbering import find_mistakes, renumber
+from tools.numbering import FOLDERS, find_mistakes, renumber
 from tools.setup_note import write_setup_note
 
 KERNEL = {
@@ -41,11 +41,12 @@ def draws_only(cell: nbformat.NotebookNode, below: nbformat.NotebookNode) -> boo
     return bool(is_code and has_caption and not REPORTS_RESULT.search(cell.source))
 
 
-def write_derived_cells(notebook: nbformat.NotebookNode, page: str) -> None:
+def write_derived_cells(notebook: nbformat.NotebookNode, path: Path) -> None:
     """Write the note, folds and citations of a notebook, which follow from its cells."""
-    write_setup_note(notebook, page)
+    folder = f"{path.parent.name}/" if path.parent.name in FOLDERS else ""
+    write_setup_note(notebook, folder + path.stem)
     hide_drawing_code(notebook)
-    write_citations(notebook)
+    write_citations(notebook, "../" * bool(folder))
 
 
 def refresh_notebook(path: Path) -> None:
@@ -65,7 +66,7 @@ def refresh_notebook(path: Path) -> None:
                 output["metadata"] = {}
         if cell.cell_type == "code":
             cell.metadata.pop("jupyter", None)
-    write_derived_cells(notebook, path.stem)
+    write_derived_cells(notebook, path)
     nbformat.write(notebook, path)
 
 

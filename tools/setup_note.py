@@ -21,7 +21,7 @@ def format_setup_note(
     """Return the note of a notebook.
 
     Args:
-        page: the notebook's name without its ending.
+        page: the notebook's path in the book without its ending.
         book_address: where the book is published, with a slash at the end, if it is.
         repository: the address of the repository, if it has one.
         links_to_answers: whether the notebook links to answer sheets, which a build makes.
@@ -51,7 +51,7 @@ def read_addresses(config: Path = CONFIG) -> tuple[str, str]:
 def write_setup_note(notebook: nbformat.NotebookNode, page: str) -> None:
     """Write the note below the title, and a comment that points to it above the first import."""
     cells = [cell for cell in notebook.cells if cell.get("id") != CELL_ID]
-    links_to_answers = any("](answers/" in cell.source for cell in cells)
+    links_to_answers = any("answers/" in cell.source for cell in cells)
     text = format_setup_note(page, *read_addresses(), links_to_answers=links_to_answers)
     note = nbformat.v4.new_markdown_cell(text, id=CELL_ID)
     note.metadata["tags"] = ["remove-cell"]
