@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -25,6 +26,13 @@ class _AddTopic(argparse.Action):
         namespace.arm[-1].append(values)
 
 
+def _read_part_by_hand(text: str) -> tuple[str, float]:
+    name, _, points = text.partition(":")
+    if not re.fullmatch(r"[A-Za-z]\w*", name) or not re.fullmatch(r"\d+(\.\d+)?", points):
+        raise argparse.ArgumentTypeError(f"{text!r}; expected a name and points: derivation:4")
+    return name, float(points)
+
+
 _OPTIONS: dict[str, dict[str, Any]] = {
     "course": {"type": Path, "help": "the folder that new made"},
     "--secret": {"type": Path, "help": "a file of 16 letters or more; drawn unless given"},
@@ -42,7 +50,14 @@ _OPTIONS: dict[str, dict[str, Any]] = {
     "--id": {"required": True, "help": "a student's id in the roster"},
     "--jobs": {"type": int, "default": 0, "help": "processes; one for each processor unless given"},
     "--again": {"action": "store_true", "help": "mark everybody anew, and say what changes"},
-    "--hints": {"action": "store_true", "help": "before the deadline: hints in place of marks"},
+    "--hints": {
+        "type": int, "nargs": "?", "const": 3, "default": 0, "metavar": "N",
+        "help": "before the deadline: hints in place of marks, for N hand-ins of a student, or 3",
+    },
+    "--by-hand": {
+        "action": "append", "default": [], "type": _read_part_by_hand, "metavar": "PART:POINTS",
+        "help": "a part that you mark yourself, such as derivation:4; may be given again",
+    },
     "download": {"type": Path, "help": "a zip or folder of Canvas, Moodle, Gradescope or by hand"},
     "--out": {"type": Path, "required": True, "help": "the folder or file to write"},
 }  # fmt: skip
@@ -81,6 +96,7 @@ def _make_sheets(options: argparse.Namespace) -> None:
         options.out,
         title=options.title,
         secret=secret,
+        by_hand=dict(options.by_hand),
         jobs=options.jobs,
         report=_show_progress,
     )
@@ -104,9 +120,10 @@ def _drop_student(options: argparse.Namespace) -> None:
 
 def _collect_hand_ins(options: argparse.Namespace) -> None:
     course = store.load_course(options.course)
-    placed, messages = collect_hand_ins(options.download, course.names, options.course)
-    print(f"{len(placed)} of {len(course.sheets)} students handed in")
-    for message in messages:
+    collection = collect_hand_ins(options.download, course.names, options.course)
+    count = len(collection.handed_in)
+    print(f"{count} of {len(course.sheets)} students handed in something that can be read")
+    for message in collection.messages:
         print(message)
 
 
@@ -116,12 +133,16 @@ def _grade_hand_ins(options: argparse.Namespace) -> None:
         options.out,
         options.jobs,
         again=options.again,
-        before_deadline=options.hints,
+        hints=options.hints,
         report=_show_progress,
     )
     for change in result.changes:
         print("{id}, {part}: {before:.3g} is now {now:.3g}. {why}".format(**change))
     print(f"{len(result.rows)} students marked: {options.out / 'grades.csv'}")
+    for part in store.load_course(options.course).by_hand:
+        if unmarked := sum(row[part] == "" for row in result.rows):
+            print(f"{part} of {unmarked} students is not marked yet: fill in")
+            print(f"{options.out / 'marks.csv'} and save it as {options.course / 'marks.csv'}")
 
 
 def _count_marks(options: argparse.Namespace) -> None:
@@ -139,14 +160,14 @@ def _show_progress(line: str) -> None:
 
 def _pack_autograder(options: argparse.Namespace) -> None:
     course = store.load_course(options.course)
-    gradescope.pack_autograder(course, options.out)
+    gradescope.pack_autograder(course, options.out, options.hints)
     print(f"autograder for {len(course.sheets)} students: {options.out}")
 
 
 COMMANDS = {
     "new": (
         _make_sheets, "make a sheet for each line of a roster",
-        "--roster --arm --title --topic --secret --out --jobs",
+        "--roster --arm --title --topic --by-hand --secret --out --jobs",
     ),
     "key": (_print_key, "print one student's key", "course --id"),
     "reissue": (_reissue_sheet, "draw other numbers for one student", "course --id"),
@@ -159,7 +180,7 @@ COMMANDS = {
     "stats": (
         _count_marks, "count the marks by part and by mistake, and draw them", "course --out",
     ),
-    "gradescope": (_pack_autograder, "make Gradescope's autograder", "course --out"),
+    "gradescope": (_pack_autograder, "make Gradescope's autograder", "course --out --hints"),
 }  # fmt: skip
 
 if __name__ == "__main__":

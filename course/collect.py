@@ -2,95 +2,244 @@
 
 Canvas puts files `lastfirst_12345_678_name` (with LATE after the name if late) into one zip.
 Moodle makes folders or files `First Last_12345_assignsubmission_file`. Gradescope makes folders
-`submission_12345` and a file that lists who submitted them. Any other folder or file belongs to
-the student whose id or name it bears.
+`submission_12345` and, beside them, a file that lists who submitted them. In any other download
+each file or folder bears the id or the name of its student.
+
+Only these outer names tell whose a hand-in is, since the platform or the instructor wrote them.
+Nothing inside a hand-in can place it with another student: not a file's name, not a list of
+submitters, not the name of the sheet.
 """
 
+import json
 import re
 import shutil
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import Any, NamedTuple
 
-from course.files import HandedFile, read_files
+from course.files import HandedFile, Member, open_download, read_members
 from course.handed_in import compare_sheet_names, find_sheet_name
-from course.roster import StudentIndex
+from course.roster import StudentIndex, read_csv_rows
+from course.store import lock_folder, write_text
 from helpers.inputs import ArmError
 
 HAND_IN_FOLDER, LATE_FILE = "handed_in", ".late"  # in a student's folder
-_MOODLE = re.compile(r"(?P<name>.+)_(?P<key>\d+)_assignsubmission_[a-z]+(?:_.*)?", re.I | re.S)
-_CANVAS = re.compile(r"(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_\d+_.+", re.I | re.S)
-_GRADESCOPE, _KEYS = "submission_metadata.yml", (":sid", ":email", ":name")
+NOT_READ_FILE = ".not_read.json"  # in a student's folder: reasons by name
+PLACED_FILE = "placed.csv"  # in the folder of the course: hand-ins that the instructor placed
+# The first underscore with a number behind it ends the student's name.
+_PLATFORM_NAME = re.compile(
+    r"(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_(?:assignsubmission_[a-z]+(?:_.*)?|\d+_.+)",
+    re.I | re.S,
+)
+_EXPORT_FOLDER = re.compile(r"assignment_\d+_export")  # of Gradescope
+_SUBMITTERS_FILE, _SUBMITTER_KEYS = "submission_metadata.yml", (":sid", ":email", ":name")
 _IGNORED = {"__MACOSX", ".DS_Store"}  # macOS adds these to a zip
+_MAX_NAMES = 5  # file names in a message
 
 Labels = tuple[str, ...]  # ids, mail addresses or names of a student
-SortedFiles = tuple[dict[str, list[HandedFile]], Labels]
 
 
-def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> SortedFiles:
+@dataclass(frozen=True)
+class HandInName:
+    """What the outer name of a file or folder says.
+
+    Attributes:
+        key: Text that all files of a hand-in share, such as "lovelaceada_12345".
+        labels: Ids, mail addresses or names of the student.
+        is_late: Whether Canvas marked it as late.
+    """
+
+    key: str
+    labels: Labels
+    is_late: bool = False
+
+
+class Collection(NamedTuple):
+    """The files by student, students in time and late, and what must be looked at by hand."""
+
+    files: dict[str, list[HandedFile]]
+    late: set[str]
+    messages: tuple[str, ...]
+
+    @property
+    def handed_in(self) -> list[str]:
+        """The students of whom at least one file was read."""
+        return [s for s, files in self.files.items() if any(not f.trouble for f in files)]
+
+
+def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> Collection:
     """Put the files of a class into the students' folders, in place of an earlier collection.
 
-    Files belong to students by the roster's ids and names. If a name is shared by several
-    students, or by none, the id on the sheet decides, as far as the name allows it.
+    Where two students share a name, or nobody has it, the instructor says in placed.csv whose the
+    hand-in is. An earlier collection stays where no file of the new one can be read.
 
     Args:
         download: A zip or a folder.
         names: The students' names by their ids.
         course: Folder of the course.
-
-    Returns:
-        The files by student, and a message for each file that must be looked at by hand.
     """
-    if not download.exists():
-        raise ArmError(f"{download} is not there; expected a download")
-    files = read_files(download, max_files=20_000, max_bytes=2_000_000_000)
-    placed, messages = sort_by_student(files, names)
-    for student, group in placed.items():
-        folder, new_folder = (
-            course / student / HAND_IN_FOLDER,
-            course / student / f".{HAND_IN_FOLDER}",
-        )
-        shutil.rmtree(new_folder, ignore_errors=True)
-        new_folder.mkdir(parents=True)
-        for number, file in enumerate(group, 1):
-            safe_name = re.sub(r"[^\w.() -]", "_", PurePosixPath(file.name).name, flags=re.A)[-80:]
-            if not file.trouble:
-                (new_folder / f"{number} {safe_name}").write_bytes(file.content)
-        shutil.rmtree(folder, ignore_errors=True)
-        new_folder.rename(folder)
-        late_file = course / student / LATE_FILE
-        late_file.unlink(missing_ok=True)
-        if any(map(_is_marked_late, group)):
-            late_file.touch()
-    return placed, messages
+    with lock_folder(course), open_download(download) as members:
+        collection = sort_by_student(members, names, _read_placed(course / PLACED_FILE, names))
+        messages = list(collection.messages)
+        for student, files in collection.files.items():
+            if kept := _store_files(course / student, files, student in collection.late):
+                messages.append(f"{student}: {kept}")
+    return collection._replace(messages=tuple(messages))
 
 
-def _is_marked_late(file: HandedFile) -> bool:
-    """Return whether Canvas named a file as late."""
-    matches = map(_CANVAS.fullmatch, PurePosixPath(file.name).parts)
-    return any(match and match["late"] for match in matches)
+def _store_files(folder: Path, files: Sequence[HandedFile], is_late: bool) -> str:
+    """Store what was read and what was not; return a message if an earlier collection stays."""
+    troubles = {file.name: file.trouble for file in files if file.trouble}
+    write_text(folder / NOT_READ_FILE, json.dumps(troubles) + "\n")
+    target, new_folder = folder / HAND_IN_FOLDER, folder / f".{HAND_IN_FOLDER}"
+    if len(troubles) == len(files) and target.exists():
+        return "no file of this collection can be read, so the earlier one stays"
+    shutil.rmtree(new_folder, ignore_errors=True)
+    new_folder.mkdir()
+    for number, file in enumerate(files, 1):
+        safe_name = re.sub(r"[^\w.() -]", "_", PurePosixPath(file.name).name, flags=re.A)[-80:]
+        if not file.trouble:
+            (new_folder / f"{number} {safe_name}").write_bytes(file.content)
+    shutil.rmtree(target, ignore_errors=True)
+    new_folder.rename(target)
+    (folder / LATE_FILE).unlink(missing_ok=True)
+    if is_late:
+        (folder / LATE_FILE).touch()
+    return ""
 
 
-def sort_by_student(files: Iterable[HandedFile], names: Mapping[str, str]) -> SortedFiles:
-    """Sort files by their students, with a message for each doubtful file."""
-    files = [file for file in files if not _IGNORED & {*PurePosixPath(file.name).parts}]
-    submitter_lists = [file for file in files if file.name.endswith(_GRADESCOPE)]
-    submitters = {
-        folder: labels
-        for file in submitter_lists
-        for folder, labels in _read_submitters(file).items()
-    }
-    index, groups = StudentIndex(names), defaultdict[tuple[str, Labels], list[HandedFile]](list)
-    for file in files:
-        if file not in submitter_lists:
-            groups[_find_owner_labels(file, index, submitters)].append(file)
-    placed, messages = defaultdict[str, list[HandedFile]](list), list[str]()
-    for (_, labels), group in groups.items():
-        student, reason = _find_student(labels, group, index)
-        if student:
-            placed[student] += group
-        messages += filter(None, (_describe_doubt(file, student, reason) for file in group))
-    return placed, tuple(messages)
+def read_unread_files(folder: Path) -> list[HandedFile]:
+    """Return the files of a student's hand-in that `collect` could not read, with the reasons."""
+    path = folder / NOT_READ_FILE
+    troubles = json.loads(path.read_bytes()) if path.exists() else {}
+    return [HandedFile(name, trouble=trouble) for name, trouble in troubles.items()]
+
+
+def _read_placed(path: Path, names: Mapping[str, str]) -> dict[str, str]:
+    """Read whose the hand-ins are that an instructor placed, by their keys.
+
+    Raises ArmError with every line that names no student.
+    """
+    rows = [*read_csv_rows(path)] if path.exists() else []
+    problems = [
+        f"line {line}: no student {row.get('id')!r}"
+        for line, row in rows
+        if row.get("id") not in names
+    ]
+    if problems:
+        raise ArmError(f"{path} cannot be used; {'; '.join(problems)}")
+    return {row.get("hand-in", ""): row["id"] for _, row in rows}
+
+
+def sort_by_student(
+    members: Iterable[Member], names: Mapping[str, str], placed: Mapping[str, str] | None = None
+) -> Collection:
+    """Read each hand-in with a budget of its own and find its student.
+
+    Args:
+        members: The files of a download.
+        names: The students' names by their ids.
+        placed: Ids of students by the keys of hand-ins that an instructor placed.
+    """
+    index = StudentIndex(names)
+    hand_ins, messages = group_members(members, index)
+    owners, doubts = find_owners(hand_ins, index, placed or {})
+    files, late = defaultdict[str, list[HandedFile]](list), set[str]()
+    for name, group in hand_ins.items():
+        handed = read_members(group)
+        if name not in owners:
+            messages.append(_describe_unplaced(name.key, doubts[name], handed))
+            continue
+        student = owners[name]
+        files[student] += handed
+        late |= {student} if name.is_late else set()
+        messages += filter(None, (_describe_doubt(file, student) for file in handed))
+    return Collection(dict(files), late, tuple(messages))
+
+
+def group_members(
+    members: Iterable[Member], index: StudentIndex
+) -> tuple[dict[HandInName, list[Member]], list[str]]:
+    """Group the files of a download by their outer names; return messages about the download."""
+    paths = [(PurePosixPath(member.name), member) for member in members]
+    paths = [(path, member) for path, member in paths if not _IGNORED & {*path.parts}]
+    roots = {path.parts[0] for path, _ in paths if path.parts}
+    if len(roots) == 1 and _EXPORT_FOLDER.fullmatch(min(roots)):
+        paths = [(PurePosixPath(*path.parts[1:]), member) for path, member in paths]
+    submitters, messages = dict[str, Labels](), list[str]()
+    hand_ins = defaultdict[HandInName, list[Member]](list)
+    for path, member in paths:
+        if str(path) == _SUBMITTERS_FILE:
+            try:
+                submitters = _read_submitters(member.read())
+            except ArmError as error:
+                messages.append(f"passed over: {error}")
+    for path, member in paths:
+        if str(path) != _SUBMITTERS_FILE:
+            hand_ins[_read_outer_name(path, index, submitters)].append(member)
+    return hand_ins, messages
+
+
+def _read_outer_name(
+    path: PurePosixPath, index: StudentIndex, submitters: Mapping[str, Labels]
+) -> HandInName:
+    """Return what the first part of a path says of its student."""
+    outer = path.parts[0] if path.parts else ""
+    if outer in submitters:
+        return HandInName(outer, submitters[outer])
+    if match := _PLATFORM_NAME.fullmatch(outer):
+        return HandInName(f"{match['name']}_{match['key']}", (match["name"],), bool(match["late"]))
+    stem = outer if len(path.parts) > 1 else path.stem
+    label = next((x for x in (stem, stem.split("_")[0]) if index.find_students([x])), stem)
+    return HandInName(label, (label,))
+
+
+def find_owners(
+    hand_ins: Iterable[HandInName], index: StudentIndex, placed: Mapping[str, str]
+) -> tuple[dict[HandInName, str], dict[HandInName, str]]:
+    """Return the student of each hand-in, and a reason for each that nobody can be sure of."""
+    owners, doubts = dict[HandInName, str](), dict[HandInName, str]()
+    for name in hand_ins:
+        candidates = {placed[name.key]} if name.key in placed else index.find_students(name.labels)
+        if len(candidates) == 1:
+            owners[name] = candidates.pop()
+        else:
+            label = " / ".join(name.labels)
+            may_be = f"may be {' or '.join(sorted(candidates))}"
+            doubts[name] = f"{label} {may_be if candidates else 'is nobody in the course'}"
+    claims = defaultdict[str, list[HandInName]](list)
+    for name, student in owners.items():
+        if name.key not in placed and not index.is_id(name.labels):
+            claims[student].append(name)
+    for student, rivals in claims.items():
+        if len({name.key for name in rivals}) > 1:
+            keys = " and ".join(sorted({name.key for name in rivals}))
+            for name in rivals:
+                del owners[name]
+                doubts[name] = f"{keys} both bear the name of {student}"
+    return owners, doubts
+
+
+def _describe_unplaced(key: str, reason: str, files: Sequence[HandedFile]) -> str:
+    """Describe a hand-in without a student, and what the instructor can do."""
+    names = [str(file) for file in files]
+    more = f" and {len(names) - _MAX_NAMES} more" if len(names) > _MAX_NAMES else ""
+    sheets = sorted({owner for file in files if (owner := _find_sheet_owner(file))})
+    claim = f"; its sheet names {' and '.join(sheets)}" if sheets else ""
+    return (
+        f"not placed: {key}: {reason}{claim}. Its files: {', '.join(names[:_MAX_NAMES])}{more}. If"
+        f" you know whose it is, write {key!r} and the id into {PLACED_FILE} (columns hand-in, id)"
+    )
+
+
+def _describe_doubt(file: HandedFile, student: str) -> str:
+    """Return a message about a placed file that needs a look, or ""."""
+    if file.trouble:
+        return f"not read: {student}: {file}"
+    other = compare_sheet_names(_find_sheet_owner(file) or None, student)
+    return f"placed with {student}, but look at it: {file}: {other}" if other else ""
 
 
 def _find_sheet_owner(file: HandedFile) -> str:
@@ -98,54 +247,29 @@ def _find_sheet_owner(file: HandedFile) -> str:
     return find_sheet_name(file).rpartition("/")[2].partition("#")[0]
 
 
-def _describe_doubt(file: HandedFile, student: str, reason: str) -> str:
-    """Return a message about a file that needs a look, or "" if it is surely the student's."""
-    if reason or file.trouble:
-        return f"not placed: {file}: {reason}".removesuffix(": ")
-    other = compare_sheet_names(_find_sheet_owner(file) or None, student)
-    return f"placed with {student}, but look at it: {file}: {other}" if other else ""
-
-
-def _find_owner_labels(
-    file: HandedFile, index: StudentIndex, submitters: Mapping[str, Labels]
-) -> tuple[str, Labels]:
-    """Return a key that files of an owner share, and labels of the owner."""
-    parts = PurePosixPath(file.name).parts
-    for part in parts:
-        if part in submitters:
-            return part, submitters[part]
-        if match := _MOODLE.fullmatch(part) or _CANVAS.fullmatch(part):
-            return match["key"], (match["name"],)
-    stems = [*parts[:-1], PurePosixPath(file.name).stem]
-    labels = [label for stem in stems for label in (stem, stem.split("_")[0])]
-    return "", tuple([label for label in labels if index.find_students([label])][:1] or parts[:1])
-
-
-def _find_student(
-    labels: Labels, group: Iterable[HandedFile], index: StudentIndex
-) -> tuple[str, str]:
-    """Return the id of the student whom labels mean, or "" and the reason for doubt."""
-    candidates = index.find_students(labels)
-    if len(candidates) == 1:
-        return candidates.pop(), ""
-    sheet_owners = index.find_students({_find_sheet_owner(file) for file in group})
-    if len(sheet_owners) == 1 and (not candidates or sheet_owners <= candidates):
-        return sheet_owners.pop(), ""
-    name = " / ".join(labels)
-    if not candidates:
-        return "", f"{name} is nobody in the course"
-    return "", f"{name} may be {' or '.join(sorted(candidates))}; the sheet in it does not tell"
-
-
 def _read_submitters(file: HandedFile) -> dict[str, Labels]:
-    """Read the labels of who submitted each folder of an export of Gradescope."""
+    """Read the labels of who submitted each folder of an export of Gradescope.
+
+    Every value is read as text, so that an id such as 007 keeps its zeros.
+    """
     import yaml  # of the extra [course]
 
-    submitters = {}
+    class TextLoader(yaml.BaseLoader):
+        def compose_node(self, parent: Any, index: Any) -> Any:
+            if self.check_event(yaml.AliasEvent):
+                raise ArmError("it has aliases, which Gradescope does not write")
+            return super().compose_node(parent, index)
+
     try:
-        for folder, entry in yaml.safe_load(file.content).items():
-            labels = [person.get(key) for person in entry[":submitters"] for key in _KEYS]
-            submitters[folder] = tuple(map(str, filter(None, labels)))
-    except (yaml.YAMLError, AttributeError, KeyError, TypeError) as error:
-        raise ArmError(f"{file} cannot be read: {error}") from None
-    return submitters
+        return {
+            folder: tuple(
+                label
+                for person in entry[":submitters"]
+                for key in _SUBMITTER_KEYS
+                if (label := person.get(key, "")) not in ("", "null", "~")
+            )
+            for folder, entry in yaml.load(file.content, TextLoader).items()
+        }
+    except (yaml.YAMLError, ArmError, ValueError, AttributeError, KeyError, TypeError,
+            RecursionError) as error:  # fmt: skip
+        raise ArmError(f"{file} cannot be read: {error!r}"[:300]) from None

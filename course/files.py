@@ -8,11 +8,17 @@ import io
 import os
 import stat
 import zipfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
-MAX_BYTES = 5_000_000  # A sheet with all its outputs has less than 100 000 bytes.
+from helpers.inputs import ArmError
+
+MAX_BYTES = 20_000_000  # of one file: a long scan. A sheet with all its outputs has 100 000.
+MAX_HAND_IN_FILES, MAX_HAND_IN_BYTES = 200, 50_000_000
+_MAX_DEPTH = 2  # zips in each other that are opened
 
 
 @dataclass(frozen=True)
@@ -44,34 +50,81 @@ class HandedFile:
         return text.encode(errors="backslashreplace").decode()  # a name need not be text
 
 
-def read_files(
-    path: Path, max_files: int = 200, max_bytes: int = 50_000_000
-) -> tuple[HandedFile, ...]:
-    """Read the files below a folder or in a zip, in order of their names.
+@dataclass(frozen=True)
+class Member:
+    """A file below a folder or in a zip that is not read yet."""
 
-    After `max_files` files or `max_bytes` bytes the last item says that more was not read.
+    name: str
+    read: Callable[[], HandedFile]
+
+
+@contextmanager
+def open_download(path: Path) -> Iterator[list[Member]]:
+    """List the files of a download, which is a folder or a zip, and keep the zip open.
+
+    Raises ArmError if the download is missing or is no zip that can be read.
     """
-    files, bytes_left = list[HandedFile](), max_bytes
-    for file in _read_zip(path) if path.is_file() else _unpack_zips(_read_folder(path)):
-        bytes_left -= len(file.content)
-        if len(files) == max_files or bytes_left < 0:
-            trouble = f"not read: there are more than {max_files} files or {max_bytes:,} bytes"
+    if path.is_dir():
+        yield list_folder(path)
+        return
+    if not path.exists():
+        raise ArmError(f"{path} is not there; expected a download")
+    try:
+        archive = zipfile.ZipFile(path)
+    except (zipfile.BadZipFile, OSError) as error:
+        raise ArmError(f"{path} is no zip that can be read: {error}") from None
+    with archive:
+        yield _list_archive(archive)
+
+
+def read_files(folder: Path) -> tuple[HandedFile, ...]:
+    """Read the files below a folder as one hand-in, in order of their names."""
+    return read_members(list_folder(folder))
+
+
+def read_members(
+    members: Iterable[Member],
+    max_files: int = MAX_HAND_IN_FILES,
+    max_bytes: int = MAX_HAND_IN_BYTES,
+) -> tuple[HandedFile, ...]:
+    """Read the files of one hand-in and those in its zips.
+
+    After `max_files` files or `max_bytes` bytes, zips counted, the last item says that more was
+    not read.
+    """
+    files, waiting = list[HandedFile](), [(member, 0) for member in members][::-1]
+    while waiting:
+        member, depth = waiting.pop()
+        file = member.read()
+        max_files, max_bytes = max_files - 1, max_bytes - len(file.content)
+        if max_files < 0 or max_bytes < 0:
+            trouble = (
+                "not read, nor what follows it: a hand-in may have"
+                f" {MAX_HAND_IN_FILES} files and {MAX_HAND_IN_BYTES:,} bytes"
+            )
             return (*files, HandedFile(file.name, trouble=trouble))
-        files.append(file)
+        if file.kind != ".zip":
+            files.append(file)
+        elif depth == _MAX_DEPTH:
+            files.append(replace(file, content=b"", trouble="lies too deep"))
+        else:
+            waiting += [(inner, depth + 1) for inner in _list_zip(file)][::-1]
     return tuple(files)
 
 
-def _read_folder(root: Path) -> Iterator[HandedFile]:
-    """Read every file below a folder, and report links and unreadable files."""
-    errors: list[OSError] = []
+def list_folder(root: Path) -> list[Member]:
+    """List every file below a folder, with links and folders that cannot be opened."""
+    members, errors = list[Member](), list[OSError]()
     for folder, subfolders, names in os.walk(root, onerror=errors.append):
         subfolders.sort()
         links = [name for name in subfolders if os.path.islink(os.path.join(folder, name))]
         for path in (Path(folder, name) for name in sorted([*names, *links])):
-            yield _read_file(path, path.relative_to(root).as_posix())
+            name = path.relative_to(root).as_posix()
+            members.append(Member(name, partial(_read_file, path, name)))
     for error in errors:
         name = os.path.relpath(error.filename, root.parent)
-        yield HandedFile(name, trouble=f"cannot be read: {error.strerror}")
+        members.append(_make_unreadable(name, f"cannot be read: {error.strerror}"))
+    return members
 
 
 def _read_file(path: Path, name: str) -> HandedFile:
@@ -82,43 +135,46 @@ def _read_file(path: Path, name: str) -> HandedFile:
         if not stat.S_ISREG(status.st_mode):
             return HandedFile(name, trouble="no ordinary file")
         if status.st_size > MAX_BYTES:
-            return HandedFile(name, trouble=f"larger than {MAX_BYTES:,} bytes")
+            return _refuse_size(name, status.st_size)
         with open(path, "rb", opener=lambda name, flags: os.open(name, flags | safe_flags)) as file:
             return HandedFile(name, file.read(MAX_BYTES))
     except OSError as error:
         return HandedFile(name, trouble=f"cannot be read: {error.strerror}")
 
 
-def _unpack_zips(files: Iterable[HandedFile], depth: int = 2) -> Iterator[HandedFile]:
-    """Replace every zip by the files inside it."""
-    for file in files:
-        if file.kind != ".zip":
-            yield file
-        elif not depth:
-            yield replace(file, content=b"", trouble="lies too deep")
-        else:
-            for inner in _read_zip(io.BytesIO(file.content), depth - 1):
-                yield replace(inner, name=f"{file.name}/{inner.name}")
-
-
-def _read_zip(file: Path | io.BytesIO, depth: int = 2) -> Iterator[HandedFile]:
-    """Read the files in a zip, or report that the zip is broken."""
+def _list_zip(file: HandedFile) -> list[Member]:
+    """List the files in a zip of a hand-in, or one that says that the zip is broken."""
     try:
-        with zipfile.ZipFile(file) as archive:
-            members = [member for member in archive.infolist() if not member.is_dir()]
-            yield from _unpack_zips((_read_member(archive, m) for m in members), depth)
+        archive = zipfile.ZipFile(io.BytesIO(file.content))
+        return _list_archive(archive, f"{file.name}/")
     except Exception as error:  # zipfile raises many kinds for a broken zip
-        yield HandedFile("", trouble=f"no zip that can be read: {error}")
+        return [_make_unreadable(f"{file.name}/", f"no zip that can be read: {error}")]
 
 
-def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> HandedFile:
+def _list_archive(archive: zipfile.ZipFile, prefix: str = "") -> list[Member]:
+    return [
+        Member(prefix + info.filename, partial(_read_zipped, archive, info, prefix + info.filename))
+        for info in archive.infolist()
+        if not info.is_dir()
+    ]
+
+
+def _read_zipped(archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> HandedFile:
     """Read a file of a zip.
 
     zipfile never reads more bytes than `file_size` says.
     """
-    if member.file_size > MAX_BYTES:
-        return HandedFile(member.filename, trouble=f"larger than {MAX_BYTES:,} bytes")
+    if info.file_size > MAX_BYTES:
+        return _refuse_size(name, info.file_size)
     try:
-        return HandedFile(member.filename, archive.read(member))
+        return HandedFile(name, archive.read(info))
     except Exception as error:  # broken data raises many kinds, too
-        return HandedFile(member.filename, trouble=str(error))
+        return HandedFile(name, trouble=str(error))
+
+
+def _refuse_size(name: str, size: int) -> HandedFile:
+    return HandedFile(name, trouble=f"{size:,} bytes; a file may have {MAX_BYTES:,}")
+
+
+def _make_unreadable(name: str, trouble: str) -> Member:
+    return Member(name, lambda: HandedFile(name, trouble=trouble))

@@ -12,7 +12,7 @@ from typing import Any
 import helpers
 from course import store
 from course.files import read_files
-from course.grading import MAX_HINTS, compute_total, list_hints, make_record
+from course.grading import compute_total, list_hints, make_record
 from course.handed_in import read_hand_in
 from course.roster import StudentIndex
 from course.store import Course
@@ -42,8 +42,11 @@ exec /autograder/env/bin/python -m course.gradescope /autograder
 }
 
 
-def pack_autograder(course: Course, path: Path) -> None:
+def pack_autograder(course: Course, path: Path, hints: int = 0) -> None:
     """Write Gradescope's autograder with the helpers and the course without its secret.
+
+    A student's first `hints` submissions get hints. Parts marked by hand are not in it: Gradescope
+    has questions of its own for them.
 
     Raises ModuleNotFoundError if the helpers are not installed.
     """
@@ -54,8 +57,8 @@ def pack_autograder(course: Course, path: Path) -> None:
         for package in (Path(helpers.__file__).parent, Path(__file__).parent):
             ignored = shutil.ignore_patterns("__pycache__")
             shutil.copytree(package, root / package.name, ignore=ignored)
-        store.save_course(replace(course, secret=""), root)
-        store.write_text(root / _SETTINGS, store.format_json({"hints": MAX_HINTS}))
+        store.save_course(replace(course, secret="", by_hand={}), root)
+        store.write_text(root / _SETTINGS, store.format_json({"hints": hints}))
         for name, text in _FILES.items():
             store.write_text(root / name, text.format(needed="\n".join(needed)))
             (root / name).chmod(0o755)
@@ -100,7 +103,8 @@ def _mark_submission(root: Path) -> dict[str, Any]:
     sheet_line = f"Read as the sheet of {student}: {record['note'] or 'every part was read'}."
     max_hints = int(json.loads((root / "source" / _SETTINGS).read_bytes())["hints"])
     number = 1 + len(metadata.get("previous_submissions") or ())
-    hints, score = list_hints(marks, number, max_hints), compute_total(course, marks)
+    hints = list_hints(marks, number, max_hints) if max_hints else []
+    score = compute_total(course, marks)
     return {"score": score, "output": "\n".join([sheet_line, *hints]), "tests": tests}
 
 

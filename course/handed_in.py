@@ -73,15 +73,15 @@ def compare_sheet_names(sheet_name: object, expected: str) -> str:
     if sheet_name is None or str(sheet_name) == expected:
         return ""
     sheet_name = str(sheet_name)[:64]
-    course, _, student = expected.rpartition("/")
-    other_course, _, other_student = sheet_name.rpartition("/")
-    if course and other_course and other_course != course:
-        return f"this answers a sheet of another course ({sheet_name!r})"
-    if other_student.partition("#")[0] == student.partition("#")[0]:
+    student = expected.rpartition("/")[2].partition("#")[0]
+    other_student = sheet_name.rpartition("/")[2].partition("#")[0]
+    if other_student != student:
+        return f"this answers the sheet of {other_student!r}, not of {student!r}"
+    if "/" in sheet_name and "/" in expected:
         return (
             f"this answers {sheet_name!r}, another sheet of the same student; {expected!r} is valid"
         )
-    return f"this answers the sheet of {other_student!r}, not of {student!r}"
+    return ""
 
 
 def _is_readable(file: HandedFile) -> bool:

@@ -23,6 +23,8 @@ from course.answers import (
     to_json_value,
     write_last_cell,
 )
+from course.files import MAX_BYTES, MAX_HAND_IN_BYTES, MAX_HAND_IN_FILES, HandedFile
+from course.handed_in import find_sheet_name
 from course.marking import mark_sheet
 from course.processes import make_pool
 from course.roster import Student
@@ -47,8 +49,15 @@ _INSTRUCTIONS = (
 _HAND_IN = (
     "## Hand in\n\nChoose *Restart and run all*, save the notebook, and hand it in. The last cell"
     " prints your answers: what it printed is marked, and nobody runs the notebook again. It also"
-    " writes them into `answers.json`; you may hand in that file instead, or both."
+    " writes them into `answers.json`; you may hand in that file instead, or both. A file may"
+    f" have {MAX_BYTES // 10**6} MB, all files together {MAX_HAND_IN_BYTES // 10**6} MB, and there"
+    f" may be {MAX_HAND_IN_FILES} of them; what is more is not read."
 )
+_BY_HAND = (
+    "## {name}\n\n{points:g} points, marked by your instructor. Write into the next cell, or hand"
+    " in a scan or a photograph beside the notebook."
+)
+_MARKUP = re.compile(r"([\\`*_\[\]<>$&#|~])")  # characters that Markdown may read as markup
 _INSTALLATION = (
     "The first cell of code imports `helpers`, which compute with this arm. Where it says that"
     " something is missing, run this in a cell of its own, and that cell again:\n\n"
@@ -74,14 +83,15 @@ else:
 
 def make_course(
     roster: Sequence[Student], exercises: Sequence[Exercise], folder: Path, *,
-    title: str = "Homework", secret: str = "", jobs: int = 0,
-    report: Callable[[str], None] = lambda _: None,
+    title: str = "Homework", secret: str = "", by_hand: Mapping[str, float] | None = None,
+    jobs: int = 0, report: Callable[[str], None] = lambda _: None,
 ) -> Course:  # fmt: skip
     """Draw a sheet for each student, prove it, and write the notebooks and course.json.
 
-    Each sheet is written as soon as it is drawn, so that an interrupted command can be typed
-    again. A course that is in the folder grows: students keep their sheets, a notebook that was
-    changed is left alone, and a corrected name is taken over.
+    The secret is saved before any sheet, and each sheet as soon as it is drawn, so that an
+    interrupted command can be typed again and draws the same numbers. A course that is in the
+    folder grows: students keep their sheets, a notebook whose text was changed is left alone, and a
+    corrected name is taken over.
 
     Args:
         roster: The students.
@@ -89,35 +99,48 @@ def make_course(
         folder: Where the course is written.
         title: Heading of the sheets.
         secret: Text to derive seeds from; drawn unless given.
+        by_hand: Points of each part that the instructor marks, by its name.
         jobs: Processes that draw; 0 for one for each processor.
         report: Receives a line of progress after each sheet.
 
-    Raises ArmError if the folder holds a course of another title, arm, topics or secret.
+    Raises ArmError if the folder holds a course of another title, arm, topics, secret or parts by
+    hand, a notebook with other numbers, or another command's work that is not finished.
     """
     exercises = tuple(
         replace(x, topics=x.topics or sheets.list_suitable_topics(x.arm)) for x in exercises
     )
-    course = Course(title, exercises, secret or secrets.token_hex(), {})
-    if (folder / store.COURSE_FILE).exists():
-        old = store.load_course(folder)
-        expected = (title, exercises, secret or old.secret)
-        if (old.title, old.exercises, old.secret) != expected:
-            about = "; ".join(f"{x.arm.name} with {', '.join(x.topics)}" for x in old.exercises)
-            raise ArmError(
-                f"there is a course {old.title!r} about {about}; expected the same and its secret,"
-                " or another folder"
-            )
-        course = old
-    renamed = {
-        s.id: {**course.sheets[s.id], "name": s.name} for s in roster if s.id in course.sheets
-    }
-    course = _save_sheets(course, folder, renamed)
-    new = [student for student in roster if student.id not in course.sheets]
-    entries = _draw_entries(course, [student.id for student in new], jobs)
-    for number, (student, entry) in enumerate(zip(new, entries, strict=True), 1):
-        course = _save_sheets(course, folder, {student.id: {"name": student.name, **entry}})
-        report(f"{number} of {len(new)} sheets drawn")
+    course = Course(title, exercises, secret or secrets.token_hex(), {}, by_hand=by_hand or {})
+    if same := {*course.by_hand} & {*sheets.list_part_names(exercises)}:
+        raise ArmError(f"{', '.join(same)} is a part that the sheet has; expected another name")
+    with store.lock_folder(folder):
+        if (folder / store.COURSE_FILE).exists():
+            course = _load_same_course(course, folder, secret)
+        else:
+            store.save_course(course, folder)
+        known = {
+            s.id: {**course.sheets[s.id], "name": s.name} for s in roster if s.id in course.sheets
+        }
+        course = _save_sheets(course, folder, known)
+        new = [student for student in roster if student.id not in course.sheets]
+        entries = _draw_entries(course, [student.id for student in new], jobs)
+        for number, (student, entry) in enumerate(zip(new, entries, strict=True), 1):
+            course = _save_sheets(course, folder, {student.id: {"name": student.name, **entry}})
+            report(f"{number} of {len(new)} sheets drawn")
     return course
+
+
+def _load_same_course(course: Course, folder: Path, secret: str) -> Course:
+    """Load the course in a folder, which must ask the same as `course`."""
+    old = store.load_course(folder)
+    expected = (course.title, course.exercises, secret or old.secret, course.by_hand)
+    if (old.title, old.exercises, old.secret, old.by_hand) != expected:
+        about = "; ".join(f"{x.arm.name} with {', '.join(x.topics)}" for x in old.exercises)
+        by_hand = "".join(f" and {name}:{points:g} by hand" for name, points in old.by_hand.items())
+        raise ArmError(
+            f"there is a course {old.title!r} about {about}{by_hand}; expected the same and its"
+            " secret, or another folder"
+        )
+    return old
 
 
 def _save_sheets(course: Course, folder: Path, entries: Mapping[str, Any]) -> Course:
@@ -127,11 +150,28 @@ def _save_sheets(course: Course, folder: Path, entries: Mapping[str, Any]) -> Co
     grown = replace(course, sheets={**course.sheets, **entries})
     for student, entry in entries.items():
         path, old = folder / student / NOTEBOOK_FILE, course.sheets.get(student)
+        if path.exists():
+            _require_same_numbers(path, grown, student)
         unchanged = old and old != entry and store.format_json(make_notebook(course, student))
         if not path.exists() or (unchanged and path.read_bytes() == unchanged.encode()):
             store.write_text(path, store.format_json(make_notebook(grown, student)))
     store.save_course(grown, folder)
     return grown
+
+
+def _read_sheet_name(path: Path) -> str:
+    return find_sheet_name(HandedFile(path.name, path.read_bytes()))
+
+
+def _require_same_numbers(path: Path, course: Course, student: str) -> None:
+    """Raise ArmError if a notebook does not hold the numbers that the course keeps."""
+    found, expected = _read_sheet_name(path), store.name_sheet(course, student)
+    if found != expected:
+        raise ArmError(
+            f"{path} holds {f'the sheet {found!r}' if found else 'no sheet'}, and the course keeps"
+            f" {expected!r}, so it may have other numbers. If it was handed out, put back the"
+            f" {store.COURSE_FILE} that made it; else move it away. Then type the same again"
+        )
 
 
 def _draw_entries(course: Course, students: list[str], jobs: int) -> Iterator[dict[str, Any]]:
@@ -151,7 +191,7 @@ def draw_entry(course: Course, student: str, issue: int = 0) -> dict[str, Any]:
     """
     indices = range(len(course.exercises))
     sections = [_draw_proved_section(course, student, index, issue) for index in indices]
-    return {"issue": issue, "sections": sections}
+    return {"issue": issue, "sections": sections, "named_by": "numbers"}
 
 
 def _draw_proved_section(course: Course, student: str, index: int, issue: int) -> dict[str, Any]:
@@ -175,19 +215,24 @@ def reissue_sheet(folder: Path, student: str) -> Course:
     """Draw new numbers for a student and keep the old notebook beside the new notebook."""
     course = store.load_course(folder)
     old = course.require_entry(student)
-    new = {**old, **draw_entry(course, student, old["issue"] + 1)}
-    path = folder / student / NOTEBOOK_FILE
-    if path.exists():
-        path.rename(path.with_name(f".{old['issue']} {NOTEBOOK_FILE}"))
-    return _save_sheets(course, folder, {student: new})
+    with store.lock_folder(folder):
+        new = {**old, **draw_entry(course, student, old["issue"] + 1)}
+        grown = replace(course, sheets={**course.sheets, student: new})
+        path = folder / student / NOTEBOOK_FILE
+        # An interrupted command may have written the new notebook already.
+        if path.exists() and _read_sheet_name(path) != store.name_sheet(grown, student):
+            _require_same_numbers(path, course, student)
+            path.rename(path.with_name(f".{old['issue']} {NOTEBOOK_FILE}"))
+        return _save_sheets(course, folder, {student: new})
 
 
 def drop_student(folder: Path, student: str) -> Course:
     """Remove a student from the course, but keep the student's folder."""
     course = store.load_course(folder)
     course.require_entry(student)
-    course = replace(course, sheets={s: x for s, x in course.sheets.items() if s != student})
-    store.save_course(course, folder)
+    with store.lock_folder(folder):
+        course = replace(course, sheets={s: x for s, x in course.sheets.items() if s != student})
+        store.save_course(course, folder)
     return course
 
 
@@ -213,7 +258,7 @@ def _write_row(row: Row, number: int) -> list[str]:
 
 def make_notebook(course: Course, student: str) -> dict[str, Any]:
     """Make a sheet's notebook (nbformat 4.5) with questions and answer cells."""
-    sheet, name = course.sheet(student), course.names[student]
+    sheet, name = course.sheet(student), _escape_markup(course.names[student])
     introduction = f"# {course.title}\n\n{name} ({student})\n\n{_INSTRUCTIONS}"
     arms = "\n".join(f"arm{s.suffix} = {_write_arm(s.arm)}" for s in sheet.sections)
     setup = _SETUP.format(
@@ -234,10 +279,19 @@ def make_notebook(course: Course, student: str) -> dict[str, Any]:
             for part in question.parts:
                 code = f"# {part.description}\n{ANSWER_PREFIX}{part.name} = ..."
                 cells.append(_make_code_cell(f"answer-{part.name}", code))
+    for part_name, points in course.by_hand.items():
+        question_text = _BY_HAND.format(name=part_name, points=points)
+        cells.append(_make_text_cell(part_name, question_text))
+        cells.append(_make_text_cell(f"answer-{part_name}", "..."))
     cells.append(_make_text_cell("hand-in", _HAND_IN))
     cells.append(_make_code_cell("write", write_last_cell()))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     return {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def _escape_markup(text: str) -> str:
+    """Write a text so that Markdown shows it as it is, on one line."""
+    return _MARKUP.sub(r"\\\1", " ".join(text.split()))
 
 
 def _write_arm(arm: Arm) -> str:

@@ -107,11 +107,17 @@ class StudentIndex:
 
     def __init__(self, names: Mapping[str, str]) -> None:
         self._ids = {student.casefold(): student for student in names}
-        self._names = defaultdict[str, set[str]](set)
+        # Students by their names with accents, and by their names without.
+        self._by_spelling = [defaultdict[str, set[str]](set) for _ in range(2)]
         for student, name in names.items():
-            parts = _normalize_name(name).split()
-            for first in range(len(parts)):  # some systems put the last name first
-                self._names["".join(parts[first:] + parts[:first])].add(student)
+            for students, spelling in zip(self._by_spelling, _list_spellings(name), strict=True):
+                parts = spelling.split()
+                for first in range(len(parts)):  # some systems put the last name first
+                    students["".join(parts[first:] + parts[:first])].add(student)
+
+    def is_id(self, labels: Iterable[str]) -> bool:
+        """Return whether a label is an id, or a mail address with an id before the @."""
+        return bool(self._find_ids(labels))
 
     def find_students(self, labels: Iterable[str]) -> set[str]:
         """Return the ids of the students whom some labels may mean.
@@ -119,14 +125,25 @@ class StudentIndex:
         A label that is an id, or a mail address with an id before the @, counts before names.
         The parts of a name may come in any rotation.
         """
+        labels = [*labels]
+        if by_id := self._find_ids(labels):
+            return by_id
+        for place, students in enumerate(self._by_spelling):
+            spellings = {_list_spellings(label)[place].replace(" ", "") for label in labels}
+            if found := {s for name in spellings & students.keys() for s in students[name]}:
+                return found
+        return set()
+
+    def _find_ids(self, labels: Iterable[str]) -> set[str]:
         labels = [label.strip().casefold() for label in labels]
         keys = {key for label in labels for key in (label, label.split("@")[0])}
-        names = {_normalize_name(label).replace(" ", "") for label in labels}
-        by_id = {self._ids[key] for key in keys & self._ids.keys()}
-        return by_id or {s for name in names & self._names.keys() for s in self._names[name]}
+        return {self._ids[key] for key in keys & self._ids.keys()}
 
 
-def _normalize_name(name: str) -> str:
-    """Reduce a name to small letters, digits and spaces, without accents."""
-    plain = unicodedata.normalize("NFKD", name).casefold()
-    return "".join(c for c in plain if c.isalnum() or c == " ")
+def _list_spellings(name: str) -> tuple[str, str]:
+    """Reduce a name to small letters, digits and spaces, with accents and without."""
+    exact, plain = (unicodedata.normalize(form, name).casefold() for form in ("NFKC", "NFKD"))
+    with_accents, without = (
+        "".join(c for c in text if c.isalnum() or c == " ") for text in (exact, plain)
+    )
+    return with_accents, without

@@ -10,7 +10,9 @@ import hmac
 import json
 import math
 import os
-from collections.abc import Mapping
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -19,7 +21,7 @@ from course.sheets import Exercise, Section, Sheet, change_lengths, list_part_na
 from helpers.arm import Arm, Body, CircleTask, Joint, Row
 from helpers.inputs import ArmError, require_type
 
-COURSE_FILE = "course.json"
+COURSE_FILE, LOCK_FILE = "course.json", ".lock"
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,7 @@ class Course:
         sheets: For each student's id the name, how often the sheet was issued anew, and for each
             arm the lengths and the drawn numbers.
         weights: The largest credit of a part by its name, 1 for a part that is not listed.
+        by_hand: The points of each part that the instructor marks, by its name.
     """
 
     title: str
@@ -40,10 +43,16 @@ class Course:
     secret: str
     sheets: Mapping[str, Mapping[str, Any]]
     weights: Mapping[str, float] = field(default_factory=dict)
+    by_hand: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def part_names(self) -> list[str]:
+        """The names of all parts, those marked by hand last."""
+        return [*list_part_names(self.exercises), *self.by_hand]
 
     def weight(self, part: str) -> float:
-        """Return the weight of a part."""
-        return float(self.weights.get(part, 1))
+        """Return the largest credit of a part."""
+        return float(self.weights.get(part, self.by_hand.get(part, 1)))
 
     @property
     def names(self) -> dict[str, str]:
@@ -74,11 +83,39 @@ class Course:
 
 
 def name_sheet(course: Course, student: str) -> str:
-    """Return the name of a sheet, made of course, student and issue."""
-    label = json.dumps([course.title, [[x.arm.name, *x.topics] for x in course.exercises]])
-    issue = int(course.sheets[student].get("issue", 0))
-    digest = hashlib.sha256(label.encode()).hexdigest()[:6]
+    """Return the name of a sheet, made of a digest of its numbers, student and issue.
+
+    So a notebook tells whether it holds the numbers that the course keeps. A sheet that an earlier
+    edition drew keeps the digest of the course alone.
+    """
+    entry = course.sheets[student]
+    label = [course.title, [[x.arm.name, *x.topics] for x in course.exercises]]
+    label += [entry["sections"]] if entry.get("named_by") == "numbers" else []
+    issue = int(entry.get("issue", 0))
+    digest = hashlib.sha256(json.dumps(label).encode()).hexdigest()[:6]
     return f"{digest}/{student}" + (f"#{issue}" if issue else "")
+
+
+@contextmanager
+def lock_folder(folder: Path) -> Iterator[None]:
+    """Let one command at a time change a course.
+
+    Raises ArmError if another one is running. The lock ends with its process, however that ends.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / LOCK_FILE).open("a+b") as file:
+        try:
+            if sys.platform == "win32":
+                import msvcrt
+
+                msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+            else:
+                import fcntl
+
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise ArmError(f"another command is changing {folder}; wait until it ends") from None
+        yield
 
 
 def derive_seed(course: Course, student: str, index: int, attempt: int) -> str:
@@ -99,7 +136,7 @@ def load_course(folder: Path) -> Course:
             Exercise(arm_from_json(x["arm"]), tuple(x["topics"])) for x in data["exercises"]
         ]
         course = Course(**{**data, "exercises": tuple(exercises)})
-        names = list_part_names(exercises)
+        names = course.part_names
     except (KeyError, TypeError, UnicodeDecodeError, json.JSONDecodeError) as error:
         raise ArmError(f"{path} is no course that `new` made: {error!r}") from None
     problems = [f"there is no part {name!r}" for name in course.weights if name not in names]
@@ -143,9 +180,12 @@ def write_text(path: Path, text: str, mode: int = 0o666) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.{os.getpid()}")
     temporary.unlink(missing_ok=True)
-    temporary.touch(mode)
-    temporary.write_bytes(text.encode(errors="backslashreplace"))
-    temporary.replace(path)
+    try:
+        temporary.touch(mode)
+        temporary.write_bytes(text.encode(errors="backslashreplace"))
+        temporary.replace(path)
+    finally:  # a full disk leaves no half file behind
+        temporary.unlink(missing_ok=True)
 
 
 def arm_to_json(arm: Arm) -> dict[str, Any]:

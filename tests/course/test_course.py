@@ -63,6 +63,7 @@ def strip_questions(course, folder, student):
         source = "" if cell["source"] in printed else cell["source"]
         for text in (*tables, *(part.description for part in own.parts.values())):
             source = source.replace(text, "")
+        source = source.replace(store.name_sheet(course, student), "")
         source = source.replace(student, "").replace(course.names[student], "")
         cell["source"] = re.sub(
             r"\d[\d.]*", lambda m: "" if float(m[0]) in lengths else m[0], source
@@ -190,12 +191,13 @@ def test_course_grows_and_keeps_sheets(here):
     assert stat.S_IMODE(Path("hw/course.json").stat().st_mode) == 0o600
     assert Path("hw/.gitignore").read_text("utf-8") == "course.json\n"
     corrected = [Student("ab", "Ada King"), Student("cd", "CD")]
-    Path("hw/cd/homework.ipynb").write_text("begun", encoding="utf-8")
+    begun = Path("hw/cd/homework.ipynb").read_text("utf-8").replace("Write 0 for", "Write zero for")
+    Path("hw/cd/homework.ipynb").write_text(begun, encoding="utf-8")
     fourth = making.make_course(corrected, third.exercises, Path("hw"))
     assert fourth.names["ab"] == "Ada King"
     assert fourth.sheet("ab") == first.sheet("ab")
     assert "Ada King (ab)" in Path("hw/ab/homework.ipynb").read_text("utf-8")
-    assert Path("hw/cd/homework.ipynb").read_text("utf-8") == "begun"
+    assert Path("hw/cd/homework.ipynb").read_text("utf-8") == begun
 
 
 @pytest.mark.parametrize("change", [{"title": "T"}, {"arm": MINE}, {"secret": "x" * 16}])
@@ -382,20 +384,20 @@ def test_grading_again_reports_changes(here, capsys):
     ]  # fmt: skip
 
 
-def test_overrides_last(here):
+def test_marks_by_hand_last(here):
     course = make_course("ab")
-    Path("hw/overrides.csv").write_text("id,part,credit,why\nab,p,0.75,on paper\n", "utf-8")
+    Path("hw/marks.csv").write_text("id,part,points,remark\nab,p,0.75,on paper\n", "utf-8")
     assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == [0.75]
     write_answers("ab", make_right_answers(course.sheet("ab")))
     assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1, again=True)) == [1.75]
     feedback = Path("out/ab/feedback.txt").read_text("utf-8")
-    assert "p: 0.75 of 1 for the tip's position (m)\n    Set by hand: on paper\n" in feedback
+    assert "p: 0.75 of 1 for the tip's position (m)\n    Marked by hand: on paper\n" in feedback
 
 
-def test_bad_overrides_are_all_reported(here):
+def test_bad_marks_by_hand_are_all_reported(here):
     make_course("ab")
-    text = "id;part;credit;why\nzz;p;1;\nab;x;1;\nab;p;2;\nab;p;0,5;\n"
-    Path("hw/overrides.csv").write_text(text, "utf-8")
+    text = "id;part;points;remark\nzz;p;1;\nab;x;1;\nab;p;2;\nab;p;0,5;\n"
+    Path("hw/marks.csv").write_text(text, "utf-8")
     with pytest.raises(ArmError) as error:
         grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     for line in (2, 3, 4):
@@ -405,7 +407,7 @@ def test_bad_overrides_are_all_reported(here):
 
 def test_exports_have_the_columns_of_the_platforms(here):
     make_course("ab", "cd")
-    Path("hw/overrides.csv").write_text("id,part,credit,why\nab,p,0.75,\n", "utf-8")
+    Path("hw/marks.csv").write_text("id,part,points,remark\nab,p,0.75,\n", "utf-8")
     grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     assert Path("out/grades-canvas.csv").read_text("utf-8").splitlines() == [
         "Student,ID,SIS User ID,SIS Login ID,Section,Homework",
@@ -470,7 +472,7 @@ def test_hints_show_no_mark_and_end_after_three(here):
     key = make_right_answers(course.sheet("ab"))
     for number in range(5):
         write_answers("ab", {**key, "p": [1000 * x + number * 1e-5 for x in key["p"]]})
-        grade_hand_ins(Path("hw"), Path("out"), jobs=1, before_deadline=True)
+        grade_hand_ins(Path("hw"), Path("out"), jobs=1, hints=3)
         hints = Path("out/ab/feedback.txt").read_text("utf-8")
         assert ("The position is in millimetres" in hints) == (number < 3)
         assert "of 1" not in hints
@@ -480,11 +482,12 @@ def test_hints_show_no_mark_and_end_after_three(here):
 
 def test_hand_in_of_another_course_is_not_marked(here):
     course = make_course("ab")
+    name = store.name_sheet(course, "ab")
     write_answers("ab", {**make_right_answers(course.sheet("ab")), "sheet": "ffffff/ab"})
     (row,) = grade_hand_ins(Path("hw"), Path("out"), jobs=1).rows
     assert (row["total"], row["note"]) == (
         0,
-        "this answers a sheet of another course ('ffffff/ab')",
+        f"this answers 'ffffff/ab', another sheet of the same student; {name!r} is valid",
     )
 
 

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 import subprocess
 import sys
 import zipfile
@@ -14,7 +15,7 @@ import yaml
 import helpers
 from course import __main__ as commands
 from course import collect, gradescope, grading, making, store
-from course.files import HandedFile
+from course.files import HandedFile, Member
 from course.making import make_right_answers
 from course.roster import Student
 from course.sheets import Exercise
@@ -83,10 +84,18 @@ def test_class_of_120_is_sorted_for_each_platform(tmp_path, platform, folder):
         with zipfile.ZipFile(f"{download}.zip") as archive:
             archive.extractall(download)
     path = download if folder else Path(f"{download}.zip")
+    if platform in ("Canvas", "Moodle", "Moodle, flat"):
+        collection = collect.collect_hand_ins(path, NAMES, tmp_path / "hw")
+        assert NAMES.keys() - collection.files.keys() == {"twin1", "twin2"}  # of one name
+        keys = [
+            re.search("write '(.*?)' and the id", message)[1] for message in collection.messages
+        ]
+        rows = [f"{key},twin{n}" for n, key in enumerate(sorted(keys), 1)]
+        (tmp_path / "hw" / "placed.csv").write_text("\n".join(["hand-in,id", *rows]), "utf-8")
     for _ in range(2):  # the second time in place of the first
-        placed, messages = collect.collect_hand_ins(path, NAMES, tmp_path / "hw")
-        assert messages == ()
-        assert placed.keys() == NAMES.keys()
+        collection = collect.collect_hand_ins(path, NAMES, tmp_path / "hw")
+        assert collection.messages == ()
+        assert {*collection.handed_in} == NAMES.keys()
     for student in NAMES:
         (path,) = (tmp_path / "hw" / student / "handed_in").iterdir()
         assert json.loads(path.read_bytes())["sheet"] == student
@@ -95,8 +104,11 @@ def test_class_of_120_is_sorted_for_each_platform(tmp_path, platform, folder):
 def sort_files(**files):
     names = {"ab": "Ada Twin", "cd": "Ada Twin", "ef": "Bo Berg", "gh": "Li Na"}
     handed = [HandedFile(name, content.encode()) for name, content in files.items()]
-    placed, messages = collect.sort_by_student(handed, names)
-    return {s: [f.name for f in group] for s, group in placed.items()}, messages
+    members = [Member(file.name, lambda file=file: file) for file in handed]
+    collection = collect.sort_by_student(members, names)
+    return {
+        s: [f.name for f in group] for s, group in collection.files.items()
+    }, collection.messages
 
 
 def test_doubtful_files_are_listed_and_not_placed():
@@ -108,16 +120,28 @@ def test_doubtful_files_are_listed_and_not_placed():
         "anon_x_9_answers.json": write_answers("gh"),
         "Participant_11_assignsubmission_file_x.json": "{}",
     })  # fmt: skip
-    assert placed == {
-        "cd": ["twinada_3_4_answers.json"], "ef": ["bergbo_5_6_answers.json"],
-        "gh": ["anon_x_9_answers.json"],
-    }  # fmt: skip
-    assert [message.split(":")[1].strip() for message in messages] == [
-        "twinada_1_2_answers.json", "bergbo_5_6_answers.json", "nobody_7_8_homework.pdf",
-        "Participant_11_assignsubmission_file_x.json",
+    assert placed == {"ef": ["bergbo_5_6_answers.json"]}
+    assert [message.split(": ")[1] for message in messages] == [
+        "twinada_1", "twinada_3", "bergbo_5_6_answers.json", "nobody_7", "anon_x_9_answers",
+        "Participant_11",
     ]  # fmt: skip
-    assert messages[1].endswith("answers the sheet of 'gh', not of 'ef'")
-    assert "twinada may be ab or cd; the sheet in it does not tell" in messages[0]
+    assert messages[2].endswith("answers the sheet of 'gh', not of 'ef'")
+    assert "twinada may be ab or cd. Its files: twinada_1_2_answers.json. If" in messages[0]
+    assert "twinada may be ab or cd; its sheet names cd. Its files" in messages[1]
+    assert "nobody is nobody in the course" in messages[3]
+
+
+def test_two_hand_ins_under_one_name_are_asked_about():
+    placed, messages = sort_files(**{"bergbo_5_6_a.json": "{}", "bergbo_7_8_a.json": "{}"})
+    assert placed == {}
+    assert all("bergbo_5 and bergbo_7 both bear the name of ef" in text for text in messages)
+
+
+def test_placed_csv_with_unknown_students_is_refused(tmp_path):
+    (tmp_path / "placed.csv").write_text("hand-in,id\nbergbo_5,zz\n", "utf-8")
+    (tmp_path / "d").mkdir()
+    with pytest.raises(ArmError, match=r"placed\.csv cannot be used; line 2: no student 'zz'"):
+        collect.collect_hand_ins(tmp_path / "d", {"ef": "Bo Berg"}, tmp_path)
 
 
 def test_collect_command_reports_and_places(tmp_path, capsys):
@@ -133,8 +157,10 @@ def test_collect_command_reports_and_places(tmp_path, capsys):
         climbing.writestr("../../../../evil.txt", "out of here")
     assert commands.main(["collect", str(tmp_path / "hw"), str(download)]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0] == "1 of 2 students handed in"
-    assert lines[1].startswith("not placed: x/scan.pdf: x is nobody in the course")
+    assert lines[0] == "1 of 2 students handed in something that can be read"
+    assert lines[1].startswith(
+        "not placed: x: x is nobody in the course. Its files: x/scan.pdf. If"
+    )
     assert {path.parent.name for path in tmp_path.rglob("*evil.txt")} == {"handed_in"}
     arguments = ["grade", str(tmp_path / "hw"), "--out", str(tmp_path / "out")]
     assert commands.main(arguments) == 0
@@ -143,10 +169,25 @@ def test_collect_command_reports_and_places(tmp_path, capsys):
     assert "none.zip is not there; expected a download" in capsys.readouterr().err
 
 
-def test_broken_gradescope_export_is_reported():
-    for text in ("{", "[]", "a: b", "a: {b: c}"):
-        with pytest.raises(ArmError, match=r"^x/submission_metadata\.yml cannot be read: "):
-            sort_files(**{"x/submission_metadata.yml": text})
+BILLION_LAUGHS = "a: &a [x, x]\n" + "".join(f"b{n}: &b{n} [*a, *a, *a]\n" for n in range(9))
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["{", "[]", "[", "5", "x:", "a: b", "a: {b: c}", "a: 2026-99-99", "[" * 5000, BILLION_LAUGHS],
+    ids=lambda text: text[:8],
+)
+def test_bad_gradescope_list_is_reported_and_passed_over(text):
+    placed, messages = sort_files(**{"submission_metadata.yml": text, "ef/a.json": "{}"})
+    assert placed == {"ef": ["ef/a.json"]}
+    assert messages[0].startswith("passed over: submission_metadata.yml cannot be read: ")
+
+
+def test_gradescope_labels_are_texts():
+    entries = "submission_1: {':submitters': [{':sid': 007}]}\n"
+    files = {"submission_metadata.yml": entries, "submission_1/a.json": "{}"}
+    handed = [Member(name, lambda n=name: HandedFile(n, files[n].encode())) for name in files]
+    assert [*collect.sort_by_student(handed, {"007": "Bo", "7": "Al"}).files] == ["007"]
 
 
 def test_no_text_in_table_is_a_formula():
@@ -215,12 +256,20 @@ def test_gradescope_marks_from_the_pack(course, unpacked):
     subprocess.run(command, cwd=root / "source", check=True)
     results = json.loads((root / "results" / "results.json").read_text("utf-8"))
     assert results["score"] == len(results["tests"]) == 5
-    assert (
-        results["output"]
-        == "Read as the sheet of b.7: every part was read.\n" + results["output"].partition("\n")[2]
-    )
+    assert results["output"] == "Read as the sheet of b.7: every part was read."
     assert results["tests"][0]["visibility"] == "after_published"
-    assert "p: It was read; no usual mistake" in results["output"]
+    assert "p: " not in results["output"]  # no hints unless asked for
+
+
+def test_gradescope_gives_as_many_hints_as_asked(course, tmp_path):
+    gradescope.pack_autograder(course, tmp_path / "a.zip", hints=1)
+    with zipfile.ZipFile(tmp_path / "a.zip") as file:
+        file.extractall(tmp_path / "source")
+    submit(tmp_path, [{"email": "B.7@school.example"}], make_right_answers(course.sheet("b.7")))
+    assert "p: It was read; no usual mistake" in gradescope.run_autograder(tmp_path)["output"]
+    metadata = {"users": [{"email": "B.7@x"}], "previous_submissions": [{}]}
+    (tmp_path / "submission_metadata.json").write_text(json.dumps(metadata), encoding="utf-8")
+    assert "Hints are given for 1 hand-ins" in gradescope.run_autograder(tmp_path)["output"]
 
 
 @pytest.mark.parametrize(
