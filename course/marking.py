@@ -1,25 +1,27 @@
 """Mark the answers of a sheet.
 
 Right in the decimals asked is worth 1. Any other answer is worth half of its share that is right,
-and half if a usual mistake explains all of it. The credit never depends on the number of typed
-digits, since a unit of the last decimal asked is forgiven. So coarser digits earn only
-where the rounded number is right by itself, a named mistake costs the same on every sheet, and an
-entry that is left out never earns more than one that is written.
+and half if a usual mistake explains all of it, a wrong unit included. The credit never depends on
+the number of typed digits, since a unit of the last decimal asked is forgiven. So coarser digits
+earn only where the rounded number is right by itself, a named mistake costs the same on every
+sheet, and what is left out never earns more than what is written.
 
-A table is worth 1, or half with one mistake, in any choice of frames. Of joint values for a target
-each branch counts by itself.
+A table is worth 1, or half with one mistake, in any choice of frames; otherwise its right rows
+before the first wrong row count. Of joint values for a target each branch counts by itself.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from course import topics
-from course.mistakes import Mistake
+from course.mistakes import DEGREES, MILLIMETRES, Mistake
 from course.sheets import Part, Question, Sheet
 from helpers import checks
 from helpers.checks.arms import judge_data
@@ -246,33 +248,93 @@ def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
 
 
 def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
-    """Mark a table in any choice of frames as right, as right but for a mistake, or as wrong."""
-    options = {
-        "columns": "a alpha d theta", "lengths": "m", "angles": "rad", "convention": "standard",
-        "tolerance": part.unit,
-    }  # fmt: skip
-    arm = judge_data(part.value)
-    reply = ask_judge("table mistake", mine=format_table(answer), arm=arm, options=options)
-    if reply["right"]:
-        return Mark(part.name, 1.0, reply["headline"], _NO_MISTAKE_SEEN)
-    if "share" in reply:  # the rows of the last joints are missing
-        return Mark(part.name, MISTAKE_SHARE * reply["share"], reply["headline"], _NO_MISTAKE_SEEN)
+    """Mark a table in any choice of frames as right, as right but for a mistake, or as begun.
+
+    A wrong row behind right rows costs as much as a missing row.
+    """
+    mine, arm = format_table(answer), judge_data(part.value)
+    replies = dict[str, dict[str, Any]]()
+    for mistake, units in _TABLE_UNITS.items():
+        with suppress(ArmError):  # these units cannot be those of the table
+            replies[mistake] = _compare_table(mine, arm, part.unit, **units)
+            if replies[mistake]["right"] and not mistake:
+                return Mark(part.name, 1.0, replies[""]["headline"], _NO_MISTAKE_SEEN)
+            if replies[mistake]["right"]:
+                message = f"This is what a mistake gives: {mistake}."
+                return Mark(part.name, MISTAKE_SHARE, message, message, ("course.units",))
+    reply = replies.get("") or _compare_table(mine, arm, part.unit)
     if not reply["name"]:
-        message = "Not right: it describes another arm, and no one mistake explains it."
-        return Mark(part.name, 0.0, message, _NO_MISTAKE_SEEN)
+        first_rows = [_write_read_row(row, n) for n, row in enumerate(reply["rows"], 1)]
+        beginnings = (first_rows[:n] for n in range(len(first_rows), 0, -1))
+        of_beginnings = (_compare_table(format_table(rows), arm, part.unit) for rows in beginnings)
+        begun = next((x for x in (reply, *of_beginnings) if "share" in x), None)
+        credit = MISTAKE_SHARE * begun["share"] if begun else 0.0
+        message = begun["headline"] if begun else "Not right: it describes another arm."
+        if "share" not in reply:
+            message = f"Not right, and no one mistake explains it. {message}"
+        return Mark(part.name, credit, message, _NO_MISTAKE_SEEN)
     message = f"This is what a mistake gives: {reply['message'].rstrip('.')}."
     has_size = reply["name"].startswith(("course.entry", "table.number", "table.angle"))
     hint = _NO_MISTAKE_SEEN if has_size else message
     return Mark(part.name, MISTAKE_SHARE, message, hint, (reply["name"],))
 
 
+_TABLE_UNITS = {  # by the mistake that they are
+    "": {},
+    MILLIMETRES: {"lengths": "mm"},
+    DEGREES: {"angles": "deg"},
+    f"{MILLIMETRES}. {DEGREES}": {"lengths": "mm", "angles": "deg"},
+}
+
+
+def _compare_table(mine: str, arm: Any, unit: float, **units: str) -> dict[str, Any]:
+    """Compare a table with the arm asked; lengths are in m and angles in rad unless said."""
+    options = {
+        "columns": "a alpha d theta", "lengths": "m", "angles": "rad", "convention": "standard",
+        "tolerance": unit, **units,
+    }  # fmt: skip
+    return ask_judge("table mistake", mine=mine, arm=arm, options=options)
+
+
+def _write_read_row(row: Mapping[str, Any], number: int) -> list[str]:
+    """Write a row as the judge read it, with the joint's variable."""
+    entries = {name: repr(row[name]) for name in ("a", "alpha", "d", "theta")}
+    if moved := {"revolute": "theta", "prismatic": "d"}.get(row["kind"]):
+        entries[moved] = f"q_{number} + {entries[moved]}"
+    return list(entries.values())
+
+
 def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
     """Mark the share of the branches that are among the first rows."""
     typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
-    count, dof = part.value.shape
-    if typed.values.size % dof:
-        raise ArmError(f"{typed.values.size} numbers given, expected rows of {dof}")
-    rows, units = (x.reshape(-1, dof) for x in (typed.values, typed.units))
+    if typed.values.size % question.arm.dof:
+        raise ArmError(f"{typed.values.size} numbers given, expected rows of {question.arm.dof}")
+    return _mark_joint_values(question, part, typed, _mark_rows)
+
+
+def _mark_joint_values(
+    question: Question, part: Part, typed: TypedNumbers, mark_rows: Callable[..., Mark]
+) -> Mark:
+    """Mark rows of joint values; those that are right in other units are worth half."""
+    shape = (-1, question.arm.dof)
+    rows, units = typed.values.reshape(shape), typed.units.reshape(shape)
+    mark = mark_rows(question, part, rows, units)
+    turning = np.asarray(question.arm.turning)
+    for text, factors in (
+        (DEGREES, np.where(turning, np.pi / 180, 1.0)),
+        (MILLIMETRES, np.where(turning, 1.0, 0.001)),
+    ):
+        other = mark_rows(question, part, rows * factors, units * factors)
+        if MISTAKE_SHARE * other.credit > mark.credit:
+            message = f"This is what a mistake gives: {text}."
+            credit = MISTAKE_SHARE * other.credit
+            mark = Mark(part.name, credit, message, message, ("course.units",))
+    return mark
+
+
+def _mark_rows(question: Question, part: Part, rows: Array, units: Array) -> Mark:
+    """Mark rows by the branches that they give."""
+    count = len(part.value)
     hits = _match_branches(question, part, rows[:count], part.unit)
     credit = float(hits.any(axis=0).sum() / count)
     wrong = np.asarray(~hits.any(axis=1))
@@ -304,8 +366,12 @@ def _mark_pose(question: Question, part: Part, answer: Any) -> Mark:
     typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
     if typed.values.size != question.arm.dof:
         raise ArmError(f"{typed.values.size} numbers given, expected {question.arm.dof}")
-    values = typed.values.ravel()
-    verdict = checks.compare_pose(values, question.arm, target, tolerance=part.unit)
+    return _mark_joint_values(question, part, typed, partial(_mark_reached, target))
+
+
+def _mark_reached(target: Array, question: Question, part: Part, rows: Array, _: Array) -> Mark:
+    """Mark a row of joint values by whether it reaches the target."""
+    verdict = checks.compare_pose(rows[0], question.arm, target, tolerance=part.unit)
     if verdict.agrees:
         return Mark(part.name, 1.0, _OPTION_ADVICE.sub("", str(verdict)), _NO_MISTAKE_SEEN)
     return Mark(

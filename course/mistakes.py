@@ -14,6 +14,8 @@ from helpers.checks.engine import ask_judge, format_sentence
 
 Array = NDArray[np.float64]
 
+MILLIMETRES = "The lengths are in millimetres: use metres"
+DEGREES = "The angles are in degrees: use radians"
 _ROUND_OFF = 1e-9  # a smaller difference from the right answer is no difference
 
 
@@ -59,6 +61,21 @@ def list_mistakes(
 def name_mistake(key: str, values: Array) -> Mistake:
     """Return a mistake of the judge's catalogue whose numbers the caller computed."""
     return Mistake(key, format_sentence(key), values)
+
+
+def list_other_units(right: Array, lengths: ArrayLike) -> list[Mistake]:
+    """List a right answer in millimetres and in degrees, as far as its numbers have such a unit.
+
+    Args:
+        right: Right answer in metres, radians and units of them.
+        lengths: Which numbers count a length; the others are angles. Broadcasts to `right`.
+    """
+    is_length = np.broadcast_to(np.asarray(lengths, dtype=bool), right.shape)
+    units = [
+        ("course.millimetres", MILLIMETRES, np.where(is_length, 1000.0, 1.0)),
+        ("course.degrees", DEGREES, np.where(is_length, 1.0, 180 / np.pi)),
+    ]
+    return [Mistake(name, text, right * x) for name, text, x in units if (x != 1).any()]
 
 
 def select_visible(mistakes: list[Mistake], right: Array) -> tuple[Mistake, ...]:

@@ -13,7 +13,13 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from course.mistakes import Mistake, list_mistakes, name_mistake, select_visible
+from course.mistakes import (
+    Mistake,
+    list_mistakes,
+    list_other_units,
+    name_mistake,
+    select_visible,
+)
 from helpers import inverse, symbolic
 from helpers.arm import Arm, Joint, Row, fixed
 from helpers.inputs import ArmError
@@ -293,13 +299,16 @@ def _write_circle_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part,
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
     other_side = 2 * forward_kinematics(arm, start)[:3, 3] - right["centre"]
-    centres = (name_mistake("trace.other side", other_side),)
-    backwards = (name_mistake("trace.backwards", right["three quarters"]),)
+    centres = [name_mistake("trace.other side", other_side)]
+    centres += list_other_units(right["centre"], lengths=True)
+    half, quarter = (list_other_units(right[x], ~arm.turning) for x in ("half", "quarter"))
+    quarter.append(name_mistake("trace.backwards", right["three quarters"]))
     return text, (
-        Part("centre", "the circle's centre (m)", "numbers", right["centre"], centres),
-        Part("quarter", joints.format("a quarter"), "numbers", right["quarter"], backwards, start),
-        Part("half", joints.format("half"), "numbers", right["half"], baseline=start),
-    )
+        Part("centre", "the circle's centre (m)", "numbers", right["centre"], tuple(centres)),
+        Part("quarter", joints.format("a quarter"), "numbers", right["quarter"], tuple(quarter),
+             start),
+        Part("half", joints.format("half"), "numbers", right["half"], tuple(half), start),
+    )  # fmt: skip
 
 
 def _draw_torque(arm: Arm, rng: Rng) -> Numbers | None:
@@ -320,6 +329,8 @@ def _write_torque_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part,
     wrench = [*numbers["force"], 0, 0, 0]
     g_mistakes = list_mistakes("torques", arm, q=numbers["q"], wrench=np.zeros(6))
     tau_mistakes = list_mistakes("torques", arm, q=numbers["q"], wrench=wrench)
+    for mistakes, value in ((g_mistakes, right["g"]), (tau_mistakes, right["tau"])):
+        mistakes += list_other_units(value, lengths=True)
     g = _make_part("g", "the torques that hold the weight (N m)", "torques", right["g"], g_mistakes)
     description = "the torques with the force (N m)"
     tau = _make_part("tau", description, "torques", right["tau"], tau_mistakes)

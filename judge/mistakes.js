@@ -92,15 +92,16 @@ export const evaluateFormulas = ({ mine, arm, poses }) =>
 /**
  * Compare a table with an arm at the pose q = 0, and name its mistake if it has only one.
  * @param {{ mine: any, arm: Arm, options: any }} question
- * @returns {{ right: boolean, name: string, message: string, headline: string, share?: number }}
- *   `share` of the joints is right if the rows of the last ones are missing
+ * @returns {{ right: boolean, name: string, message: string, headline: string, rows: any[],
+ *   share?: number }} `rows` as they were read; `share` of the joints is right if the rows of the
+ *   last ones are missing
  */
 export function findTableMistake({ mine, arm, options }) {
   const verdict = compareTables(mine, arm, options);
   const { grade, headline, figures } = verdict;
   const rows = verdict.table?.rows ?? [];
   const isSame = makeComparison(arm);
-  const answer = { right: false, name: "", message: "", headline };
+  const answer = { right: false, name: "", message: "", headline, rows };
   if ([RIGHT, ROUNDED, RIGHT_BY_MAP].includes(grade) && isSame(rows))
     return { ...answer, right: true };
   if (grade === SO_FAR)
