@@ -24,24 +24,30 @@ class Student:
     name: str
 
 
-# Column headers for ids and names, the best first: ours, Canvas, Moodle, Excel.
-_ID_HEADERS = ("sis login id", "login id", "username", "id", "id number", "student id")
+# Column headers for ids and names, the best first: ours, Canvas, Moodle, Gradescope, Excel.
+_ID_HEADERS = (
+    "sis login id", "login id", "username", "id", "id number", "student id", "sid",
+    "email address", "email",
+)  # fmt: skip
+_CANVAS_IDS = ("ID", "SIS User ID", "SIS Login ID")
 _NAME_HEADERS = ("name", "student", "full name", "student name")
-_FIRST_NAME, _LAST_NAMES = "first name", ("last name", "surname")
+_FIRST_NAMES, _LAST_NAMES = ("first name", "firstname"), ("last name", "surname", "lastname")
 
 
 def read_roster(path: Path) -> tuple[Student, ...]:
     """Read the students in a CSV file as platforms and spreadsheets export it.
 
     The file is in UTF-8 and has a column for the id and one for the name (or two), beside any
-    others, with commas, semicolons or tabs between them.
+    others, with commas, semicolons or tabs between them. Canvas writes rows about the assignments,
+    which have no ID, before those of the students; they are passed over.
 
     Raises ArmError with every line that has no id and name, an id that can name no folder, or an
     id of an earlier line (capitals count as small letters, as some disks treat them).
     """
     students, problems = dict[str, Student](), list[str]()
     for line, row in read_csv_rows(path):
-        if "Points Possible" in row.values():  # the second line of Canvas
+        is_canvas = {"ID", "Section"} <= row.keys()
+        if is_canvas and not students and not any(row.get(key) for key in _CANVAS_IDS):
             continue
         student = _read_student(row)
         problem = _describe_problem(student, row)
@@ -66,14 +72,16 @@ def read_csv_rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
         if first.lower().startswith("sep="):  # Excel
             text, (first, _, _) = rest, rest.partition("\n")
         separator = max(",;\t", key=first.count)
-        rows = list(csv.DictReader(io.StringIO(text, newline=""), delimiter=separator))
+        rows = list(csv.DictReader(io.StringIO(text, newline=""), delimiter=separator, strict=True))
     except UnicodeDecodeError:
         raise ArmError(
             f"{str(path)!r} is not in UTF-8; save it as CSV UTF-8 (in Excel and LibreOffice"
             " one of the formats, or the character set, of Save As)"
         ) from None
     except csv.Error as error:
-        raise ArmError(f"{str(path)!r} cannot be read: {error}") from None
+        raise ArmError(
+            f"{str(path)!r} cannot be read: {error}; expected a second quotation mark for each"
+        ) from None
     for line, row in enumerate(rows, 2):
         cells = {key.strip(): x.strip() for key, x in row.items() if key and isinstance(x, str)}
         if any(cells.values()):
@@ -84,8 +92,11 @@ def _read_student(row: Mapping[str, str]) -> Student:
     """Return the student of a row, with "\\0" for a missing id or name."""
     cells = {header.casefold(): cell for header, cell in row.items()}
     student_id = next((cells[key] for key in _ID_HEADERS if key in cells), "\0")
-    last_name = next((cells[key] for key in _LAST_NAMES if key in cells), "")
-    full_name = f"{cells.get(_FIRST_NAME, '')} {last_name}".strip()
+    first_name, last_name = (
+        next((cells[key] for key in keys if key in cells), "")
+        for keys in (_FIRST_NAMES, _LAST_NAMES)
+    )
+    full_name = f"{first_name} {last_name}".strip()
     name = next((cells[key] for key in _NAME_HEADERS if key in cells), full_name or "\0")
     return Student(student_id, name)
 

@@ -575,6 +575,7 @@ def test_arm_survives_json(arm):
         ("id,name\nab,A\ncd\n", "line 3 has the columns id; expected id and name"),
         ("id,name\n", "holds no student"),
         ("id,name\nab,\udcff\n", "is not in UTF-8; save it as CSV UTF-8"),
+        ('id,name\nab,"Ada\ncd,Bo\n', "unexpected end of data; expected a second quotation mark"),
     ],
 )
 def test_bad_roster_is_reported_by_line(tmp_path, text, message):
@@ -599,6 +600,11 @@ def test_roster_with_other_columns_is_read(tmp_path):
         "sep=;\nID;Name\nab;Ada L\n",
         "Username\tFirst name\tLast name\nab\tAda\tL\n\t\t\n",
         "Student,ID,SIS Login ID,Section\n    Points Possible,,,\nAda L,91,ab,1\n",
+        "Student,ID,SIS User ID,SIS Login ID,Section,HW (7)\n,,,,,Manual Posting\n"
+        '    Mögliche Punkte,,,,,10\n"Ada L",91,u1,ab,1,\n',
+        "LastName,FirstName,ID,SIS Login ID,Section\n    Points Possible,,,,\nL,Ada,91,ab,1\n",
+        "First Name,Last Name,SID,Email,Role\nAda,L,ab,ada@x.example,Student\n",
+        "First name,Last name,Email address\nAda,L,ab\n",
         " id , Name \n ab , Ada L \n",
     ],
 )

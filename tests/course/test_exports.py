@@ -197,6 +197,9 @@ def test_no_text_in_table_is_a_formula():
     for first in "=+-@\t\r\n|%":
         text = grading.format_csv([{"name": f"{first}1"}])
         assert list(csv.reader(io.StringIO(text, newline="")))[1] == [f"'{first}1"]
+        for text in (f"Ada;{first}1", f"Ada;  {first}1", f"Ada\n{first}1"):  # of other separators
+            (row,) = csv.DictReader(io.StringIO(grading.format_csv([{"name": text}]), newline=""))
+            assert f"'{first}1" in row["name"]
 
 
 # Other systems
