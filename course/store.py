@@ -195,7 +195,7 @@ def arm_to_json(arm: Arm) -> dict[str, Any]:
         "name": arm.name,
         "rows": [_row_to_json(row) for row in arm.rows],
         "values": dict(arm.values),
-        "bodies": [{"mass": body.mass, "com": list(body.com)} for body in arm.bodies],
+        "bodies": [dict(vars(body)) for body in arm.bodies],
         "home": list(arm.home),
         "circle": arm.circle and vars(arm.circle),
         "source": arm.source,

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, broadcast_shape, finite_array
+from helpers.inputs import broadcast_shape, finite_array
 from helpers.kinematics import link_frames
+from helpers.rows import check_tensors
 from helpers.statics import GRAVITY, require_bodies
 
 __all__ = ["inverse_dynamics"]
@@ -34,8 +35,8 @@ def inverse_dynamics(
         q: Joint values, shape (..., dof), in rad or m.
         q_dot: Joint rates, shape (..., dof), in rad/s or m/s.
         q_ddot: Joint accelerations, shape (..., dof), in rad/s^2 or m/s^2.
-        inertias: The links' inertia tensors about their centres of mass, in the axes of the link
-            frames, shape (rows, 3, 3), in kg m^2. Without them every link is a point mass.
+        inertias: Inertia tensors in place of those of the bodies: about the links' centres of mass,
+            in the axes of the link frames, shape (rows, 3, 3), in kg m^2.
         gravity: Gravity in base axes, shape (3,), in m/s^2.
 
     Returns:
@@ -57,25 +58,13 @@ def inverse_dynamics(
     broadcast_shape("q and q_dot", q.shape[:-1], q_dot.shape[:-1])
     broadcast_shape("q and q_ddot", q.shape[:-1], q_ddot.shape[:-1])
     up = -finite_array(gravity, "gravity", "a vector of three finite numbers in m/s^2", (3,))
-    tensors = _check_tensors(arm, inertias)
+    if inertias is None:
+        inertias = [body.inertia for body in arm.bodies]
+    tensors = check_tensors(inertias, (len(arm.rows), 3, 3), "inertias")
     q, q_dot, q_ddot = np.broadcast_arrays(q, q_dot, q_ddot)
     frames = np.moveaxis(link_frames(arm, q), -3, 0)
     wrenches = _link_wrenches(arm, frames, (q_dot, q_ddot), up, tensors)
     return _joint_torques(arm, frames, wrenches)
-
-
-def _check_tensors(arm: Arm, inertias: ArrayLike | None) -> Array:
-    """Return the inertia tensors, shape (rows, 3, 3).
-
-    They are 0 where none are given.
-    """
-    shape = (len(arm.rows), 3, 3)
-    if inertias is None:
-        return np.zeros(shape)
-    tensors = finite_array(inertias, "inertias", f"tensors {shape} in kg m^2", shape)
-    if not np.allclose(tensors, np.swapaxes(tensors, 1, 2), rtol=0, atol=1e-12):
-        raise ArmError("inertias are not symmetric; expected xy = yx, xz = zx and yz = zy")
-    return tensors
 
 
 def _link_wrenches(

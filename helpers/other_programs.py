@@ -40,8 +40,8 @@ def write_code(arm: Arm, program: str) -> str:
 def write_urdf(arm: Arm) -> str:
     """Write an arm as a robot description (URDF).
 
-    Each row is a joint q_i and a link link_i; the last fixed joint leads to the link "tool". Masses
-    are point masses at their centres, since an arm has no inertia tensors.
+    Each row is a joint q_i and a link link_i; the last fixed joint leads to the link "tool". Bodies
+    are written with their inertia tensors, which are 0 for point masses.
 
     Example:
         >>> from helpers.robots import ELBOW
@@ -109,13 +109,16 @@ def _write_inertial(arm: Arm, i: int) -> str:
     if not arm.bodies or not arm.number(arm.bodies[i - 1].mass):
         return ""
     body, row = arm.bodies[i - 1], arm.numeric[i - 1]
-    x, y, z = map(arm.number, body.com)
-    y, z = row.cos_alpha * y - row.sin_alpha * z, row.sin_alpha * y + row.cos_alpha * z
-    x, z = x + row.a, z + row.d
-    x, y = row.cos_theta * x - row.sin_theta * y, row.sin_theta * x + row.cos_theta * y
+    c, s, ca, sa = row.cos_theta, row.sin_theta, row.cos_alpha, row.sin_alpha
+    R = np.array([[c, -s * ca, s * sa], [s, c * ca, -c * sa], [0, sa, ca]])
+    com = [row.a * c, row.a * s, row.d] + R @ [arm.number(x) for x in body.com]
+    x, y, z = com.tolist()
+    I = (R @ np.array(body.inertia) @ R.T).tolist()
+    pairs = {"xx": (0, 0), "xy": (0, 1), "xz": (0, 2), "yy": (1, 1), "yz": (1, 2), "zz": (2, 2)}
+    entries = " ".join(f'i{name}="{I[j][k]!r}"' for name, (j, k) in pairs.items())
     return (
         f'<inertial><origin xyz="{x!r} {y!r} {z!r}"/><mass value="{arm.number(body.mass)!r}"/>'
-        '<inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>'
+        f"<inertia {entries}/></inertial>"
     )
 
 

@@ -6,10 +6,14 @@ from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import Any, Literal, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from helpers.expressions import Entry, check_entry
 from helpers.inputs import (
     LARGEST,
     ArmError,
+    finite_array,
     float_array,
     require_choice,
     shorten,
@@ -226,10 +230,13 @@ class Body:
     Args:
         mass: Mass, in kg; a number or a formula.
         com: Centre of mass in the row's own frame, three coordinates in m.
+        inertia: Inertia tensor about the centre of mass in the axes of the row's own frame, shape
+            (3, 3), in kg m^2; 0 by default, as for a point mass.
     """
 
     mass: Entry
     com: Sequence[Entry]
+    inertia: Sequence[Sequence[float]] = ((0.0,) * 3,) * 3
 
     def __post_init__(self) -> None:
         expected = "three coordinates (x, y, z)"
@@ -237,6 +244,16 @@ class Body:
             raise ArmError(f"centre of mass is {self.com!r}; expected {expected}")
         object.__setattr__(self, "mass", check_entry(self.mass, "mass"))
         object.__setattr__(self, "com", tuple(check_entry(c, "centre of mass") for c in self.com))
+        tensor = check_tensors(self.inertia, (3, 3), "inertia")
+        object.__setattr__(self, "inertia", tuple(tuple(row) for row in tensor.tolist()))
+
+
+def check_tensors(value: object, shape: tuple[int, ...], name: str) -> NDArray[np.float64]:
+    """Convert `value` to symmetric tensors (..., 3, 3)."""
+    tensors = finite_array(value, name, f"symmetric tensors {shape} in kg m^2", shape)
+    if not np.allclose(tensors, np.swapaxes(tensors, -1, -2), rtol=0, atol=1e-12):
+        raise ArmError(f"{name}: a tensor is not symmetric; expected xy = yx, xz = zx and yz = zy")
+    return tensors
 
 
 class Values(Mapping[str, float]):

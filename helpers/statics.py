@@ -129,7 +129,7 @@ def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm
         com: The payload's centre of mass in the last frame, shape (3,), in m.
 
     Returns:
-        The arm; the last link's mass and centre include the payload.
+        The arm; the last link's mass, centre and inertia tensor include the payload, a point mass.
 
     Example:
         >>> from helpers.robots import UR10E
@@ -144,7 +144,12 @@ def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm
         return arm
     total = masses[-1] + mass
     centre = (masses[-1] * np.array(coms[-1]) + mass * payload_centre) / total
-    return replace(arm, bodies=(*arm.bodies[:-1], Body(float(total), tuple(map(float, centre)))))
+    inertia = np.array(arm.bodies[-1].inertia)
+    for part, point in ((masses[-1], np.array(coms[-1])), (mass, payload_centre)):
+        r = point - centre  # parallel axes (Steiner)
+        inertia = inertia + part * ((r @ r) * np.eye(3) - np.outer(r, r))
+    body = Body(float(total), tuple(map(float, centre)), inertia)
+    return replace(arm, bodies=(*arm.bodies[:-1], body))
 
 
 def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike) -> Array:

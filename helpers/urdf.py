@@ -1,10 +1,10 @@
 """Read a serial arm from a robot description (URDF) by its joint axes at q = 0.
 
-The chain of joints from one link to another is read with its limits, speeds, efforts, masses and
-centres of mass. Fixed joints are merged into their neighbours. The masses of side branches count
-with their joints at 0. The file is read as data only: by `xml.etree` of the standard library,
-without a document type, and no file that it names is opened. Source of the format: the URDF XML
-specification, wiki.ros.org/urdf/XML (elements joint, link and inertial).
+The chain of joints from one link to another is read with its limits, speeds, efforts, masses,
+centres of mass and inertia tensors. Fixed joints are merged into their neighbours. The masses of
+side branches count with their joints at 0. The file is read as data only: by `xml.etree` of the
+standard library, without a document type, and no file that it names is opened. Source of the
+format: the URDF XML specification, wiki.ros.org/urdf/XML (elements joint, link and inertial).
 """
 
 import math
@@ -86,18 +86,25 @@ def from_urdf(
         tip = tree.require_single(tree.ends_from(base), f"at the end beyond {base}")
     tip = tree.require_link(tip, "tip")
     start, chain = tree.chain(base, tip)
-    axes, pose, loads = _walk_chain(start, chain, tree.loads_with_branches(chain))
+    axes, pose, bodies = _walk_chain(start, chain, tree.bodies_with_branches(chain))
     if not axes:
         raise ArmError(
             f"{tree.name}: nothing moves from {base} to {tip}; expected a joint that does"
         )
     derivation = derive(axes, pose, name=tree.name, tolerance=tolerance)
-    masses = loads[:, 3]
-    centres = loads[:, :3] / np.where(masses, masses, 1)[:, None]
-    arm = derivation.with_bodies(masses, centres) if masses.any() else derivation.arm
+    masses = bodies[:, 3, 3]
+    centres = bodies[:, :3, 3] / np.where(masses, masses, 1)[:, None]
+    spread = bodies[:, :3, :3] - masses[:, None, None] * centres[:, :, None] * centres[:, None, :]
+    inertias = np.trace(spread, axis1=1, axis2=2)[:, None, None] * np.eye(3) - spread
+    # 1e-14: the round-off of the products that the differences above cancel
+    largest = np.abs(bodies).max(axis=(1, 2), keepdims=True)
+    inertias = np.where(np.abs(inertias) < 1e-14 * largest, 0.0, inertias)
+    arm = derivation.arm
+    if masses.any():
+        arm = derivation.with_bodies(masses, centres, inertias)
     moving = ", ".join(joint.name for joint in chain if joint.kind != "fixed")
     note = f"robot description: {base} to {tip}; joints {moving}{_rounding_note(chain)}"
-    return replace(arm, source=note)
+    return replace(arm, source=note + tree.missing_tensors_note(chain))
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,27 +178,27 @@ class _FileJoint:
 
 
 def _walk_chain(
-    start: Array, chain: Sequence[_FileJoint], loads: dict[str, Array]
+    start: Array, chain: Sequence[_FileJoint], bodies: dict[str, Array]
 ) -> tuple[list[Axis], Array, Array]:
     """Follow the chain at q = 0, in base axes.
 
     Args:
         start: Pose of the chain's first link in the base, 4x4.
         chain: The joints from the base to the tip.
-        loads: For each link its load, as `_read_load` returns it.
+        bodies: For each link its body, as `_read_body` returns it.
 
     Returns:
-        The axes of the moving joints, the tip's pose 4x4, and the load that each of these joints
-        moves before the next one does, shape (dof, 4).
+        The axes of the moving joints, the tip's pose 4x4, and the body that each of these joints
+        moves before the next one does, in base axes, shape (dof, 4, 4).
     """
     pose, axes, carried = start, [], []
     for joint in chain:
         pose = pose @ joint.origin
         if joint.kind != "fixed":
             axes.append(joint.as_axis(pose))
-            carried.append(np.zeros(4))
+            carried.append(np.zeros((4, 4)))
         if carried:
-            carried[-1] += pose @ loads[joint.child]
+            carried[-1] += pose @ bodies[joint.child] @ pose.T
     return axes, pose, np.array(carried)
 
 
@@ -201,19 +208,21 @@ class _Tree:
 
     Attributes:
         name: Name of the robot.
-        loads: For each link its load, as `_read_load` returns it.
+        bodies: For each link its body, as `_read_body` returns it.
+        point_masses: The links that have a mass and no inertia tensor, or one of zeros.
         joints: The joints; each comes after those that carry it.
     """
 
     name: str
-    loads: dict[str, Array]
+    bodies: dict[str, Array]
+    point_masses: set[str]
     joints: list[_FileJoint]
 
     @property
     def roots(self) -> list[str]:
         """Names of the links without a parent."""
         carried = {joint.child for joint in self.joints}
-        return [link for link in self.loads if link not in carried]
+        return [link for link in self.bodies if link not in carried]
 
     def ends(self, base: str) -> list[str]:
         """Return the links beyond the base that carry no joint."""
@@ -248,11 +257,11 @@ class _Tree:
 
         Raises ArmError if there is no such link.
         """
-        if isinstance(name, str) and name in self.loads:
+        if isinstance(name, str) and name in self.bodies:
             return name
         raise ArmError(
             f"{self.name}: {argument} is {shorten(name)}; expected a link, one of"
-            f" {_list_names(self.loads)}"
+            f" {_list_names(self.bodies)}"
         )
 
     def fixed_ancestors(self, base: str) -> dict[str, Array]:
@@ -287,13 +296,25 @@ class _Tree:
             link = above[link].parent
         return starts[link], joints[::-1]
 
-    def loads_with_branches(self, chain: Sequence[_FileJoint]) -> dict[str, Array]:
-        """Return the load of each link with all that hangs on it beside the chain."""
-        loads, on_chain = dict(self.loads), set(chain)
+    def bodies_with_branches(self, chain: Sequence[_FileJoint]) -> dict[str, Array]:
+        """Return the body of each link with all that hangs on it beside the chain."""
+        bodies, on_chain = dict(self.bodies), set(chain)
         for joint in reversed(self.joints):
             if joint not in on_chain:
-                loads[joint.parent] = loads[joint.parent] + joint.origin @ loads[joint.child]
-        return loads
+                carried = joint.origin @ bodies[joint.child] @ joint.origin.T
+                bodies[joint.parent] = bodies[joint.parent] + carried
+        return bodies
+
+    def missing_tensors_note(self, chain: Sequence[_FileJoint]) -> str:
+        """Name the moving links that have a mass and no inertia tensor, for the arm's `source`."""
+        moving: set[str] = set()
+        for joint in self.joints:
+            if joint.parent in moving or (joint in chain and joint.kind != "fixed"):
+                moving.add(joint.child)
+        points = [link for link in self.bodies if link in moving & self.point_masses]
+        if not points:
+            return ""
+        return f"; without inertia tensors, so taken as point masses: {_list_names(points)}"
 
 
 def _rounding_note(chain: Sequence[_FileJoint]) -> str:
@@ -358,24 +379,29 @@ def _read_tree(robot: ET.Element, angle_tolerance: float) -> _Tree:
     _require_unique((link_name for link_name, _ in links), f"{name}: links called")
     _require_unique((joint.name for joint in joints), f"{name}: joints called")
     _require_unique((joint.child for joint in joints), f"{name}: joints that carry link")
-    loads = {link_name: _read_load(link, link_name) for link_name, link in links}
-    below: dict[str, list[_FileJoint]] = {link: [] for link in loads}
+    bodies = {link_name: _read_body(link, link_name) for link_name, link in links}
+    point_masses = {
+        link_name
+        for link_name, link in links
+        if bodies[link_name][3, 3] and not _read_tensor(link.find("inertial"), link_name).any()
+    }
+    below: dict[str, list[_FileJoint]] = {link: [] for link in bodies}
     for joint in joints:
         for link in (joint.parent, joint.child):
-            if link not in loads:
+            if link not in bodies:
                 raise ArmError(f"{name}: joint {joint.name} names a link {link!r}; there is none")
         below[joint.parent].append(joint)
     # The loop extends `reached` by the children of each link, so joints come after their carriers.
-    reached, ordered = _Tree(name, loads, joints).roots, []
+    reached, ordered = _Tree(name, bodies, point_masses, joints).roots, []
     for link in reached:
         ordered += below[link]
         reached += [joint.child for joint in below[link]]
-    if loop := sorted({*loads} - {*reached}):
+    if loop := sorted({*bodies} - {*reached}):
         raise ArmError(
             f"{name}: links {_list_names(loop)} go round in a circle; expected a tree of links."
             " Remove the joint that closes the loop"
         )
-    return _Tree(name, loads, ordered)
+    return _Tree(name, bodies, point_masses, ordered)
 
 
 def _read_joint(element: ET.Element, angle_tolerance: float) -> _FileJoint:
@@ -384,12 +410,7 @@ def _read_joint(element: ET.Element, angle_tolerance: float) -> _FileJoint:
     origin, T = element.find("origin"), np.eye(4)
     written = _read_numbers(origin, "rpy", f"the rpy of {name}", (0, 0, 0))
     angles = _round_angles(written, angle_tolerance)
-    (c, s), (b, t), (a, r) = (cos_sin(float(angle)) for angle in angles[::-1])
-    T[:3, :3] = [
-        [c * b, c * t * r - s * a, c * t * a + s * r],
-        [s * b, s * t * r + c * a, s * t * a - c * r],
-        [-t, b * r, b * a],
-    ]
+    T[:3, :3] = _rotation(angles)
     T[:3, 3] = _read_numbers(origin, "xyz", f"the xyz of {name}", (0, 0, 0))
     parent, child = (
         _require_attribute(element.find(end), "link", f"the {end} of joint {name}")
@@ -402,6 +423,16 @@ def _read_joint(element: ET.Element, angle_tolerance: float) -> _FileJoint:
     return _FileJoint(
         name, element.get("type", ""), parent, child, T, element, direction, float(change)
     )
+
+
+def _rotation(angles: Array) -> Array:
+    """Return Rot_z(yaw) Rot_y(pitch) Rot_x(roll) for (roll, pitch, yaw)."""
+    (c, s), (b, t), (a, r) = (cos_sin(float(angle)) for angle in angles[::-1])
+    return np.array([
+        [c * b, c * t * r - s * a, c * t * a + s * r],
+        [s * b, s * t * r + c * a, s * t * a - c * r],
+        [-t, b * r, b * a],
+    ])  # fmt: skip
 
 
 def _round_angles(angles: Array, tolerance: float) -> Array:
@@ -421,22 +452,38 @@ def _round_direction(direction: Array, tolerance: float) -> Array:
     return rounded
 
 
-def _read_load(link: ET.Element, name: str) -> Array:
-    """Return a link's load (m x, m y, m z, m) in its own frame, in kg m and kg.
+def _read_body(link: ET.Element, name: str) -> Array:
+    """Return the second moments of a link's mass in its own frame, 4x4.
 
-    The load is zero where the file gives none.
+    The integral of p p^T dm with p = (x, y, z, 1) holds the mass, the first moments and, but for
+    signs, the inertia tensor. In another frame it is T S T^T, and bodies add up. It is zero where
+    the file gives none.
     """
     inertial = link.find("inertial")
     if inertial is None:
-        return np.zeros(4)
+        return np.zeros((4, 4))
     mass_name = f"the mass of {name}"
     (mass,) = _read_numbers(inertial.find("mass"), "value", mass_name, _MISSING_NUMBER)
     if not mass >= 0:
         raise ArmError(f"{mass_name} is {mass}; expected a number of kg, 0 or more")
-    centre_name = f"the centre of mass of {name}"
-    return mass * np.append(
-        _read_numbers(inertial.find("origin"), "xyz", centre_name, (0, 0, 0)), 1
+    tensor = _read_tensor(inertial, name)
+    origin = inertial.find("origin")
+    T = np.eye(4)
+    T[:3, :3] = _rotation(_read_numbers(origin, "rpy", f"the rpy of {name}'s inertia", (0, 0, 0)))
+    T[:3, 3] = _read_numbers(origin, "xyz", f"the centre of mass of {name}", (0, 0, 0))
+    moments = np.diag([0.0, 0, 0, mass])
+    moments[:3, :3] = np.trace(tensor) / 2 * np.eye(3) - tensor
+    return T @ moments @ T.T
+
+
+def _read_tensor(inertial: ET.Element | None, name: str) -> Array:
+    """Return the inertia tensor of a link's element <inertial>, 3x3, or zeros without one."""
+    element = None if inertial is None else inertial.find("inertia")
+    xx, xy, xz, yy, yz, zz = (
+        float(_read_numbers(element, f"i{axes}", f"the i{axes} of {name}", (0,))[0])
+        for axes in ("xx", "xy", "xz", "yy", "yz", "zz")
     )
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
 def _require_attribute(element: ET.Element | None, key: str, owner: str) -> str:

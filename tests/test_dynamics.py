@@ -80,5 +80,5 @@ def test_asymmetric_inertia_is_rejected():
     wrong = tensors(UR10E)
     wrong[2] += np.triu(0.1 * wrong[2], 1)
     rest = np.zeros(6)
-    with pytest.raises(ArmError, match="inertias are not symmetric; expected xy = yx"):
+    with pytest.raises(ArmError, match="inertias: a tensor is not symmetric; expected xy = yx"):
         inverse_dynamics(UR10E, rest, rest, rest, inertias=wrong)

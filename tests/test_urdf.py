@@ -46,7 +46,10 @@ TWO = robot(*LINKS, *JOINTS)
 def test_chain_keeps_names_and_limits():
     arm = from_urdf(TWO)
     assert arm.name == "two"
-    assert arm.source == "robot description: base to tool; joints shoulder, elbow"
+    assert arm.source == (
+        "robot description: base to tool; joints shoulder, elbow; without inertia tensors, so taken"
+        " as point masses: upper, fore, tool"
+    )
     found = (arm.limits[0], arm.limits[1], arm.speed_limits, arm.effort_limits)
     assert np.transpose(found).tolist() == [[-1, 2, 3, 4], [-math.inf, *[math.inf] * 3]]
 
@@ -67,7 +70,9 @@ def test_file_and_text_give_the_same_arm(tmp_path):
 
 
 def test_base_and_tip_select_part_of_chain():
-    assert from_urdf(TWO, "upper", "fore").source.endswith("upper to fore; joints elbow")
+    assert from_urdf(TWO, "upper", "fore").source.startswith(
+        "robot description: upper to fore; joints elbow;"
+    )
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError, Body, Joint
 from helpers.inputs import finite_array, require_type, shorten
+from helpers.rows import check_tensors
 
 Array = NDArray[np.float64]
 Case = Literal["skew", "intersecting", "parallel", "coincident"]
@@ -124,13 +125,17 @@ class Derivation:
         """Frames 0 .. n in the drawn pose, in base axes, shape (rows + 1, 4, 4)."""
         return np.array([self.steps[0].before, *(step.frame for step in self.steps)])
 
-    def with_bodies(self, masses: ArrayLike, centres: ArrayLike) -> Arm:
+    def with_bodies(
+        self, masses: ArrayLike, centres: ArrayLike, inertias: ArrayLike | None = None
+    ) -> Arm:
         """Return the arm with the masses of its links.
 
         Args:
             masses: Mass of the link that each joint moves, shape (dof,), in kg.
             centres: Their centres of mass in the drawing, as the joint axes were given, shape
                 (dof, 3), in m. Each is carried over into its link's frame.
+            inertias: Their inertia tensors about the centres of mass, in the axes of the drawing,
+                shape (dof, 3, 3), in kg m^2; 0 by default.
 
         Returns:
             The arm; rows that do not move have no mass.
@@ -144,10 +149,15 @@ class Derivation:
         if (kilograms < 0).any():
             raise ArmError(f"masses are {shorten(masses)}; expected {expected}")
         points = finite_array(centres, "centres", f"points of shape ({n}, 3) in m", (n, 3))
+        tensors = check_tensors(
+            np.zeros((n, 3, 3)) if inertias is None else inertias, (n, 3, 3), "inertias"
+        )
         bodies = [Body(0, (0, 0, 0))] * len(self.arm.rows)
-        for i, mass, point in zip(self.arm.joints, kilograms, points, strict=True):
+        for i, mass, point, I in zip(self.arm.joints, kilograms, points, tensors, strict=True):
             R, o = self.steps[i - 1].frame[:3, :3], self.steps[i - 1].frame[:3, 3]
-            bodies[i - 1] = Body(float(mass), tuple(map(clean_length, R.T @ (point - o))))
+            com = tuple(map(clean_length, R.T @ (point - o)))
+            turned = R.T @ I @ R
+            bodies[i - 1] = Body(float(mass), com, (turned + turned.T) / 2)
         return replace(self.arm, bodies=bodies)
 
 
