@@ -1,16 +1,15 @@
-"""Run each chapter with an arm that a reader has changed.
+"""Run each notebook that lets a reader change an arm with a changed arm.
 
-A reader may change a length, a mass or a limit in the cell `lengths` below the chapter's imports.
+A reader may change a length, a mass or a limit in the cell `lengths` below a notebook's imports.
 Run All must then reach the last cell, the numbers must follow, and a check of the book's own
-numbers must only print a note. A chapter that needs a length other than 0 warns and goes on with the book's. `make test`
-tries one change in two of the chapters, which a chapter's checksum chooses, so that an edited
-chapter is tried with another change. `make changed` tries all changes.
+numbers must only print a note. A notebook that needs a length other than 0 warns and goes on with
+the book's. `make test` tries one change in two of the notebooks, which a notebook's checksum
+chooses, so that an edited notebook is tried with another change. `make changed` tries all changes.
 """
 
 import ast
 import os
 from itertools import pairwise
-from pathlib import Path
 from zlib import crc32
 
 import nbformat
@@ -18,15 +17,23 @@ import pytest
 from nbclient import NotebookClient
 
 from helpers import robots
+from tools.numbering import list_notebooks
 
-CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
+
+def has_lengths(path):
+    """Return whether a notebook lets a reader change an arm, as every chapter does."""
+    cells = nbformat.read(path, as_version=4).cells
+    return path.stem[:2].isdigit() or any(cell.id == "lengths" for cell in cells)
+
+
+NOTEBOOKS = [path for path in list_notebooks() if has_lengths(path)]
 TRY_ALL = os.environ.get("CHANGES") == "all"
-SAMPLE_SIZE = 2  # chapters; each takes about 25 s of processor time
+SAMPLE_SIZE = 2  # notebooks; each takes about 25 s of processor time
 SHRUNK = "{name}.with_values(**{{key: 0.3 * x for key, x in {name}.values.items()}})"
 
 
 def imported_names(path):
-    """Return the names that a chapter's first cell imports, by module."""
+    """Return the names that a notebook's first cell imports, by module."""
     first = next(c for c in nbformat.read(path, as_version=4).cells if c.cell_type == "code")
     lines = (node for node in ast.parse(first.source).body if isinstance(node, ast.ImportFrom))
     return {line.module: [name.name for name in line.names] for line in lines}
@@ -36,7 +43,7 @@ def list_changes(name, uses_masses):
     """Yield every change of an arm as a reader would type it."""
     arm = getattr(robots, name)
     lengths = {key: value for key, value in arm.values.items() if value}
-    yield SHRUNK.format(name=name)  # so that the circle of the chapter is out of reach
+    yield SHRUNK.format(name=name)  # so that the circle is out of reach
     for key, next_key in pairwise(lengths):  # two neighbouring lengths are equal
         yield f"{name}.with_values({key}={lengths[next_key]:.6g})"
     for factor in (0, 0.5, 2):
@@ -55,9 +62,9 @@ def checksum(path):
 
 
 def chosen_changes():
-    """Yield chapter and changed line: one line of each sampled chapter, or all lines of all."""
-    sample = sorted(CHAPTERS, key=checksum)[:SAMPLE_SIZE]
-    for path in CHAPTERS if TRY_ALL else sample:
+    """Yield notebook and changed line: one line of each sampled one, or all lines of all."""
+    sample = sorted(NOTEBOOKS, key=checksum)[:SAMPLE_SIZE]
+    for path in NOTEBOOKS if TRY_ALL else sample:
         names = imported_names(path)
         arms = [name for name in names["helpers.robots"] if name.isupper()]
         uses_masses = "statics" in names["helpers"]
@@ -65,11 +72,11 @@ def chosen_changes():
             f"{name} = {change}" for name in arms for change in list_changes(name, uses_masses)
         ]
         lines = lines if TRY_ALL else [lines[checksum(path) % len(lines)]]
-        yield from (pytest.param(path, line, id=f"{path.stem[:2]} {line}") for line in lines)
+        yield from (pytest.param(path, line, id=f"{path.stem} {line}") for line in lines)
 
 
 @pytest.mark.parametrize(("path", "line"), [*chosen_changes()])
-def test_chapter_runs_with_changed_arm(path, line):
+def test_notebook_runs_with_changed_arm(path, line):
     notebook = nbformat.read(path, as_version=4)
     stored = [cell.get("outputs") for cell in notebook.cells]
     imports, below = [cell for cell in notebook.cells if cell.cell_type == "code"][:2]
@@ -78,12 +85,10 @@ def test_chapter_runs_with_changed_arm(path, line):
     NotebookClient(notebook, timeout=300, kernel_name="python3", resources=folder).execute()
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     printed = "\n".join(output.text for output in outputs if output.output_type == "stream")
-    # A chapter may warn that it needs a length different from 0, and of nothing else.
+    # A notebook may warn that it needs a length different from 0, and of nothing else.
     warned = [line for line in printed.split("\n") if "Warning:" in line]
     assert all("what follows needs" in line for line in warned), warned
     for mark in filter(lambda text: text.startswith("○"), printed.split("\n")):
         assert mark.endswith("it holds for the book's own numbers only")
     if "values" in line:
-        assert stored != [cell.get("outputs") for cell in notebook.cells], (
-            "no output of the chapter has changed"
-        )
+        assert stored != [cell.get("outputs") for cell in notebook.cells], "no output has changed"

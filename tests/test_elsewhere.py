@@ -13,9 +13,11 @@ import nbformat
 import numpy as np
 import pytest
 
+from tools.numbering import list_notebooks
+
 ROOT = Path(__file__).parents[1]
 ELSEWHERE = ROOT / "tools/elsewhere"
-NOTEBOOKS = sorted((ROOT / "book").glob("*.ipynb"))
+NOTEBOOKS = list_notebooks()
 LISTED = subprocess.run(
     ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=False, encoding="utf-8"
 ).stdout.split("\0")[:-1]

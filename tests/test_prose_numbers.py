@@ -18,7 +18,8 @@ LIVE_PAGES = {"check_your_homework", "explorer", "instructors"}
 NOTEBOOKS = [path for path in list_notebooks() if path.stem not in LIVE_PAGES]
 NOT_PROSE = re.compile(
     r"^> >.*$"  # the words of a report
-    r"|<[^>]*>|\[[^]]*\]\((?:(?:\.\./)?references\.md)?#\w+\)|\]\([^)]*\)|Chapter \d"  # tags, works, links
+    r"|<[^>]*>|\[[^]]*\]\((?:(?:\.\./)?references\.md)?#\w+\)"  # tags, works
+    r"|\]\([^)]*\)|Chapter \d"  # links
     r"|\[Fig\. [\d.]+|\[\([\d.]+\)|^\*\*Fig\. [\d.]+|^### Exercise [\d.]+|\\tag\{[\d.]+\}"
     r"|10\^\{[^}]*\}|[_^]\{[^}]*\}|[_^]\w+",  # exponents, indices
     re.M,
