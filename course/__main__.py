@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from answers.command_line import read_arm
-from course import gradescope, making, sheets, store
+from course import gradescope, making, sending, sheets, store
 from course.collect import collect_hand_ins
 from course.grading import grade_hand_ins
 from course.roster import read_roster
@@ -57,6 +57,9 @@ _OPTIONS: dict[str, dict[str, Any]] = {
     "--by-hand": {
         "action": "append", "default": [], "type": _read_part_by_hand, "metavar": "PART:POINTS",
         "help": "a part that you mark yourself, such as derivation:4; may be given again",
+    },
+    "--results": {
+        "type": Path, "help": "the folder that grade wrote, to send feedback; sheets unless given",
     },
     "download": {"type": Path, "help": "a zip or folder of Canvas, Moodle, Gradescope or by hand"},
     "--out": {"type": Path, "required": True, "help": "the folder or file to write"},
@@ -145,6 +148,17 @@ def _grade_hand_ins(options: argparse.Namespace) -> None:
             print(f"{options.out / 'marks.csv'} and save it as {options.course / 'marks.csv'}")
 
 
+def _pack_for_platform(options: argparse.Namespace) -> None:
+    course = store.load_course(options.course)
+    absent = sending.pack_for_platform(
+        course, options.course, options.download, options.out, options.results
+    )
+    what = "feedback" if options.results else "sheets"
+    print(f"{what} for {len(course.sheets) - len(absent)} of {len(course.sheets)}: {options.out}")
+    if absent:
+        print(f"not in the download: {', '.join(absent)}")
+
+
 def _count_marks(options: argparse.Namespace) -> None:
     from course.statistics import PICTURE, write_statistics  # matplotlib is slow to import
 
@@ -173,6 +187,10 @@ COMMANDS = {
     "reissue": (_reissue_sheet, "draw other numbers for one student", "course --id"),
     "drop": (_drop_student, "remove one student and leave all others alone", "course --id"),
     "collect": (_collect_hand_ins, "sort a download of hand-ins by student", "course download"),
+    "send": (
+        _pack_for_platform, "pack sheets or feedback as Canvas or Moodle take them",
+        "course download --results --out",
+    ),
     "grade": (
         _grade_hand_ins, "mark every hand-in of a course",
         "course --out --jobs --again --hints",

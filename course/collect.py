@@ -15,7 +15,7 @@ import re
 import shutil
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
@@ -30,7 +30,7 @@ NOT_READ_FILE = ".not_read.json"  # in a student's folder: reasons by name
 PLACED_FILE = "placed.csv"  # in the folder of the course: hand-ins that the instructor placed
 # The first underscore with a number behind it ends the student's name.
 _PLATFORM_NAME = re.compile(
-    r"(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_(?:assignsubmission_[a-z]+(?:_.*)?|\d+_.+)",
+    r"(?P<prefix>(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_(?:assignsubmission_[a-z]+_?|\d+_)).*",
     re.I | re.S,
 )
 _EXPORT_FOLDER = re.compile(r"assignment_\d+_export")  # of Gradescope
@@ -49,11 +49,13 @@ class HandInName:
         key: Text that all files of a hand-in share, such as "lovelaceada_12345".
         labels: Ids, mail addresses or names of the student.
         is_late: Whether Canvas marked it as late.
+        prefix: What a platform puts before the name of a file for this student, or "".
     """
 
     key: str
     labels: Labels
     is_late: bool = False
+    prefix: str = field(default="", compare=False)
 
 
 class Collection(NamedTuple):
@@ -81,7 +83,7 @@ def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> 
         course: Folder of the course.
     """
     with lock_folder(course), open_download(download) as members:
-        collection = sort_by_student(members, names, _read_placed(course / PLACED_FILE, names))
+        collection = sort_by_student(members, names, read_placed(course, names))
         messages = list(collection.messages)
         for student, files in collection.files.items():
             if kept := _store_files(course / student, files, student in collection.late):
@@ -117,11 +119,12 @@ def read_unread_files(folder: Path) -> list[HandedFile]:
     return [HandedFile(name, trouble=trouble) for name, trouble in troubles.items()]
 
 
-def _read_placed(path: Path, names: Mapping[str, str]) -> dict[str, str]:
+def read_placed(course: Path, names: Mapping[str, str]) -> dict[str, str]:
     """Read whose the hand-ins are that an instructor placed, by their keys.
 
     Raises ArmError with every line that names no student.
     """
+    path = course / PLACED_FILE
     rows = [*read_csv_rows(path)] if path.exists() else []
     problems = [
         f"line {line}: no student {row.get('id')!r}"
@@ -190,7 +193,9 @@ def _read_outer_name(
     if outer in submitters:
         return HandInName(outer, submitters[outer])
     if match := _PLATFORM_NAME.fullmatch(outer):
-        return HandInName(f"{match['name']}_{match['key']}", (match["name"],), bool(match["late"]))
+        prefix = f"{outer}/" if len(path.parts) > 1 else match["prefix"]
+        key = f"{match['name']}_{match['key']}"
+        return HandInName(key, (match["name"],), bool(match["late"]), prefix)
     stem = outer if len(path.parts) > 1 else path.stem
     label = next((x for x in (stem, stem.split("_")[0]) if index.find_students([x])), stem)
     return HandInName(label, (label,))

@@ -14,7 +14,7 @@ import yaml
 
 import helpers
 from course import __main__ as commands
-from course import collect, gradescope, grading, making, store
+from course import collect, gradescope, grading, making, sending, store
 from course.files import HandedFile, Member
 from course.making import make_right_answers
 from course.roster import Student
@@ -200,6 +200,40 @@ def test_no_text_in_table_is_a_formula():
         for text in (f"Ada;{first}1", f"Ada;  {first}1", f"Ada\n{first}1"):  # of other separators
             (row,) = csv.DictReader(io.StringIO(grading.format_csv([{"name": text}]), newline=""))
             assert f"'{first}1" in row["name"]
+
+
+@pytest.mark.parametrize(
+    ("handed", "expected"),
+    [
+        ("lovelaceada_LATE_12_345_note.txt", "lovelaceada_LATE_12_345_feedback.txt"),
+        ("Ada Lovelace_7_assignsubmission_file_/n.txt", "Ada Lovelace_7_assignsubmission_file_/"),
+        ("Ada Lovelace_7_assignsubmission_file_n.txt", "Ada Lovelace_7_assignsubmission_file_"),
+    ],
+)
+def test_send_packs_by_the_names_of_the_download(tmp_path, capsys, handed, expected):
+    exercises = [Exercise(ELBOW, ("forward kinematics",))]
+    roster = [Student("ab", "Ada Lovelace"), Student("cd", "Bo Berg")]
+    making.make_course(roster, exercises, tmp_path / "hw", jobs=1)
+    grading.grade_hand_ins(tmp_path / "hw", tmp_path / "out", jobs=1)
+    with zipfile.ZipFile(tmp_path / "d.zip", "w") as archive:
+        archive.writestr(handed, "hello")
+    line = f"send {tmp_path}/hw {tmp_path}/d.zip --out {tmp_path}/f.zip"
+    for option, name in (("", "homework.ipynb"), (f" --results {tmp_path}/out", "feedback.txt")):
+        assert commands.main((line + option).split()) == 0
+        with zipfile.ZipFile(tmp_path / "f.zip") as archive:
+            (packed,) = archive.namelist()
+            assert packed == expected.removesuffix("feedback.txt") + name
+            folder = tmp_path / ("out" if option else "hw") / "ab" / name
+            assert archive.read(packed) == folder.read_bytes()
+    assert "feedback for 1 of 2" in (text := capsys.readouterr().out)
+    assert text.endswith("not in the download: cd\n")
+
+
+def test_send_refuses_a_download_without_names_of_a_platform(course, tmp_path):
+    (tmp_path / "b.7").mkdir()
+    (tmp_path / "b.7" / "a.txt").write_text("x", encoding="utf-8")
+    with pytest.raises(ArmError, match="has no names of Canvas or Moodle"):
+        sending.pack_for_platform(course, tmp_path, tmp_path, tmp_path / "f.zip")
 
 
 # Other systems
