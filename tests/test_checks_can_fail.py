@@ -21,6 +21,9 @@ NOTEBOOKS = list_notebooks()
 BY_HAND = {
     "the appendix's 40 pi, in mm/s",
     "at rest only dP/dq is left",
+    "det B_rpy = cos θ",
+    "det B_zyz = -sin θ",
+    "Craig's J = differences",
 }
 HELPED = "helped"  # prefix of symbols that depend on the helpers
 
