@@ -1,3 +1,31 @@
-"""Compute with robot arms from DH tables, for all notebooks of the book."""
+"""Compute with robot arms from DH tables, for all notebooks of the book.
+
+``from helpers import Arm, PANDA`` takes an arm's class or an arm of the catalogue, and
+``from helpers import kinematics`` a module. `helpers.other_programs` lists the names that other
+libraries have for the functions.
+"""
+
+import importlib
+from typing import Any
 
 __version__ = "5.0.0"  # CITATION.cff and CHANGELOG.md name it too; a test holds them equal
+
+_PUBLIC = {
+    "helpers.arm": ("Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"),
+    "helpers.robots": (
+        "ARMS", "ELBOW", "PANDA", "PANDA_HOMEWORK", "STANFORD", "THREE_LINK", "TWO_LINK", "UR10E",
+        "UR10E_HOMEWORK", "find_arm",
+    ),
+}  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    """Import a name of `_PUBLIC` when it is asked for, so that `import helpers` stays fast."""
+    for module, names in _PUBLIC.items():
+        if name in names:
+            return getattr(importlib.import_module(module), name)
+    raise AttributeError(f"module 'helpers' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *(name for names in _PUBLIC.values() for name in names)])

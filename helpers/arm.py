@@ -7,6 +7,7 @@ about or along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries ar
 """
 
 import math
+import os
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -53,6 +54,12 @@ class JointValues(NDArrayOperatorsMixin, tuple):
     """Joint values that compare and hash as a tuple and compute as an array."""
 
     __eq__, __ne__, __hash__ = tuple.__eq__, tuple.__ne__, tuple.__hash__
+
+    def __getattr__(self, name: str) -> Any:
+        """Return an array's attribute, such as `shape`, `round` or `copy`."""
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return getattr(np.array(self), name)
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
         arrays = (np.array(x) if isinstance(x, JointValues) else x for x in inputs)
@@ -318,6 +325,27 @@ class Arm:
         for warning in table.warnings:
             warn_caller(f"{name}: {warning}")
         return cls(name, table.rows, source=table.reading)
+
+    @classmethod
+    def from_urdf(
+        cls,
+        source: str | os.PathLike[str],
+        base: str | None = None,
+        tip: str | None = None,
+        **tolerances: float,
+    ) -> "Arm":
+        """Read a robot description (URDF), as `helpers.urdf.from_urdf` does.
+
+        Args:
+            source: The file's path, or its text.
+            base: Name of the link where the chain begins.
+            tip: Name of the link where it ends.
+            tolerances: `tolerance` and `angle_tolerance`.
+        """
+        # Imported here because the reader of descriptions builds on arms.
+        from helpers.urdf import from_urdf
+
+        return from_urdf(source, base, tip, **tolerances)
 
     # Changed copies
 

@@ -14,7 +14,7 @@ from helpers.kinematics import link_frames
 from helpers.rows import check_tensors
 from helpers.statics import GRAVITY, require_bodies
 
-__all__ = ["inverse_dynamics"]
+__all__ = ["inverse_dynamics", "mass_matrix"]
 
 Array = NDArray[np.float64]
 
@@ -65,6 +65,33 @@ def inverse_dynamics(
     frames = np.moveaxis(link_frames(arm, q), -3, 0)
     wrenches = _link_wrenches(arm, frames, (q_dot, q_ddot), up, tensors)
     return _joint_torques(arm, frames, wrenches)
+
+
+def mass_matrix(arm: Arm, q: ArrayLike, *, inertias: ArrayLike | None = None) -> Array:
+    """Compute the mass matrix M of M q_ddot + C q_dot + g(q) = tau.
+
+    Column i holds the torques of a unit acceleration of joint i, at rest and without gravity.
+
+    Args:
+        arm: The arm, with its bodies.
+        q: Configurations, shape (..., dof), in rad or m.
+        inertias: Inertia tensors as for `inverse_dynamics`.
+
+    Returns:
+        Symmetric matrices, shape (..., dof, dof), in kg m^2; in kg for two joints that slide.
+
+    Example:
+        >>> from helpers.robots import UR10E
+        >>> mass_matrix(UR10E, [0, 0, 0, 0, 0, 0])[1, 1:3].round(3)
+        array([10.883,  4.461])
+    """
+    require_bodies(arm)
+    q = arm.joint_vector(q)
+    columns = [
+        inverse_dynamics(arm, q, np.zeros(arm.dof), unit, inertias=inertias, gravity=(0, 0, 0))
+        for unit in np.eye(arm.dof)
+    ]
+    return np.stack(columns, axis=-1)
 
 
 def _link_wrenches(

@@ -11,13 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
+from helpers.deprecated import deprecated_names
 from helpers.inputs import (
     ArmError,
     finite_array,
     finite_number,
+    float_array,
     require_choice,
     require_type,
-    whole_number,
+    shorten,
 )
 from helpers.program import RowMotion, Value, run_recursion
 from helpers.rows import NumericRow
@@ -25,11 +27,11 @@ from helpers.rows import NumericRow
 __all__ = [
     "forward_kinematics",
     "jacobian",
-    "jacobian_in_frame",
     "link_frames",
     "lost_directions",
     "manipulability",
-    "planar_jacobian",
+    "quaternion",
+    "roll_pitch_yaw",
     "tip",
 ]
 
@@ -105,18 +107,23 @@ def tip(arm: Arm, q: ArrayLike) -> Array:
     return forward_kinematics(arm, q)[..., :3, 3]
 
 
-def jacobian(arm: Arm, q: ArrayLike) -> Array:
-    """Compute the tip's geometric Jacobian in the base frame.
+def jacobian(arm: Arm, q: ArrayLike, frame: int | str = "base") -> Array:
+    """Compute the tip's geometric Jacobian.
 
     The column of a revolute joint i is z_{i-1} x (o_n - o_{i-1}) over z_{i-1}, that of a prismatic
-    joint z_{i-1} over 0.
+    joint z_{i-1} over 0. It gives the velocity of the tip in the axes of any frame.
 
     Args:
-        arm: The arm.
-        q: Joint values, shape (..., dof), in rad or m.
+        arm: The arm, with n rows.
+        q: Configurations, shape (..., dof), in rad or m.
+        frame: The frame in whose axes the rows are: "base", "tool", or the index of a link frame,
+            of which 0 is the base and n the tool.
 
     Returns:
         Jacobians, shape (..., 6, dof), with rows (vx, vy, vz, wx, wy, wz).
+
+    Raises:
+        ArmError: The frame does not exist.
 
     Example:
         >>> from helpers.robots import ELBOW
@@ -127,92 +134,29 @@ def jacobian(arm: Arm, q: ArrayLike) -> Array:
                [ 0. ,  0. ,  0. ],
                [ 0. , -1. , -1. ],
                [ 1. ,  0. ,  0. ]])
+        >>> jacobian(ELBOW, [0.3, 0.5, -0.2], frame="tool")[:3].round(3) + 0.0
+        array([[ 0.   , -0.079,  0.   ],
+               [ 0.   ,  0.692,  0.3  ],
+               [-0.638,  0.   ,  0.   ]])
 
     Source: Spong, Hutchinson and Vidyasagar, section 4.6.
     """
     require_type(arm, Arm, "arm")
-    return run_recursion(arm, q, jacobian_entries, (6, arm.dof))
-
-
-def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
-    """Compute the tip's Jacobian with its rows in the axes of a link frame.
-
-    The point whose velocity it gives is still the tip.
-
-    Args:
-        arm: The arm, with n rows.
-        q: Joint values, shape (..., dof), in rad or m.
-        frame: Index of the frame: 0 is the base, n the tool.
-
-    Returns:
-        Jacobians, shape (..., 6, dof).
-
-    Raises:
-        ArmError: The frame does not exist.
-
-    Example:
-        >>> from helpers.robots import ELBOW
-        >>> jacobian_in_frame(ELBOW, [0.3, 0.5, -0.2], frame=3)[:3].round(3) + 0.0
-        array([[ 0.   , -0.079,  0.   ],
-               [ 0.   ,  0.692,  0.3  ],
-               [-0.638,  0.   ,  0.   ]])
-    """
-    require_type(arm, Arm, "arm")
-    if whole_number(frame, "frame") > len(arm.rows):
-        raise ArmError(f"{arm.name}: frame {frame!r} does not exist; expected 0 to {len(arm.rows)}")
-    R = link_frames(arm, q)[..., frame, :3, :3]
-    J = jacobian(arm, q)
-    return np.concatenate(
-        [np.swapaxes(R, -1, -2) @ half for half in (J[..., :3, :], J[..., 3:, :])], axis=-2
-    )
-
-
-def planar_jacobian(arm: Arm, q: ArrayLike) -> Array:
-    """Compute the tip's Jacobian of an arm that moves in one plane of the base.
-
-    The rows are those of (x, y, phi): the tip's velocity along the plane's two axes and the angular
-    velocity about the third. The other three rows of `jacobian` are 0. In the plane of x and z the
-    rows are (x, z, phi), in that of y and z (y, z, phi).
-
-    Args:
-        arm: The arm.
-        q: Joint values, shape (..., dof), in rad or m.
-
-    Returns:
-        Jacobians, shape (..., 3, dof).
-
-    Raises:
-        ArmError: The arm does not move in such a plane.
-
-    Example:
-        >>> from helpers.robots import TWO_LINK
-        >>> planar_jacobian(TWO_LINK, [0, 0])
-        array([[0. , 0. ],
-               [0.9, 0.4],
-               [1. , 1. ]])
-
-    Source: Siciliano et al., section 3.1.3.
-    """
-    require_type(arm, Arm, "arm")
-    return jacobian(arm, q)[..., _plane_rows(arm), :]
-
-
-# Rows of the motions in each plane of the base: two of the velocity, one of the angular velocity.
-_PLANES = ([0, 1, 5], [0, 2, 4], [1, 2, 3])
-
-
-def _plane_rows(arm: Arm) -> list[int]:
-    """Return the rows of the Jacobian that a planar arm has."""
-    generic_poses = np.random.default_rng(3).uniform(-1, 1, (2, arm.dof))
-    sizes = np.abs(jacobian(arm, generic_poses)).max(axis=(0, 2), initial=0)
-    # 1e-12 m or rad: some 1000 times the round-off of a row that is 0 at every pose.
-    moving = np.flatnonzero(sizes > 1e-12).tolist()
-    if moving not in _PLANES:
+    J = run_recursion(arm, q, jacobian_entries, (6, arm.dof))
+    names: dict[object, int] = {"base": 0, "tool": len(arm.rows)}
+    number = names.get(frame, frame) if isinstance(frame, str) else frame
+    if isinstance(number, bool | str) or number not in range(len(arm.rows) + 1):
         raise ArmError(
-            f"{arm.name} does not move in one plane of the base; expected joints that turn about"
-            " one axis of the base or slide across it"
+            f'{arm.name}: frame is {shorten(frame)}; expected "base", "tool", or 0 to'
+            f" {len(arm.rows)}"
         )
-    return moving
+    if number == 0:
+        return J
+    R = np.swapaxes(link_frames(arm, q)[..., number, :3, :3], -1, -2)
+    return np.concatenate([R @ half for half in (J[..., :3, :], J[..., 3:, :])], axis=-2)
+
+
+_JACOBIAN_ROWS = {"all": [0, 1, 2, 3, 4, 5], "linear": [0, 1, 2], "angular": [3, 4, 5]}
 
 
 def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
@@ -237,31 +181,105 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
 
     Source: Yoshikawa (1985).
     """
-    rows = {"all": [0, 1, 2, 3, 4, 5], "linear": [0, 1, 2], "angular": [3, 4, 5]}
-    chosen = rows[require_choice(part, "part", rows)]
+    chosen = _JACOBIAN_ROWS[require_choice(part, "part", _JACOBIAN_ROWS)]
     return np.linalg.svd(jacobian(arm, q)[..., chosen, :], compute_uv=False).prod(axis=-1)
 
 
-def lost_directions(J: ArrayLike, cutoff: float = 1e-9) -> Array:
+def lost_directions(
+    arm: Arm | ArrayLike, q: ArrayLike | None = None, part: str = "all", *, cutoff: float = 1e-9
+) -> Array:
     """Find the velocities that no joint motion can give.
 
     They are the left singular vectors of singular values that are not above the cutoff.
 
     Args:
-        J: One Jacobian, shape (rows, joints).
+        arm: The arm; or, without q, a Jacobian of your own, shape (rows, joints).
+        q: One configuration, shape (dof,), in rad or m.
+        part: Rows of the Jacobian: "all", "linear" (vx, vy, vz) or "angular" (wx, wy, wz).
         cutoff: Share of the largest singular value up to which a singular value counts as 0.
 
     Returns:
         Orthonormal vectors, shape (lost, rows).
 
     Example:
+        >>> from helpers.robots import ELBOW
+        >>> lost_directions(ELBOW, [0, 0, 0], "linear") + 0.0
+        array([[1., 0., 0.]])
         >>> lost_directions([[1.0, 0.0], [0.0, 0.0]])
         array([[0., 1.]])
     """
-    J = finite_array(J, "J", "one matrix of finite numbers", (None, None))
+    if isinstance(arm, Arm):
+        q = arm.joint_vector(q, many=False)
+        J = jacobian(arm, q)[_JACOBIAN_ROWS[require_choice(part, "part", _JACOBIAN_ROWS)]]
+    else:
+        expected = "an Arm and q, or one matrix of finite numbers"
+        J = finite_array(arm, "arm", expected, (None, None))
     cutoff = finite_number(cutoff, "cutoff", "a number of 0 or more", least=0)
     U, sizes, _ = np.linalg.svd(J, full_matrices=True)
     return U.T[(sizes > cutoff * sizes.max(initial=0.0)).sum() :]
+
+
+def roll_pitch_yaw(T: ArrayLike) -> Array:
+    """Compute the angles of R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll).
+
+    Where pitch is a right angle, only a sum or a difference of the others is fixed; roll is then 0.
+
+    Args:
+        T: Poses, shape (..., 4, 4), or rotations, shape (..., 3, 3).
+
+    Returns:
+        Roll, pitch and yaw, shape (..., 3), in rad.
+
+    Example:
+        >>> from helpers.robots import ELBOW
+        >>> roll_pitch_yaw(forward_kinematics(ELBOW, [0.2, 0, 0])).round(4) + 0.0
+        array([1.5708, 0.    , 0.2   ])
+    """
+    R = _rotations(T)
+    level = np.hypot(R[..., 0, 0], R[..., 1, 0])
+    upright = level < 1e-9  # some 1e7 times the round-off of a cosine
+    roll = np.where(upright, 0.0, np.arctan2(R[..., 2, 1], R[..., 2, 2]))
+    yaw_if_upright = np.arctan2(-R[..., 0, 1], R[..., 1, 1])
+    yaw = np.where(upright, yaw_if_upright, np.arctan2(R[..., 1, 0], R[..., 0, 0]))
+    return np.stack([roll, np.arctan2(-R[..., 2, 0], level), yaw], axis=-1)
+
+
+def quaternion(T: ArrayLike) -> Array:
+    """Compute the unit quaternions (w, x, y, z) of poses, with w >= 0.
+
+    ROS, SciPy and Pinocchio write (x, y, z, w): that is ``np.roll(quaternion(T), -1, axis=-1)``.
+
+    Args:
+        T: Poses, shape (..., 4, 4), or rotations, shape (..., 3, 3).
+
+    Returns:
+        Quaternions, shape (..., 4).
+
+    Example:
+        >>> quaternion([[0, -1, 0], [1, 0, 0], [0, 0, 1]]).round(4)
+        array([0.7071, 0.    , 0.    , 0.7071])
+    """
+    R = _rotations(T)
+    # Each row is 4 w, 4 x, 4 y or 4 z times the quaternion. The longest loses the fewest digits.
+    w = np.trace(R, axis1=-2, axis2=-1)[..., None, None]
+    products = np.empty((*R.shape[:-2], 4, 4))
+    products[..., 1:, 1:] = R + np.swapaxes(R, -1, -2) + (1 - w) * np.eye(3)
+    products[..., 0, 0] = 1 + w[..., 0, 0]
+    for i, (j, k) in enumerate(((2, 1), (0, 2), (1, 0)), 1):
+        products[..., 0, i] = products[..., i, 0] = R[..., j, k] - R[..., k, j]
+    lengths = np.linalg.norm(products, axis=-1)
+    longest = lengths.argmax(axis=-1)[..., None]
+    row = np.take_along_axis(products, longest[..., None], axis=-2)[..., 0, :]
+    row = row / np.take_along_axis(lengths, longest, axis=-1)
+    return np.where(row[..., :1] < 0, -row, row)
+
+
+def _rotations(T: ArrayLike) -> Array:
+    expected = "poses (..., 4, 4) or rotations (..., 3, 3)"
+    T = float_array(T, "T", expected)
+    size = T.shape[-1] if T.ndim and T.shape[-1] in (3, 4) else 4
+    T = finite_array(T, "T", expected, (size, size), many=True)
+    return T[..., :3, :3]
 
 
 def skeleton(arm: Arm, T: Array) -> Array:
@@ -345,3 +363,6 @@ def jacobian_entries(arm: Arm, motions: Sequence[RowMotion]) -> Sequence[Value]:
         else:
             columns.append((*z, 0.0, 0.0, 0.0))
     return [x for line in zip(*columns, strict=True) for x in line]
+
+
+__getattr__ = deprecated_names(__name__, jacobian_in_frame="jacobian")

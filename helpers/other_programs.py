@@ -14,7 +14,7 @@ from helpers.arm import Arm, Row, require_joints
 from helpers.inputs import require_choice
 from helpers.kinematics import forward_kinematics, link_frames
 
-__all__ = ["PROGRAMS", "write_code", "write_urdf"]
+__all__ = ["write_code", "write_urdf"]
 
 
 def write_code(arm: Arm, program: str) -> str:
@@ -22,8 +22,8 @@ def write_code(arm: Arm, program: str) -> str:
 
     Args:
         arm: The arm.
-        program: One of `PROGRAMS`: "robotics toolbox", "matlab", "modern robotics", "pinocchio" or
-            "sympy".
+        program: "Robotics Toolbox", "MATLAB", "Modern Robotics", "Pinocchio" or "SymPy", in capital
+            or small letters.
 
     Returns:
         The code. It defines q as zeros, the pose T, and Jacobians with the calls for them.
@@ -34,7 +34,8 @@ def write_code(arm: Arm, program: str) -> str:
         L(1) = Revolute('d', 0.5, 'a', 0, 'alpha', pi/2, 'offset', 0);
     """
     require_joints(arm)
-    return _WRITERS[require_choice(program, "program", PROGRAMS)](arm)
+    name = program.lower() if isinstance(program, str) else program
+    return _WRITERS[require_choice(name, "program", _WRITERS)](arm)
 
 
 def write_urdf(arm: Arm) -> str:
@@ -129,7 +130,7 @@ def _write_entry(arm: Arm, entry: float | str) -> str:
     """Write an angle such as pi/2 as a formula, and any other entry as a number."""
     if isinstance(entry, str) and not entry.replace("pi", "").strip("-+0123456789*/ ."):
         return entry
-    return repr(arm.number(entry)).removesuffix(".0")
+    return f"{arm.number(entry):.12g}"  # free of round-off, as in -0.207
 
 
 def _write_dh_numbers(arm: Arm, row: Row) -> list[str]:
@@ -158,7 +159,7 @@ def _write_robotics_toolbox(arm: Arm) -> str:
         f"q = np.zeros({len(arm.rows)})",
         "T = robot.fkine(q).A  # kinematics.forward_kinematics(arm, q)",
         "J = robot.jacob0(q)[:, moving]  # kinematics.jacobian(arm, q): tip, base axes, v above w",
-        f"J_tool = robot.jacobe(q)[:, moving]  # jacobian_in_frame(arm, q, {len(arm.rows)})",
+        "J_tool = robot.jacobe(q)[:, moving]  # jacobian(arm, q, 'tool')",
         'J_rpy = robot.jacob0_analytical(q, representation="rpy/zyx")[:, moving]  # angle rates',
         "",
     ])  # fmt: skip
@@ -184,7 +185,7 @@ def _write_matlab(arm: Arm) -> str:
         "T = robot.fkine(q)  % kinematics.forward_kinematics(arm, q)",
         "J = robot.jacob0(q); J = J(:, moving)  % kinematics.jacobian(arm, q)",
         "J_tool = robot.jacobe(q); J_tool = J_tool(:, moving)"
-        f"  % jacobian_in_frame(arm, q, {len(arm.rows)})",
+        "  % jacobian(arm, q, 'tool')",
         "J_rpy = robot.jacob0(q, 'rpy'); J_rpy = J_rpy(:, moving)  % rates of roll, pitch and yaw",
         "",
     ])  # fmt: skip
@@ -219,7 +220,7 @@ def _write_modern_robotics(arm: Arm) -> str:
         "J_body = mr.JacobianBody(Blist, q)  # w above v, of the tip in its own axes",
         "R = T[:3, :3]",
         "J = np.vstack([R @ J_body[3:], R @ J_body[:3]])  # kinematics.jacobian(arm, q)",
-        f"J_tool = J_body[[3, 4, 5, 0, 1, 2]]  # jacobian_in_frame(arm, q, {len(arm.rows)})",
+        "J_tool = J_body[[3, 4, 5, 0, 1, 2]]  # jacobian(arm, q, 'tool')",
         "",
     ])  # fmt: skip
 
@@ -246,7 +247,7 @@ def _write_pinocchio(arm: Arm) -> str:
         ")  # kinematics.jacobian(arm, q)",
         "J_tool = pin.computeFrameJacobian(",
         "    model, data, full, tool, pin.LOCAL",
-        f")  # kinematics.jacobian_in_frame(arm, q, {len(arm.rows)})",
+        ")  # kinematics.jacobian(arm, q, 'tool')",
         "J_space = pin.computeFrameJacobian(",
         "    model, data, full, tool, pin.WORLD",
         ")  # v above w, v of the point at the base's origin",
@@ -306,4 +307,3 @@ _WRITERS: dict[str, Callable[[Arm], str]] = {
     "pinocchio": _write_pinocchio,
     "sympy": _write_sympy,
 }
-PROGRAMS = tuple(_WRITERS)

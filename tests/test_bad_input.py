@@ -28,7 +28,7 @@ from helpers import (
     motion,
 )
 from helpers.arm import Arm, ArmError, Body, Row, revolute
-from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, THREE_LINK, UR10E
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E
 
 SIX = PANDA_HOMEWORK.lock(3)
 BEND = [0.3, 0.4, -0.9]
@@ -73,7 +73,7 @@ SHARED = dict(
     columns="theta d a alpha", convention="standard", cutoff=1e-9, d=0, damping=0.1, dashed=True,
     description="Its answers.", display=True, effort=1, end=[1, 1], derivation=DERIVED, expected=1,
     frames_from=FRAMES, frames_to=FRAMES, gain=1.0, goal=[0.0] * 7, gravity=(0, 0, -9.81),
-    heading="Elbow", home=(0.1,), inertias=np.zeros((7, 3, 3)), iterations=3,
+    heading="Elbow", home=(0.1,), inertia=np.eye(3), inertias=np.zeros((7, 3, 3)), iterations=3,
     jacobian=kinematics.jacobian, joints=[2], label="anything", language="NumPy",
     introduction="An arm.", length=0.1, lengths="m", limits=(-1, 1), link=False, lower=-1,
     many=True, masses=[1.0, 2.0], method="euler", name="mine", named={"A_1": np.eye(4)},
@@ -96,6 +96,9 @@ RIGHT = {
         source="anything", circle=UR10E.circle),
     "arm.Arm.with_values": dict(self=PANDA),
     "arm.Arm.lock": dict(self=PANDA, joint=3, at=0.1),
+    "kinematics.jacobian": dict(frame="tool"),
+    "kinematics.roll_pitch_yaw": dict(T=np.eye(4)),
+    "kinematics.quaternion": dict(T=np.eye(4)),
     "arm.Arm.with_row": dict(self=PANDA),
     "arm.Arm.with_base": dict(self=PANDA, pose=np.eye(4)),
     "arm.Arm.with_tool": dict(self=PANDA, pose=[0.0] * 6),
@@ -117,12 +120,10 @@ RIGHT = {
     "derive.Axis": dict(point=(0, 0, 0), direction=(0, 0, 1), joint="revolute"),
     "derive.derive": dict(axes=AXES, tip=np.eye(4), tolerance=1e-9),
     "derive.Derivation.with_bodies": dict(self=derive.derive(AXES, np.eye(4)),
-        centres=np.zeros((2, 3))),
+        centres=np.zeros((2, 3)), inertias=np.zeros((2, 3, 3))),
     "answers.make_html_sheet": dict(arm=ELBOW),
     "answers.make_markdown_sheet": dict(arm=ELBOW),
     "urdf.from_urdf": dict(source=ROBOT, tip="b", tolerance=1e-9, angle_tolerance=1e-4),
-    "kinematics.jacobian_in_frame": dict(frame=7),
-    "kinematics.planar_jacobian": dict(arm=THREE_LINK, q=[0.1] * 3),
     "statics.static_torque": dict(q=[PANDA.home] * 2),
     "statics.with_payload": dict(mass=1.0, com=(0, 0, 0.1)),
     "statics.centres_in": dict(centres=np.zeros((8, 3))),
@@ -243,7 +244,7 @@ OUTSIDE = {
     **dict.fromkeys(("below", "length", "period", "radius", "motion.self_motion speed"), (0, -1)),
     "motion.self_motion step": (0, -1),
     **dict.fromkeys(("cutoff", "damping", "gain", "iterations", "restarts"), (-1,)),
-    **dict.fromkeys(("frame", "scale", "tolerance", "angle_tolerance"), (-1,)),
+    **dict.fromkeys(("scale", "tolerance", "angle_tolerance"), (-1,)),
     **{"frames": (0,), "steps": (0,), "joint": (0, 8), "number": (0, 8)},
     **{"inverse.solve tolerance": (0,)},
     **{"derive.derive tolerance": (0,), "statics.with_payload mass": (-1,)},

@@ -1,9 +1,18 @@
 """Test that a renamed name of the helpers still works, and warns with the new name."""
 
+import numpy as np
 import pytest
 
+from helpers import kinematics
 from helpers.deprecated import deprecated_names
 from helpers.robots import ELBOW
+
+
+def test_old_name_of_jacobian_in_tool_axes_still_works():
+    with pytest.warns(DeprecationWarning, match=r"is now helpers.kinematics.jacobian;"):
+        old_name = kinematics.jacobian_in_frame
+    q = ELBOW.home
+    assert np.array_equal(old_name(ELBOW, q, 3), kinematics.jacobian(ELBOW, q, "tool"))
 
 
 def test_unknown_name_of_a_module_is_no_attribute():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from helpers.arm import ArmError
-from helpers.dynamics import inverse_dynamics
+from helpers.dynamics import inverse_dynamics, mass_matrix
 from helpers.kinematics import link_frames
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import gravity_torque, potential_energy
@@ -82,3 +82,13 @@ def test_asymmetric_inertia_is_rejected():
     rest = np.zeros(6)
     with pytest.raises(ArmError, match="inertias: a tensor is not symmetric; expected xy = yx"):
         inverse_dynamics(UR10E, rest, rest, rest, inertias=wrong)
+
+
+def test_mass_matrix_gives_kinetic_energy():
+    rng, inertias = np.random.default_rng(9), tensors(PANDA)
+    q, q_dot = rng.uniform(-1, 1, (2, 7))
+    M = mass_matrix(PANDA, q, inertias=inertias)
+    energy = kinetic_energy(PANDA, inertias, q, q_dot)
+    np.testing.assert_allclose(q_dot @ M @ q_dot / 2, energy, rtol=1e-6)
+    np.testing.assert_allclose(M, M.T, atol=1e-12)
+    assert mass_matrix(PANDA, np.zeros((2, 3, 7))).shape == (2, 3, 7, 7)

@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
-from helpers.arm import Arm, fixed, prismatic, revolute
-from helpers.inputs import ArmError
+from helpers.arm import Arm, revolute
 from helpers.kinematics import (
     forward_kinematics,
     jacobian,
-    jacobian_in_frame,
     link_frames,
     manipulability,
-    planar_jacobian,
+    quaternion,
+    roll_pitch_yaw,
 )
-from helpers.robots import ELBOW, PANDA, THREE_LINK, UR10E_HOMEWORK
+from helpers.robots import ELBOW, UR10E_HOMEWORK
 from tests.laws import (
     ALL_ARMS,
     SHAPES,
@@ -46,7 +46,7 @@ def test_output_shapes_follow_the_batch(arm, shape):
 @every_arm
 def test_batch_equals_single_poses(arm):
     q = joint_vectors(arm, (3, 2))
-    in_tool = partial(jacobian_in_frame, frame=len(arm.rows))
+    in_tool = partial(jacobian, frame="tool")
     for function in (forward_kinematics, link_frames, jacobian, in_tool, manipulability):
         together = function(arm, q)
         for index in np.ndindex(3, 2):
@@ -132,36 +132,19 @@ def test_import_does_not_load_sympy_or_matplotlib():
     assert done.stdout.strip() == "[]", "these modules were imported"
 
 
-def test_planar_jacobian_is_the_textbook_formula():
-    """Siciliano et al., (3.35): a_i in the order of the links, angles added up."""
-    q = joint_vectors(THREE_LINK, (20,))
-    a_1, a_2, a_3 = 0.5, 0.4, 0.2
-    q_1, q_12, q_123 = np.cumsum(q, axis=-1).T
-    x_3, y_3 = -a_3 * np.sin(q_123), a_3 * np.cos(q_123)
-    x_2, y_2 = x_3 - a_2 * np.sin(q_12), y_3 + a_2 * np.cos(q_12)
-    x_1, y_1 = x_2 - a_1 * np.sin(q_1), y_2 + a_1 * np.cos(q_1)
-    expected = [[x_1, x_2, x_3], [y_1, y_2, y_3], np.ones((3, 20))]
-    np.testing.assert_allclose(
-        planar_jacobian(THREE_LINK, q), np.moveaxis(expected, -1, 0), atol=1e-15
-    )
+def test_roll_pitch_yaw_and_quaternion_agree_with_scipy():
+    rotations = Rotation.random(200, rng=np.random.default_rng(4))
+    half_turns = Rotation.from_rotvec(np.pi * np.eye(3))
+    for R in (rotations, half_turns):
+        angles, w_first = roll_pitch_yaw(R.as_matrix()), quaternion(R.as_matrix())
+        again = Rotation.from_euler("ZYX", angles[:, ::-1])
+        np.testing.assert_allclose(again.as_matrix(), R.as_matrix(), atol=1e-14)
+        np.testing.assert_allclose(np.linalg.norm(w_first, axis=1), 1, atol=1e-14)
+        again = Rotation.from_quat(np.roll(w_first, -1, axis=1))
+        np.testing.assert_allclose(again.as_matrix(), R.as_matrix(), atol=1e-14)
+        assert (w_first[:, 0] >= 0).all()
 
 
-@pytest.mark.parametrize(
-    ("first_row", "rows"),
-    [(fixed(alpha="pi/2"), [0, 2, 4]), (fixed(theta="pi/2", alpha="pi/2"), [1, 2, 3])],
-    ids=["plane xz", "plane yz"],
-)
-def test_planar_jacobian_follows_the_plane(first_row, rows):
-    arm = Arm("upright", [first_row, revolute(a=0.5), revolute(a=0.4), revolute(a=0.2)])
-    q = joint_vectors(arm, (5,))
-    np.testing.assert_array_equal(planar_jacobian(arm, q), jacobian(arm, q)[:, rows])
-
-
-@pytest.mark.parametrize(
-    "arm",
-    [ELBOW, PANDA, Arm("lift", [prismatic(a=0.3), revolute(a=0.2)])],
-    ids=lambda arm: arm.name,
-)
-def test_planar_jacobian_rejects_arm_that_leaves_its_plane(arm):
-    with pytest.raises(ArmError, match="does not move in one plane of the base"):
-        planar_jacobian(arm, np.zeros(arm.dof))
+def test_roll_is_0_where_pitch_is_a_right_angle():
+    R = Rotation.from_euler("ZYX", [0.3, np.pi / 2, 0.5]).as_matrix()
+    np.testing.assert_allclose(roll_pitch_yaw(R), [0, np.pi / 2, -0.2], atol=1e-7)

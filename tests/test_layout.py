@@ -31,6 +31,7 @@ ALLOWED_FOLDERS = {
 # holds arms. These imports are made when a text needs them.
 LATE_UPWARD_IMPORTS = {
     ("helpers.arm", "helpers.checks.tables"),
+    ("helpers.arm", "helpers.urdf"),
     ("helpers.expressions", "helpers.checks.engine"),
     ("helpers.poses", "helpers.checks.compare"),
 }

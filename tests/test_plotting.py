@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from helpers.kinematics import link_frames, skeleton
+from helpers.kinematics import link_frames, skeleton, tip
 from helpers.motion import circle, trace
 from helpers.plotting import (
     animate_trace,
@@ -193,3 +193,11 @@ def test_wrist_triangles_have_the_twists_as_sides():
     for axis in (fifth, mirrored):
         np.testing.assert_allclose(np.degrees(np.arccos([axis @ fourth, axis @ sixth])), [60, 50])
     assert np.degrees(np.arccos(fourth @ sixth)) == pytest.approx(70)
+
+
+def test_plot_arm_draws_in_space_on_3d_axes():
+    ax = plt.figure().add_subplot(projection="3d")
+    plot_arm(ax, PANDA_HOMEWORK, PANDA_HOMEWORK.home)
+    last = np.ravel([line.get_data_3d() for line in ax.lines][-1])
+    np.testing.assert_allclose(last, tip(PANDA_HOMEWORK, PANDA_HOMEWORK.home))
+    assert ax.get_zlabel() == "$z$ (m)"

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+import helpers
 from answers.command_line import read_arm
 from helpers.arm import ArmError
 from helpers.kinematics import forward_kinematics
@@ -57,6 +58,12 @@ def test_chain_keeps_names_and_limits():
 def test_urdf_without_masses_has_no_bodies():
     links = [link(name) for name in ("base", "upper", "fore", "tool")]
     assert from_urdf(robot(*links, *JOINTS)).bodies == ()
+
+
+def test_urdf_is_read_by_the_class_of_arms():
+    assert helpers.Arm.from_urdf(TWO, tip="fore") == from_urdf(TWO, tip="fore")
+    with pytest.raises(AttributeError, match="has no attribute 'PUMA'"):
+        helpers.PUMA  # noqa: B018
 
 
 def test_file_and_text_give_the_same_arm(tmp_path):

@@ -8,7 +8,6 @@ from helpers import symbolic
 from helpers.arm import Arm, ArmError, revolute
 from helpers.kinematics import (
     jacobian,
-    jacobian_in_frame,
     link_frames,
     lost_directions,
     manipulability,
@@ -32,13 +31,13 @@ SOLVED = [
 
 
 @every_arm
-def test_jacobian_in_frame_rotates_the_rows(arm):
+def test_jacobian_of_another_frame_has_rotated_rows(arm):
     q = joint_vectors(arm, (3,))
     for k in (0, len(arm.rows)):
-        R, J = link_frames(arm, q)[:, k, :3, :3], jacobian_in_frame(arm, q, k)
+        R, J = link_frames(arm, q)[:, k, :3, :3], jacobian(arm, q, frame=k)
         np.testing.assert_allclose(R @ J[:, :3], jacobian(arm, q)[:, :3], atol=1e-14)
         np.testing.assert_allclose(R @ J[:, 3:], jacobian(arm, q)[:, 3:], atol=1e-14)
-    np.testing.assert_allclose(jacobian_in_frame(arm, q, 0), jacobian(arm, q), atol=1e-15)
+    np.testing.assert_allclose(jacobian(arm, q, "base"), jacobian(arm, q), atol=1e-15)
 
 
 @every_arm
@@ -70,7 +69,10 @@ def test_symbolic_determinant_matches_numpy(arm):
 def test_lost_directions_of_ur10e_at_home():
     """At home the UR10e cannot move along y or z, nor turn about x."""
     J = jacobian(UR10E_HOMEWORK, np.zeros(6))
-    lost = lost_directions(J)
+    lost = lost_directions(UR10E_HOMEWORK, np.zeros(6))
+    np.testing.assert_array_equal(lost, lost_directions(J))
+    linear = lost_directions(UR10E_HOMEWORK, np.zeros(6), "linear")
+    np.testing.assert_allclose(np.abs(linear.sum(axis=0)) > 0.5, [False, True, True])
     np.testing.assert_allclose(lost @ lost.T, np.eye(3), atol=1e-12)
     np.testing.assert_allclose(lost @ J, 0, atol=1e-12)
     np.testing.assert_allclose(lost[:, [0, 4, 5]], 0, atol=1e-12)
@@ -82,6 +84,9 @@ def test_cutoff_of_lost_directions_is_a_share(scale):
     np.testing.assert_allclose(np.abs(lost), [[0, 0, 1]], atol=1e-12)
 
 
-def test_frame_beyond_the_tip_is_rejected():
-    with pytest.raises(ArmError, match="UR10e: frame 7 does not exist; expected 0 to 6"):
-        jacobian_in_frame(UR10E, np.zeros(6), 7)
+@pytest.mark.parametrize("frame", [7, -1, "wrist", True, None])
+def test_unknown_frame_is_rejected(frame):
+    with pytest.raises(
+        ArmError, match=f'UR10e: frame is {frame!r}; expected "base", "tool", or 0 to 6'
+    ):
+        jacobian(UR10E, np.zeros(6), frame)

@@ -19,11 +19,14 @@ def compute_pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
 def plot_arm(
     ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
 ) -> None:
-    """Draw an arm at q, shape (dof,), in a plane such as "xz", with lengths in m."""
-    i, j = parse_plane(plane)
+    """Draw an arm at q, shape (dof,), in a plane such as "xz", with lengths in m.
+
+    On 3-D axes (``projection="3d"``) the arm is drawn in space.
+    """
+    shown = [0, 1, 2] if getattr(ax, "name", "") == "3d" else [*parse_plane(plane)]
     T = compute_pose_frames(arm, q)
-    points = skeleton(arm, T)[:, [i, j]]
-    origins = T[[k - 1 for k in arm.joints], :3, 3][:, [i, j]]
+    points = skeleton(arm, T)[:, shown]
+    origins = T[[k - 1 for k in arm.joints], :3, 3][:, shown]
     ax.plot(
         *points.T,
         color=colour,
@@ -34,7 +37,8 @@ def plot_arm(
     )
     ax.plot(*origins.T, "o", color=SLATE, alpha=alpha, ms=9)
     ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
-    ax.set(xlabel=f"${plane[0]}$ (m)", ylabel=f"${plane[1]}$ (m)", aspect="equal")
+    labels = {f"{on}label": f"${'xyz'[k]}$ (m)" for on, k in zip("xyz", shown, strict=False)}
+    ax.set(**labels, aspect="equal")
 
 
 def draw_arrow(
