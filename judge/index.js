@@ -3,7 +3,7 @@
 import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
 import { ENTRIES } from "./reading/table_rows.js";
-import { numbers, pose } from "./reading/numbers.js";
+import { numbers, readConfiguration } from "./reading/numbers.js";
 import { getShownKind, listMarks, MARK_NAMES, splitAtMarks } from "./marks.js";
 import { evaluateFormulas, findTableMistake, listMistakes } from "./mistakes.js";
 import { ArmError, formatMessage } from "./sentences.js";
@@ -32,7 +32,7 @@ const TOPICS = {
   table: ({ mine, arm, options }) => compareTables(mine, arm, options),
   torques: ({ mine, arm, q, options }) => compareTorques(mine, arm, q, options),
   trace: judgeSampledTrace,
-  joints: ({ q, arm, angles }) => pose(q, arm, angles),
+  joints: ({ q, arm, angles }) => readConfiguration(q, arm, angles),
   poses: ({ q, arm, angles }) => readPoses(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
   rows: ({ mine, options }) => readArmTable(mine, options),

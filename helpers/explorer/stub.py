@@ -32,7 +32,7 @@ def live_html(text: str, spec: Data, class_name: str = "arm-explorer", figure: s
     return f'<div class="{class_name}"{kind}><p>{escape(text)}</p>{script}</div>'
 
 
-def describe_pose(arm: Arm, q: ArrayLike) -> str:
-    """Describe the pose of an arm at q, shape (dof,), in a sentence."""
+def describe_configuration(arm: Arm, q: ArrayLike) -> str:
+    """Describe an arm and its configuration q, shape (dof,), in a sentence."""
     pairs = zip(arm.variables, np.round(arm.joint_vector(q), 3) + 0.0, strict=True)
     return f"{arm.name} at {', '.join(f'{name} = {value:g}' for name, value in pairs)}."

@@ -13,7 +13,7 @@ from helpers.arm import Arm
 from helpers.checks.arms import arm_data
 from helpers.explorer.data import arm_from, branches_data, circle_arm_data, path_data
 from helpers.explorer.still import draw_still
-from helpers.explorer.stub import RUN_HINT, describe_pose, live_html
+from helpers.explorer.stub import RUN_HINT, describe_configuration, live_html
 from helpers.inputs import (
     ArmError,
     finite_array,
@@ -201,7 +201,7 @@ class ArmExplorer(LiveWidget):
         state = {"q": self.q, "wrench": self.wrench, "trace": self.trace, "branches": self.branches}
         class_name = "arm-explorer whole" if self._spec["link"] else "arm-explorer"
         return live_html(
-            describe_pose(self.arm, self.q) + RUN_HINT, {**self._spec, **state}, class_name
+            describe_configuration(self.arm, self.q) + RUN_HINT, {**self._spec, **state}, class_name
         )
 
     def _still(self) -> str:

@@ -160,7 +160,7 @@ export function carryOverJoints(from, q, to, rowBefore) {
 }
 
 /** Return the arm's home, or zeros if it has none. @param {Arm} arm */
-export const homePose = (arm) =>
+export const homeConfiguration = (arm) =>
   isJointVector(arm, arm.home) ? [...arm.home] : movingRows(arm).map(() => 0);
 
 /** Return whether q is a joint vector of the arm. @param {Arm} arm @param {any} q */

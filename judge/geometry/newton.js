@@ -32,7 +32,8 @@ export function finishByNewton(arm, isExact, target, q) {
 
 const largest = (v) => Math.max(...v.map(Math.abs));
 
-// Return J^T (J J^T + k I)^-1 error. The small k keeps the step finite near a singular pose.
+// Return J^T (J J^T + k I)^-1 error. The small k keeps the step finite near a singular
+// configuration.
 function newtonStep(arm, q, error) {
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c) => c.slice(0, error.length));
   const normal = error.map((_, i) =>

@@ -234,7 +234,7 @@ export function listGivenRows(target) {
 export const JOINT_NAMES = /^(?:q|th|θ|sol|position|ans$|s\d*$)/i; // position: of ROS
 
 // Read a joint vector and its units, without the values of locked joints.
-export function pose(q, arm, angles = "rad") {
+export function readConfiguration(q, arm, angles = "rad") {
   const wants = jointShapes(arm, false);
   const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
     wants,

@@ -13,7 +13,13 @@ import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
 import { fixedRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { isPlanar, movableLinearRows, movableRows } from "../geometry/task_rows.js";
-import { lengthFactor, lookup, numbers, pose, refuseOtherLists } from "../reading/numbers.js";
+import {
+  lengthFactor,
+  lookup,
+  numbers,
+  readConfiguration,
+  refuseOtherLists,
+} from "../reading/numbers.js";
 import { nameLengthUnit } from "../reading/units.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { dropUnfilledEnd } from "../reading/unfilled.js";
@@ -52,7 +58,7 @@ const ANSWER_NAMES = /^(?:j|ans$)/i; // variables that may hold the answer
 export const compareJacobian = completeVerdicts(judgeJacobian);
 
 function judgeJacobian(mine, arm, q, options = {}) {
-  const typedQ = pose(q, arm, options.angles);
+  const typedQ = readConfiguration(q, arm, options.angles);
   return judgeWholeOrPart(
     mine,
     () => judgeWholeJacobian(mine, arm, q, typedQ, options),

@@ -42,7 +42,7 @@ const MOST_ORDERS = 4; // orders of columns that are searched for mistakes if th
  * @property {string} [angles] "rad" or "deg"
  * @property {string} [convention] "standard" or "craig"
  * @property {number} [tolerance] the largest deviation of a length (m)
- * @property {number[]} [startPose] joint values whose pose the question fixes (rad or m)
+ * @property {number[]} [startConfiguration] joint values whose pose the question fixes (rad or m)
  * @property {[string, number][]} [values] of symbols that the arm does not have
  */
 
@@ -278,7 +278,7 @@ export const snapTypedAngles = (table) =>
  * @param {Table} table @param {Arm} reference @param {Options} options
  * @returns {Reading}
  */
-function makeReading(table, reference, { tolerance = null, startPose = null }) {
+function makeReading(table, reference, { tolerance = null, startConfiguration = null }) {
   const [rows, expectedRows] = [snapTypedAngles(table), snapRows(reference.rows)];
   const [axes, expectedAxes] = [describeAxes(rows), describeAxes(expectedRows)];
   const pair = { table, reference, rows, expectedRows, axes, expectedAxes };
@@ -288,7 +288,11 @@ function makeReading(table, reference, { tolerance = null, startPose = null }) {
     if (table.isExchanged)
       return reportWrong(table, reference, [makeCause("table.alpha and theta")]);
     const mapped = grade === RIGHT ? EXACT_LENGTH : mapLength;
-    return judgeSameArm(pair, comparison, grade, { length: rounded, mapLength: mapped, startPose });
+    return judgeSameArm(pair, comparison, grade, {
+      length: rounded,
+      mapLength: mapped,
+      startConfiguration,
+    });
   };
   const judgeSame = () => {
     const comparison = compareAxes(axes, expectedAxes, exact);

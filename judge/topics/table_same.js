@@ -53,7 +53,7 @@ const MOST_MISTAKES = 3; // with more wrong entries, the student chose other zer
  * @typedef {object} Tolerances
  * @property {number} length how much lengths may differ (m)
  * @property {number} mapLength how much lengths may differ in the search for a joint map (m)
- * @property {number[] | null} startPose joint values whose pose the question fixes
+ * @property {number[] | null} startConfiguration joint values whose pose the question fixes
  */
 
 /**
@@ -122,12 +122,12 @@ const listOwnNumbers = (table, axes) => axes.joints.map((i) => typedRowNumber(ta
 // Requirements of the question
 
 /** @param {TablePair} pair @param {JointMap | null} map @returns {Fault | null} */
-function findFault(pair, comparison, map, { length, startPose }) {
+function findFault(pair, comparison, map, { length, startConfiguration }) {
   return (
     findBaseFault(pair, comparison, map, length) ??
     findToolFault(pair, comparison) ??
     (map ? null : { message: formatMessage("no joint map"), where: "", entry: "" }) ??
-    (startPose ? findStartFault(pair, startPose, length) : null)
+    (startConfiguration ? findStartFault(pair, startConfiguration, length) : null)
   );
 }
 
@@ -159,15 +159,15 @@ function findToolFault({ table, axes }, { toolAngles: [angle, expected] }) {
 }
 
 /** Find a tool elsewhere at the joint values whose pose is fixed. @returns {Fault | null} */
-function findStartFault({ rows, reference }, startPose, length) {
+function findStartFault({ rows, reference }, startConfiguration, length) {
   const [tip, expectedTip] = [rows, reference.rows].map((arm) =>
-    linkFrames({ rows: arm }, startPose).at(-1),
+    linkFrames({ rows: arm }, startConfiguration).at(-1),
   );
   const away = norm(minus(tip.o, expectedTip.o));
   const turn = rotationBetween(tip, expectedTip) * DEG;
   if (away <= Math.max(TIP_TOLERANCE, 2 * rows.length * length) && turn < 1) return null;
   const fields = {
-    start: `(${startPose.map((x) => formatNumber(x, 4)).join(", ")})`,
+    start: `(${startConfiguration.map((x) => formatNumber(x, 4)).join(", ")})`,
     away: formatNumber(away < TIP_TOLERANCE ? 0 : away, 3),
     turned: turn < 1 ? "" : formatMessage("table tool turned", { degrees: formatNumber(turn, 3) }),
   };

@@ -1,5 +1,5 @@
-// Finds jumps, whole turns, singular poses, and exceeded ranges and speeds in the steps of a typed
-// trajectory.
+// Finds jumps, whole turns, singular configurations, and exceeded ranges and speeds in the steps of
+// a typed trajectory.
 
 import { makeCause } from "../causes/ranking.js";
 import {
@@ -77,7 +77,7 @@ export function measureStep(q, arm, k) {
   return { step: k, joint: jointNumbers(arm)[change.indexOf(most)], by: formatNumber(most) };
 }
 
-// Return the cause of a first jump that begins at a singular pose, or null.
+// Return the cause of a first jump that begins at a singular configuration, or null.
 /** @returns {import("../causes/ranking.js").Cause | null} */
 export function findSingularStart(q, arm, jumps) {
   const [k] = jumps;

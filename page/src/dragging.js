@@ -19,7 +19,7 @@ import { pick } from "../../judge/geometry/task_rows.js";
 import {
   solveDamped,
   dotProduct,
-  isAtPose,
+  isAtConfiguration,
   searchAround,
   getPoseError,
   solvePose,
@@ -101,7 +101,7 @@ export function dragTip(arm, start, target, rest, { turns = false } = {}) {
   ]);
   const problem = { arm, target, rest, turns, limits: open };
   let best = minimizeError(problem, start);
-  if (isAtPose(best.q, start) && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3)
+  if (isAtConfiguration(best.q, start) && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3)
     best = searchAround(best, best.q, (q) => minimizeError(problem, q));
   const most = Math.max(1e-12, ...best.q.map((v, k) => Math.abs(v - start[k])));
   const share = Math.min(1, MAX_FRAME_STEP / most);
@@ -186,7 +186,7 @@ const FADING_SHARE = 0.1;
  * Find the directions in which the tip hardly moves, however fast the joints turn.
  * @param {number[][]} columns of the Jacobian
  * @param {boolean} turns whether the tool must keep its direction meanwhile
- * @param {number[]} rows the axes, of x, y and z, along which the tip can move at some pose
+ * @param {number[]} rows the axes, of x, y and z, along which the tip can move at a configuration
  * @returns {{ direction: number[], share: number }[]} each direction and its speed, as a share of
  *   the fastest
  */

@@ -89,7 +89,7 @@ function solveJointRates(J, twist, { rates, cutoff, damping, locked }) {
   return { solution, smallestSigma: values[Math.min(5, free.length - 1)] };
 }
 
-const MAX_KEPT_POSES = 181; // poses that are stored and drawn
+const MAX_KEPT_CONFIGURATIONS = 181; // configurations that are stored and drawn
 const REACH_TOLERANCE = 1e-3; // m or rad; a pose that is missed by more is out of reach
 
 /** One simulated run around the circle: its current joint values and its largest errors so far. */
@@ -100,7 +100,7 @@ class CircleSimulation {
     this.run = run;
     this.q = [...start];
     this.first = linkFrames(arm, start).at(-1);
-    this.every = Math.max(1, Math.ceil(run.steps / (MAX_KEPT_POSES - 1)));
+    this.every = Math.max(1, Math.ceil(run.steps / (MAX_KEPT_CONFIGURATIONS - 1)));
     this.kept = { path: [start], errors: [0], at: [0] };
     this.worst = { smallestSigma: Infinity, largestError: 0, fastestRate: 0, largestTilt: 0 };
   }
@@ -158,7 +158,7 @@ class CircleSimulation {
     worst.largestTilt = Math.max(worst.largestTilt, tilt);
     worst.largestError = Math.max(worst.largestError, distance);
     const missed = norm(pick(getPoseError(tip, wanted), taskRows(arm)));
-    // Beyond this pose the joints would jump.
+    // Beyond this configuration the joints would jump.
     if (run.method === "exact" && missed > REACH_TOLERANCE) return false;
     if ((n + 1) % this.every === 0 || n + 1 === run.steps) {
       kept.path.push(this.q);

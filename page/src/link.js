@@ -2,7 +2,7 @@
 
 import {
   isJointVector,
-  homePose,
+  homeConfiguration,
   ROW_KINDS,
   MAX_LENGTH,
   findRowsFault,
@@ -90,7 +90,7 @@ function parseJoints(fields, arm, areRowsRefused) {
   if (isJointVector(arm, q)) return { patch: { q } };
   const isWrong = fields.has("q") && !areRowsRefused;
   const fault = isWrong && `${arm.name} has ${movingRows(arm).length} joint values`;
-  return { patch: { q: homePose(arm) }, fault };
+  return { patch: { q: homeConfiguration(arm) }, fault };
 }
 
 function parseWrench(fields) {

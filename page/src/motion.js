@@ -1,5 +1,5 @@
-// Inverse kinematics by damped steps for any table: circles traced from the current pose, and other
-// branches of a pose. It does not use the page, so that a worker can run it.
+// Inverse kinematics by damped steps for any table: circles traced from the current configuration,
+// and other branches of a pose. It does not use the page, so that a worker can run it.
 
 import { isJointVector, jointRange } from "../../judge/geometry/arm.js";
 import {
@@ -78,10 +78,10 @@ export function getCirclePoint(top, { normal = "x", radius = 0.1, seconds = 1 },
   return { o: path.position(t), v: path.velocity(t) };
 }
 
-const SEARCH_STEP = 0.05; // rad or m: moves a joint out of a singular pose
+const SEARCH_STEP = 0.05; // rad or m: moves a joint out of a singular configuration
 
 // Return the best of a result and of searches that start beside q, a step of one joint away. A
-// search that starts in a singular pose may not move.
+// search that starts in a singular configuration may not move.
 export function searchAround(firstResult, q, search) {
   let best = firstResult;
   for (const k of q.keys()) {
@@ -97,7 +97,7 @@ export function searchAround(firstResult, q, search) {
 export function solvePoseFromSingular(arm, start, wanted, options) {
   const search = (q) => solvePose(arm, q, wanted, options);
   const result = search(start);
-  const stalled = result.error > 1e-6 && isAtPose(result.q, start);
+  const stalled = result.error > 1e-6 && isAtConfiguration(result.q, start);
   return stalled ? searchAround(result, start, search) : result;
 }
 
@@ -106,7 +106,7 @@ function makeRandomGenerator(seed) {
   return () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
 }
 
-export function drawRandomPose(arm, roll = Math.random) {
+export function drawRandomConfiguration(arm, roll = Math.random) {
   return movingRows(arm).map((i) => {
     const [lower, upper] = jointRange(arm.rows[i]);
     return lower + (upper - lower) * roll();
@@ -144,7 +144,7 @@ export function findBranches(arm, q, tries = 300) {
   for (const { q: branch, name } of closedForm) addBranch(wrapAngles(arm, branch), name);
   addBranch(wrapAngles(arm, q));
   for (let n = 0; !closedForm.length && n < tries && solutions.length < MAX_BRANCHES; n++) {
-    const start = drawRandomPose(arm, roll).map((v, i) => (i === lockedJoint ? q[i] : v));
+    const start = drawRandomConfiguration(arm, roll).map((v, i) => (i === lockedJoint ? q[i] : v));
     const { q: branch, error } = solvePose(arm, start, target, { lockedJoint });
     if (error < 1e-9) addBranch(wrapAngles(arm, branch));
   }
@@ -210,5 +210,5 @@ function measureJointDistance(arm, p, q) {
 }
 
 // Return whether q equals joint values that may have been rounded.
-export const isAtPose = (branch, q) =>
+export const isAtConfiguration = (branch, q) =>
   branch.length === q.length && branch.every((v, i) => Math.abs(v - q[i]) < 1e-4);

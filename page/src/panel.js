@@ -11,7 +11,7 @@ import { makeAnnouncer } from "./speech.js";
 import { formatFixed } from "./text.js";
 import { watchTheme } from "./theme.js";
 
-const GLIDE_TIME = 450; // ms that the arm takes to glide to another pose
+const GLIDE_TIME = 450; // ms that the arm takes to glide to another configuration
 // ms between updates of the numbers while the picture is dragged; nobody reads faster
 const UPDATE_INTERVAL = 100;
 

@@ -14,7 +14,7 @@ import {
 import { getPlaneView } from "../../judge/geometry/task_rows.js";
 import { Barrier } from "./barrier.js";
 import { AxisLabels } from "./labels.js";
-import { isAtPose } from "./motion.js";
+import { isAtConfiguration } from "./motion.js";
 import { getBranchColour, PALETTES } from "./look.js";
 import { findNearestSegment, getBarrelSegments, getLinkSegments } from "./picking.js";
 import { disposeChildren, Figure, INITIAL_VIEW, removeAndDispose } from "./renderer.js";
@@ -228,11 +228,11 @@ export class ArmPicture {
   // Draw the solution branches as thin arms. The branch under the pointer is as thick as the arm.
   drawGhosts(state, derived) {
     const { view, branches, q, highlightedBranch } = state;
-    const hasLeftPose = measureTipOffset(state, derived) && highlightedBranch === null;
-    const shownBranches = view === "branches" && !hasLeftPose ? branches : null;
+    const hasMovedAway = measureTipOffset(state, derived) && highlightedBranch === null;
+    const shownBranches = view === "branches" && !hasMovedAway ? branches : null;
     if (this.lastDrawn.branches !== shownBranches) this.makeGhosts(state.arm, shownBranches);
     this.ghostGroup.children.forEach((/** @type {any} */ shape, i) => {
-      shape.visible = !isAtPose(shownBranches.list[i].q, q);
+      shape.visible = !isAtConfiguration(shownBranches.list[i].q, q);
       shape.placeAtFrames(shape.userData, i === highlightedBranch ? 0.97 : 0.3);
     });
   }

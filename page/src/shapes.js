@@ -189,7 +189,7 @@ export class ArmShape extends Group {
     this.boxes?.setColours(getColour);
   }
 
-  // Place the links at frames. A ghost is thinner, so that an arm at the same pose hides it.
+  // Place the links at frames. A ghost is thinner, so that an arm in its place hides it.
   placeAtFrames(frames, thickness = this.ghost ? 0.97 : 1) {
     this.radiusScale = thickness * this.size;
     this.arm.rows.forEach((row, i) => {

@@ -4,7 +4,7 @@
 import {
   carryOverJoints,
   isJointVector,
-  homePose,
+  homeConfiguration,
   findRowsFault,
   isSameRow,
   makeTypedArm,
@@ -212,9 +212,9 @@ function stepThroughHistory(state, from, to) {
   };
 }
 
-// Select another arm of the list, at its home pose unless q is given.
+// Select another arm of the list, at its home configuration unless q is given.
 function selectArm(state, arm, q, reference) {
-  return { arm, base: arm, reference, q: isJointVector(arm, q) ? q : homePose(arm) };
+  return { arm, base: arm, reference, q: isJointVector(arm, q) ? q : homeConfiguration(arm) };
 }
 
 // Replace the rows of the arm. `rowBefore` maps each new row to its old index, so that joints keep

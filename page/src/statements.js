@@ -21,11 +21,11 @@ export const describeTarget = (arm) => (hasTaskOrientation(arm) ? "pose" : "posi
 export const countRank = (values) =>
   values.filter((value) => value > RANK_TOLERANCE * values[0]).length;
 
-// Return the rank of the arm at a regular pose.
+// Return the rank of the arm at a regular configuration.
 export const getFullRank = (arm) => Math.min(taskRows(arm).length, movingRows(arm).length);
 
 /**
- * Describe the rank and, at a singular pose, the motions that are lost.
+ * Describe the rank and, at a singular configuration, the motions that are lost.
  * @param {{ arm: Arm, rank: number, lostMotions: number[][] }} derived
  */
 export function describeRank({ arm, rank, lostMotions }) {
@@ -173,7 +173,7 @@ function compareWithReference({ arm, reference, q }, frames) {
   );
 }
 
-// The comparison depends only on the tables, so it is not repeated for each pose.
+// The comparison depends only on the tables, so it is not repeated for each configuration.
 let lastComparison = { arm: null, reference: null, isSame: false };
 function isSameArm(arm, reference) {
   if (lastComparison.arm !== arm || lastComparison.reference !== reference)

@@ -81,7 +81,7 @@ def enter(page, fragment=""):
 
 def ask(page, answer, q="0.5, 0.7, -0.4"):
     page.get_by_label("Arm", exact=True).select_option("ELBOW")
-    page.get_by_label("Pose q").fill(q)
+    page.get_by_label("Configuration q").fill(q)
     page.get_by_label("Your answer", exact=True).fill(answer)
 
 
@@ -140,7 +140,7 @@ def test_report_of_wrong_answer_is_copied(page):
         report = page.get_by_label("The report")
         report.wait_for()
         for part in (
-            "Question: Jacobian at a pose\nArm: Elbow arm\nPose q: 0.5, 0.7, -0.4\n",
+            "Question: Jacobian at a configuration\nArm: Elbow arm\nConfiguration q: 0.5, 0.7, -0.4\n",
             f"Typed:\n{answer}\n",
             *words,
         ):
@@ -187,8 +187,8 @@ def test_joint_angles_of_a_table_are_used_and_forgotten(page):
     table = "a (mm) alpha (deg) d (mm) theta\n0 90 500 q1\n400 0 0 q2+90\n300 0 0 q3"
     page.get_by_label("Your answer", exact=True).fill(table)
     page.get_by_role("button", name="Use my joint angles").click()
-    page.get_by_label("Question", exact=True).select_option(label="Jacobian at a pose")
-    page.get_by_label("Pose q").fill(f"0.5, {0.7 - 1.5707963}, -0.4")
+    page.get_by_label("Question", exact=True).select_option(label="Jacobian at a configuration")
+    page.get_by_label("Configuration q").fill(f"0.5, {0.7 - 1.5707963}, -0.4")
     page.get_by_label("Your answer", exact=True).fill(ELBOW)
     verdict(page, "in your joints is right")
     page.get_by_role("button", name="Forget my joint angles").click()
@@ -362,7 +362,7 @@ def test_chapter_form_hides_given_fields(chapter):
         assert page.locator(f"script[src$='{name}.js']").count() == 0
     place = scroll_to(page.locator(".arm-judge").nth(1))
     place.get_by_label("Your answer", exact=True).fill("1 2 3")
-    place.locator(".verdict", has_text="Type the pose").wait_for()
+    place.locator(".verdict", has_text="Type the configuration").wait_for()
     place = scroll_to(page.locator(".arm-judge").nth(2))
     assert place.locator("label:visible").all_text_contents() == ["Your answer"]
     answer = place.get_by_label("Your answer", exact=True)
@@ -372,7 +372,7 @@ def test_chapter_form_hides_given_fields(chapter):
     place.locator(".verdict", has_text="olumn 1 (joint 1): check vx").wait_for()
     place.get_by_role("link", name="More room").click()
     verdict(page, "olumn 1 (joint 1): check vx")
-    assert page.get_by_label("Pose q").input_value() == "0, pi/2, 0.5, 0, 0, 0"
+    assert page.get_by_label("Configuration q").input_value() == "0, pi/2, 0.5, 0, 0, 0"
 
 
 @pytest.mark.parametrize(
@@ -440,7 +440,7 @@ def test_untouched_form_shows_no_error(page):
     arms = page.get_by_label("Arm", exact=True)
     for question in ("jacobian", "torques", "table", "branches", "pose", "trace"):
         page.get_by_label("Question", exact=True).select_option(question)
-        begins = page.get_by_label("Pose q at which the circle begins", exact=True)
+        begins = page.get_by_label("Configuration q at which the circle begins", exact=True)
         assert begins.is_visible() == (question == "trace")
         for arm in ("PANDA", "UR10E", "ELBOW", "UR10E_HOMEWORK"):
             arms.select_option(arm)
@@ -449,11 +449,11 @@ def test_untouched_form_shows_no_error(page):
             assert field.get_attribute("aria-invalid") == "false"
             assert page.locator(".verdict:is(.wrong, .rounded, .so)").count() == 0
     page.get_by_label("Question", exact=True).select_option("jacobian")
-    assert page.get_by_label("Pose q").input_value() == "0, 0, 0, 0, 0, 0"  # the arm's home
+    assert page.get_by_label("Configuration q").input_value() == "0, 0, 0, 0, 0, 0"  # the arm's home
     field.fill("1 2 3")
     arms.select_option("ELBOW")
     assert field.input_value() == "1 2 3"  # what was typed stays
-    assert page.get_by_label("Pose q").input_value() == "0, π/4, −π/2"
+    assert page.get_by_label("Configuration q").input_value() == "0, π/4, −π/2"
 
 
 OPEN_FRAGMENT = """fragment => new Promise((done) => {
@@ -513,7 +513,7 @@ def test_typed_answer_survives_a_reload(page):
     load_with_storage(page, "judge:", lambda: enter(page))
     verdict(page, "check vz")
     assert page.get_by_label("Your answer", exact=True).input_value() == WRONG
-    assert page.get_by_label("Pose q").input_value() == "0.5, 0.7, -0.4"
+    assert page.get_by_label("Configuration q").input_value() == "0.5, 0.7, -0.4"
 
 
 @wide
@@ -552,7 +552,7 @@ def test_two_tabs_keep_answers_to_two_questions(page):
     other = page.context.new_page()
     other.goto(f"{PAGE.as_uri()}#ask=pose&arm=ELBOW")
     other.get_by_label("Your answer", exact=True).fill("0.1 0.2 0.3")
-    page.get_by_label("Pose q").fill("0.5, 0.7, -0.3")
+    page.get_by_label("Configuration q").fill("0.5, 0.7, -0.3")
     other.close()
     load_with_storage(page, "judge:", lambda: enter(page))
     page.locator(".arm-judge:not(:has(> .unscripted)) .verdict").wait_for()

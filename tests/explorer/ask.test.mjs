@@ -86,7 +86,7 @@ test("an advice without a field makes no offer", () => {
     assert.equal(makeOffer({ field, value }, question, LISTED), null);
 });
 
-test("a question without example starts at the home pose", () => {
+test("a question without example starts at the home configuration", () => {
   const rows = [{ kind: "revolute" }, { kind: "prismatic" }];
   const pages = { arms: [{ key: "MINE", home: [Math.PI / 2, 0.5], rows }], examples: [{ ask: "pose", arm: "MINE", answer: "1" }] };
   const begun = (given) => makeStartingQuestion({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);

@@ -43,7 +43,7 @@ for (const arm of ARMS) {
   });
 }
 
-test("a dragged tip arrives, also from a singular pose", () => {
+test("a dragged tip arrives, also from a singular configuration", () => {
   const near = dragged(ELBOW, ELBOW.home, [[0.3, 0.2, 0.6]]);
   assert.ok(norm(minus(tip(ELBOW, near).o, [0.3, 0.2, 0.6])) < 1e-3);
   const straight = [0, 0.5, 0];

@@ -82,7 +82,7 @@ test("closed forms and structure agree at random poses", () => {
   }
 });
 
-test("closed forms and structure agree at singular poses", () => {
+test("closed forms and structure agree at singular configurations", () => {
   const random = makeRandom(8);
   for (const arm of [ELBOW, STANFORD, WRIST]) {
     for (let k = 0; k < 50; k++)

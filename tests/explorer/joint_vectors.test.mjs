@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { numbers, pose } from "../../judge/reading/numbers.js";
+import { numbers, readConfiguration } from "../../judge/reading/numbers.js";
 import { readJointVectors } from "../../judge/reading/joint_vectors.js";
 import { readSymbolValues } from "../../judge/reading/values.js";
 
@@ -191,8 +191,8 @@ test("a stated unit applies to values without one", () => {
   assert.deepEqual(answers[0].units.map((unit) => Number(unit.toPrecision(3))), [0.00175, 0.000175, 0.1]);
 });
 
-test("a pose is one vector", () => {
-  const read = (q, kinds, angles) => pose(q, makeArm(kinds), angles);
+test("a configuration is one vector", () => {
+  const read = (q, kinds, angles) => readConfiguration(q, makeArm(kinds), angles);
   for (const q of [A, [A], [[0.1], [0.2], [0.3]], "0.1 0.2 0.3"]) assert.deepEqual(read(q, "RRR").values, A);
   for (const q of [[0.1, 0, 0.3], "0.1 0 0.3"]) assert.deepEqual(read(q, "RFR"), { ...read(q, "RFR"), values: [0.1, 0.3], locked: [LOCKED] });
   assert.deepEqual(read([0.1, 0.3], "RFR").values, [0.1, 0.3]);

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { homePose, MAX_ROWS, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
+import { homeConfiguration, MAX_ROWS, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { EMPTY, measureTipOffset, makeInitialState, Store } from "../../page/src/state.js";
 import { DEFAULT_RUN } from "../../page/src/homework_run.js";
 import { makeStartingRun } from "../../page/src/views/homework_words.js";
@@ -127,7 +127,7 @@ test("a pasted table sets all joints to 0", () => {
     PANDA.home.map(() => 0),
   );
   assert.deepEqual(
-    homePose(store.state.arm),
+    homeConfiguration(store.state.arm),
     PANDA.home.map(() => 0),
   );
   store.dispatch({ type: "replaceTable", rows: [{ ...PANDA.rows[0], a: NaN }] });

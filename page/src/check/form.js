@@ -34,7 +34,7 @@ const FIELDS = {
       "A row for each joint: a, α, d, θ, with θ or d as “q1” or “θ1 + π/2”. " +
       "In m; angles as chosen.",
   },
-  q: { label: "Pose q", hint: "" },
+  q: { label: "Configuration q", hint: "" },
   target: {
     label: "Where the tip should be",
     rows: 4,
@@ -69,7 +69,7 @@ const ANSWER_HINTS = {
   trace: "A row for each time, one value for each joint:\nCSV, MATLAB, NumPy, a spreadsheet.",
   torques: "One torque for each joint, in N m (N where it slides).",
 };
-const CIRCLE_START_LABEL = "Pose q at which the circle begins";
+const CIRCLE_START_LABEL = "Configuration q at which the circle begins";
 const FOLDED_FIELDS = Object.keys(FIELDS).filter((key) => FIELDS[key].told);
 
 const makeOption = ([value, text]) => h("option", { value }, text);

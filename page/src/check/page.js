@@ -350,8 +350,8 @@ export class AnswerCheck {
     return Boolean(verdict) && verdict.grade !== WRONG;
   }
 
-  // Ask in the joint angles of the reader's table from now on; "" for the arm's own. A pose that
-  // the page filled in is written in the new angles.
+  // Ask in the joint angles of the reader's table from now on; "" for the arm's own. A
+  // configuration that the page filled in is written in the new angles.
   useJoints(joints) {
     const { ask, arm, unit, q } = this.question;
     const isHome = q === this.start.q;

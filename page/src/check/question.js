@@ -3,7 +3,7 @@
 import { findRowsFault, makeTypedArm } from "../../../judge/geometry/arm.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { formatEntry, isAngle } from "../text.js";
-import { pose as poseOf } from "../../../judge/reading/numbers.js";
+import { readConfiguration } from "../../../judge/reading/numbers.js";
 import { readOwnTable } from "../../../judge/reading/table.js";
 import { readSymbolValues } from "../../../judge/reading/values.js";
 import { ArmError, capitalize, tryOrNull } from "../../../judge/sentences.js";
@@ -30,12 +30,12 @@ import { checkTable } from "./topics/table.js";
  */
 export const QUESTIONS = {
   jacobian: {
-    title: "Jacobian at a pose",
+    title: "Jacobian at a configuration",
     fields: ["q", "unit", "frame", "first", "values"],
     checker: checkJacobian,
   },
   torques: {
-    title: "Joint torques at a pose",
+    title: "Joint torques at a configuration",
     fields: ["q", "unit", "wrench"],
     checker: checkTorques,
   },
@@ -253,7 +253,9 @@ export function judgeQuestion(question, arms) {
     arm = applyOwnJoints(findArm(question, arms), question);
     const missing = findMissingField(question, arm);
     if (missing) return { error: missing, arm };
-    q = hasPose(question) ? poseOf(question.q, arm, question.unit).values : undefined;
+    q = hasConfiguration(question)
+      ? readConfiguration(question.q, arm, question.unit).values
+      : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
     const { checker, longest = MAX_ANSWER_LENGTH } = QUESTIONS[question.ask];
     if (question.answer.length > longest)
@@ -273,8 +275,8 @@ const makeSentence = (/** @type {string} */ message) =>
 
 const findTokens = (/** @type {Verdict} */ { tokens, typed }) => tokens ?? typed?.tokens;
 
-const hasPose = ({ ask }) => QUESTIONS[ask].fields.includes("q");
+const hasConfiguration = ({ ask }) => QUESTIONS[ask].fields.includes("q");
 const findMissingField = (question, arm) =>
-  hasPose(question) && !question.q.trim()
-    ? `Type the pose: ${movingRows(arm).length} joint values.`
+  hasConfiguration(question) && !question.q.trim()
+    ? `Type the configuration: ${movingRows(arm).length} joint values.`
     : null;

@@ -1,4 +1,4 @@
-// Buttons of a question: a link to it, an example, its pose in the explorer.
+// Buttons of a question: a link to it, an example, its configuration in the explorer.
 
 import { copyToClipboard, h } from "../dom.js";
 import { EMPTY, OWN_ARM, formatQuestionLink } from "./question.js";
@@ -12,7 +12,7 @@ export function addToolButtons(check, book) {
   const { parts, given } = check;
   const fullForm = new URL("check_your_homework.html", book).href;
   const more = h("a", { href: fullForm }, "More room, and all options");
-  const explorer = h("a", { href: "" }, "See this pose in the explorer");
+  const explorer = h("a", { href: "" }, "See this configuration in the explorer");
   const button = (text, onclick) => h("button", { onclick }, text);
   const link = button("Copy link", () => copyLink(check, fullForm));
   const listExamples = () => check.examples.filter((example) => example.ask === check.question.ask);

@@ -220,7 +220,7 @@ function buildWindingFigure(host, spec) {
 function describeWinding(arm, { failedStep, windings }, radius) {
   const size = `Radius ${formatFixed(100 * radius, 1)} cm`;
   if (failedStep !== null)
-    return `${size}: no run gets round; the arm would have to pass a singular pose.`;
+    return `${size}: no run gets round; the arm would have to pass a singular configuration.`;
   const round = movingRows(arm).flatMap((index, k) =>
     Math.abs(windings[k]) > 0.9 ? [`joint ${index + 1}`] : [],
   );

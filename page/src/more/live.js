@@ -3,7 +3,7 @@
 
 import css from "./figure.css";
 import common from "../common.css";
-import { homePose, jointRange } from "../../../judge/geometry/arm.js";
+import { homeConfiguration, jointRange } from "../../../judge/geometry/arm.js";
 import { updateAttribute, h, makeIndexedSymbol, makeRangeInput, setText } from "../dom.js";
 import { makeStage } from "../panel/stage.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
@@ -29,7 +29,7 @@ export function makeLive(host, spec, options) {
   const abort = new AbortController();
   const { signal } = abort;
   const { arm } = spec;
-  const store = new Store(makeInitialState({ arm, q: spec.q ?? homePose(arm), ...state }));
+  const store = new Store(makeInitialState({ arm, q: spec.q ?? homeConfiguration(arm), ...state }));
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const stage = makeStage(store, {
     ...{ signal, firstFrame, isGrabbable, hasTipBar: false, id: `figure-${++figureCount}` },

@@ -36,7 +36,7 @@ export function buildSwingFigure(host, spec) {
 // Return joint values with the tip at rest, in small steps both ways, within limits.
 function swingBothWays(arm, start, pinnedPose) {
   const walk = (sign) => {
-    const poses = [];
+    const configurations = [];
     let [q, before] = [start, null];
     for (let step = 0; step < 80; step++) {
       const [direction] = nullSpace(jacobianColumns(arm, linkFrames(arm, q)));
@@ -48,10 +48,10 @@ function swingBothWays(arm, start, pinnedPose) {
       const moved = q.map((v, k) => v + 0.03 * oriented[k]);
       const next = solvePose(arm, moved, pinnedPose).q;
       if (movingRows(arm).some((row, k) => isOutsideLimits(arm.rows[row], next[k]))) break;
-      poses.push(next);
+      configurations.push(next);
       [q, before] = [next, oriented];
     }
-    return poses;
+    return configurations;
   };
   return [...walk(-1).reverse(), start, ...walk(1)];
 }

@@ -1,8 +1,8 @@
 // The bar above the picture: the arm, units, and buttons for the whole explorer.
 
-import { homePose } from "../../../judge/geometry/arm.js";
+import { homeConfiguration } from "../../../judge/geometry/arm.js";
 import { updateAttribute, h, setText } from "../dom.js";
-import { drawRandomPose } from "../motion.js";
+import { drawRandomConfiguration } from "../motion.js";
 import { getDisplayName } from "../text.js";
 
 export function makeHeader(store, { arms, link, goTo, stage, card, announce }) {
@@ -12,9 +12,11 @@ export function makeHeader(store, { arms, link, goTo, stage, card, announce }) {
   const steps = makeUndoButtons(store);
   const buttons = [
     frames.root,
-    makeButton("Home", "Where this arm stands first", () => goTo(homePose(store.state.arm))),
+    makeButton("Home", "Where this arm stands first", () =>
+      goTo(homeConfiguration(store.state.arm)),
+    ),
     makeButton("Random", "Somewhere within its limits", () =>
-      goTo(drawRandomPose(store.state.arm)),
+      goTo(drawRandomConfiguration(store.state.arm)),
     ),
     makeFitButton(stage),
     steps.root,

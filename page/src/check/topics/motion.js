@@ -2,7 +2,7 @@
 
 import { movingRows } from "../../../../judge/geometry/kinematics.js";
 import { compareBranches } from "../../../../judge/topics/branches.js";
-import { numbers, pose as poseOf } from "../../../../judge/reading/numbers.js";
+import { numbers, readConfiguration } from "../../../../judge/reading/numbers.js";
 import { needsPose, findClosedForm } from "../../../../judge/geometry/inverse.js";
 import { orthonormalize } from "../../../../judge/geometry/target.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
@@ -77,7 +77,7 @@ function readCircle(question, arm, typed) {
     throw new ArmError(`the number of steps is ${steps}; expected ${wanted}`);
   }
   return {
-    start: poseOf(question.q, arm, question.unit).values,
+    start: readConfiguration(question.q, arm, question.unit).values,
     radius: above("radius", "the radius", "m"),
     plane: question.plane,
     period: above("period", "the duration", "s"),
