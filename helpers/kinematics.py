@@ -143,6 +143,8 @@ def jacobian(arm: Arm, q: ArrayLike, frame: int | str = "base") -> Array:
     """
     require_type(arm, Arm, "arm")
     J = run_recursion(arm, q, jacobian_entries, (6, arm.dof))
+    if frame == "base":
+        return J
     names: dict[object, int] = {"base": 0, "tool": len(arm.rows)}
     number = names.get(frame, frame) if isinstance(frame, str) else frame
     if isinstance(number, bool | str) or number not in range(len(arm.rows) + 1):
@@ -150,8 +152,6 @@ def jacobian(arm: Arm, q: ArrayLike, frame: int | str = "base") -> Array:
             f'{arm.name}: frame is {shorten(frame)}; expected "base", "tool", or 0 to'
             f" {len(arm.rows)}"
         )
-    if number == 0:
-        return J
     R = np.swapaxes(link_frames(arm, q)[..., number, :3, :3], -1, -2)
     return np.concatenate([R @ half for half in (J[..., :3, :], J[..., 3:, :])], axis=-2)
 

@@ -313,3 +313,24 @@ def test_page_solutions_equal_python(name):
 def test_seven_joints_are_told_to_lock_one():
     with pytest.raises(ArmError, match=r"7 joints, more than the six .* arm.lock\(3\)"):
         solutions(PANDA, forward_kinematics(PANDA, PANDA.home))
+
+
+def test_solutions_of_one_target_are_a_sequence_of_configurations():
+    T = forward_kinematics(UR10E, [0.3, -0.6, 1.2, 0.4, 0.7, -0.2])
+    found = solutions(UR10E, T)
+    assert len(found) == len([*found]) == len(found.names) == 8
+    for name, q in zip(found.names, found, strict=True):
+        np.testing.assert_allclose(forward_kinematics(UR10E, q), T, atol=1e-9)
+        np.testing.assert_array_equal(q, found.by_name[name])
+    np.testing.assert_array_equal(found[0], [*found][0])
+    np.testing.assert_array_equal(found[-2:], [*found][-2:])
+    assert len(solutions(UR10E, T + np.pad([[5.0]], ((0, 3), (3, 0))))) == 0
+
+
+def test_solutions_of_many_targets_are_a_sequence_of_solutions():
+    T = forward_kinematics(PANDA.lock(3), np.zeros((2, 3, 6)) + 0.4)
+    many = solutions(UR10E, T)
+    assert (len(many), len(many[1]), [*map(len, many[1])]) == (2, 3, [*map(len, [*many][1])])
+    alone = solutions(UR10E, T[1, 2])
+    np.testing.assert_array_equal(many[1][2].q, alone.q)
+    assert many[1][2].names == alone.names

@@ -77,9 +77,13 @@ def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None
     Source: Pieper (1968); the axes as lines: Elias and Wen (2025).
     """
     require_type(arm, Arm, "arm")
-    for closed_form, fits, description in _OWN_FORMS:
-        if fits(arm):
-            return replace(closed_form(arm, targets, start), structure=description)
+    solver, structure = next((solver, name) for fits, solver, name in _SOLVERS if fits(arm))
+    found = solver(arm, targets, start)
+    return found if found.structure else replace(found, structure=structure)
+
+
+def _solve_by_axes(arm: Arm, targets: ArrayLike, start: ArrayLike | None) -> Solutions:
+    """Return all solutions by the axes that meet or are parallel."""
     structure = find_structure(arm)
     is_position = structure.kind in (POSITION, PLANAR_2R)
     columns = check_positions(arm, targets) if is_position else check_poses(arm, targets)
@@ -99,22 +103,24 @@ def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None
     return replace(found, structure=structure.description)
 
 
+# Solvers in the order in which they are tried: the closed forms of the chapters, which are faster
+# and know distances and free families, and for all other arms their axes.
+_SOLVERS = (
+    (is_elbow_arm, elbow, "elbow arm"),
+    (has_rod, rod, "rod through the shoulder"),
+    (is_ur_arm, ur, "parallel axes 2, 3 and 4"),
+    (is_stanford_arm, stanford, "rod through the shoulder, spherical wrist"),
+    (is_elbow_arm_with_wrist, spherical_wrist, "elbow arm with a spherical wrist"),
+    (lambda arm: True, _solve_by_axes, ""),
+)
+
+
 def _tilt_of_targets(structure: Structure, targets: Array) -> Array:
     """Return by how much targets (..., 4, 4) tilt the axes of a planar or SCARA arm, in rad."""
     axis = structure.axes[-1].direction[:, 0, 0]
     turn = targets[..., :3, :3] @ structure.tip[:3, :3].T
     turned = turn @ axis
     return np.arctan2(np.linalg.norm(np.cross(turned, axis), axis=-1), turned @ axis)
-
-
-# The closed forms that the chapters teach; they are faster and know distances and free families.
-_OWN_FORMS = (
-    (elbow, is_elbow_arm, "elbow arm"),
-    (rod, has_rod, "rod through the shoulder"),
-    (ur, is_ur_arm, "parallel axes 2, 3 and 4"),
-    (stanford, is_stanford_arm, "rod through the shoulder, spherical wrist"),
-    (spherical_wrist, is_elbow_arm_with_wrist, "elbow arm with a spherical wrist"),
-)
 
 
 def _choice_names(structure: Structure) -> list[str]:

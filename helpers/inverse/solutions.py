@@ -1,8 +1,8 @@
 """Hold all solution branches of a batch of targets, and choose among them."""
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -33,7 +33,10 @@ TILTED = 1e-6
 
 @dataclass(frozen=True, repr=False)
 class Solutions:
-    """Every joint vector that takes the tip to a target, for a batch of targets.
+    """Every configuration that takes the tip to a target, for one target or a batch.
+
+    For one target it is a sequence of the configurations that exist, in the order of `names`. For a
+    batch it is a sequence of the `Solutions` of each target along the first axis.
 
     Attributes:
         arm: the arm.
@@ -75,6 +78,24 @@ class Solutions:
         It is 1, or 2, 4 or 8 for a multiple solution, and 0 where the branch does not exist.
         """
         return np.where(self.valid, 2 ** self.merged.sum(axis=-1), 0)
+
+    def __len__(self) -> int:
+        return int(self.valid.sum()) if self.q.ndim == 2 else len(self.q)
+
+    def __getitem__(self, index: int) -> Any:
+        if self.q.ndim == 2:
+            return self.q[self.valid][index]
+        arrays = {name: getattr(self, name)[index] for name in _BATCHED}
+        tilt = None if self.tilt is None else self.tilt[index]
+        return replace(self, **arrays, tilt=tilt)
+
+    def __iter__(self) -> Iterator[Any]:
+        return (self[k] for k in range(len(self)))
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the branches that exist for one target, in the order of the sequence."""
+        return list(self.by_name)
 
     @property
     def by_name(self) -> dict[str, Array]:
@@ -158,6 +179,9 @@ class Solutions:
         best = np.where(allowed, change, np.inf).argmin(axis=-1)[..., None]
         chosen = np.take_along_axis(found, best[..., None], axis=-2)[..., 0, :]
         return np.where(np.take_along_axis(allowed, best, axis=-1), chosen, np.nan)
+
+
+_BATCHED = ("q", "valid", "merged", "free", "distance")
 
 
 def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLike) -> Array:
