@@ -1,8 +1,8 @@
 """Read the entries of tables, which are numbers or formulas such as ``"-pi/2"``.
 
-An entry is kept as text and read only here: as a float once its symbols have values, or as LaTeX
-for a table. `helpers.symbolic` hands the same text to SymPy. The page reads the same formulas by
-judge/reading/formula.js; tests/test_expressions.py holds the two equal.
+An entry is kept as a formula and read only here: as a float once its symbols have values, or as
+LaTeX for a table. `helpers.symbolic` hands the same formula to SymPy. Entries of a typed table,
+with units or decimal commas, are read by `helpers.checks.read_table`.
 """
 
 import ast
@@ -36,7 +36,6 @@ _GREEK = (
     "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
     "|upsilon|phi|chi|psi|omega"
 )
-_UNIT_KINDS = {"alpha": ["angle"], "theta": ["angle"], "a": ["length"], "d": ["length"]}
 
 
 def check_entry(value: object, name: str) -> Entry:
@@ -44,7 +43,7 @@ def check_entry(value: object, name: str) -> Entry:
 
     Args:
         value: A number, a text, or any object whose ``str`` is a formula.
-        name: Name of the entry in messages. It determines the units that may follow a number.
+        name: Name of the entry in messages.
 
     Raises:
         ArmError: `value` is no finite number and no formula.
@@ -66,33 +65,25 @@ def check_entry(value: object, name: str) -> Entry:
 
 @cache
 def plain_formula(written: str, name: str = "the entry") -> str:
-    """Rewrite an entry such as ``"−π/2"``, ``"0,333"`` or ``"333 mm"`` as a plain formula.
-
-    Anything but a plain formula is read by the judge, as the page reads its fields.
+    """Return an entry as a plain formula, with a hyphen and ``pi`` for ``−`` and ``π``.
 
     Args:
         written: The entry as it was typed or printed.
-        name: Name of the entry in messages. It determines the units that may follow a number:
-            units of angle for "alpha" and "theta", of length for "a" and "d".
+        name: Name of the entry in messages.
+
+    Raises:
+        ArmError: The text is no formula of numbers, symbols, pi, + - * / and parentheses.
     """
     require_type(written, str, "what is written")
     if len(written) > _MAX_LENGTH:
         raise ArmError(f"{name} has {len(written)} characters; expected at most {_MAX_LENGTH}")
-    text = written.strip()
-    if _parse_plain_formula(text) is not None:
-        return text
-    # Imported here because the judge starts slowly, and no arm of the catalogue needs it.
-    from helpers.checks.engine import ask_judge
-
-    answer = ask_judge("entry", text=text, kinds=_UNIT_KINDS.get(name, ["angle", "length"]))
-    if answer.get("fault"):
-        raise ArmError(f"{name} is {written!r}, which {answer['fault']}")
-    if _parse_plain_formula(answer.get("text", "")) is None:
+    text = written.strip().replace("\N{MINUS SIGN}", "-").replace("π", "pi")
+    if _parse_plain_formula(text) is None:
         raise ArmError(
             f"{name} is {written!r}; expected numbers, symbols, pi and + - * / ( ), such as"
-            " '-pi/2' or 'd_6 + l_pen'"
+            " '-pi/2' or 'd_6 + l_pen', in m and rad without their units"
         )
-    return answer["text"]
+    return text
 
 
 def symbol_names(text: Entry, name: str = "the entry") -> frozenset[str]:

@@ -1,6 +1,4 @@
-"""Convert poses, typed or computed, to rigid transforms."""
-
-from typing import Any
+"""Convert poses to rigid transforms."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +16,7 @@ _NEARLY = 0.1  # up to this error the message says how to get the nearest rotati
 _CHUNK = 4096  # poses checked at a time, so that the numbers stay in the cache
 
 
-def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = False) -> Array:
+def rigid_poses(value: ArrayLike, name: str, expected: str, many: bool = False) -> Array:
     """Convert poses to rigid transforms.
 
     A rotation printed with few decimals is mended.
@@ -27,7 +25,7 @@ def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = F
     its place, with a warning.
 
     Args:
-        value: A pose, shape (4, 4), or its text; with `many` also poses (..., 4, 4).
+        value: A pose, shape (4, 4); with `many` also poses (..., 4, 4).
         name: What messages call the poses.
         expected: What messages say was expected.
         many: Whether a batch is allowed.
@@ -35,7 +33,7 @@ def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = F
     Raises:
         ArmError: `value` is no pose of finite numbers, or its rotation is none.
     """
-    poses = finite_array(numbers_of_text(value, name, expected), name, expected, (4, 4), many)
+    poses = finite_array(value, name, expected, (4, 4), many)
     flat = poses.reshape(-1, 16)
     errors = np.concatenate(
         [_rigid_errors(flat[i : i + _CHUNK]) for i in range(0, max(len(flat), 1), _CHUNK)]
@@ -65,19 +63,6 @@ def rigid_poses(value: ArrayLike | str, name: str, expected: str, many: bool = F
         f" a right angle by {errors[bent].max():.2g}; the nearest rotation is taken"
     )
     return mended.reshape(poses.shape)
-
-
-def numbers_of_text(value: Any, name: str, expected: str) -> Any:
-    """Return the numbers of a text, read as the comparisons read it.
-
-    Anything else is returned unchanged.
-    """
-    if not isinstance(value, str):
-        return value
-    # Imported here because the reader starts the judge.
-    from helpers.checks.compare import read_numbers
-
-    return read_numbers(value, name, expected).values
 
 
 def _nearest_rotations(matrices: Array) -> Array:

@@ -217,10 +217,11 @@ def warn_of_units(a: Entry, alpha: Entry, d: Entry, theta: Entry) -> None:
     """Warn of numbers that look like degrees (angles above 2 pi) or millimetres."""
     for angle in (alpha, theta):
         if isinstance(angle, Real) and 2 * math.pi < abs(angle) <= LARGEST:
-            warn_caller(f"an angle is {angle:g}, in radians; for degrees write '{angle:g} deg'")
+            degrees = f"for degrees write np.radians({angle:g})"
+            warn_caller(f"an angle is {angle:g}, in radians; {degrees}")
     for length in (a, d):
         if isinstance(length, Real) and _LONG <= abs(length) <= LARGEST:
-            warn_caller(f"a length is {length:g} m; for millimetres write '{length:g} mm'")
+            warn_caller(f"a length is {length:g} m; for millimetres write {length:g} / 1000")
 
 
 @dataclass(frozen=True)

@@ -27,13 +27,11 @@ ALLOWED_FOLDERS = {
     "judge/topics": {"judge", "judge/geometry", "judge/reading", "judge/causes"},
     "judge": {"judge/geometry", "judge/reading", "judge/causes", "judge/topics"},
 }
-# The judge reads a pasted table, an entry such as "−90°" and a pose typed as text, and its answer
-# holds arms. These imports are made when a text needs them.
+# Readers of tables and of robot descriptions build on arms. `Arm` imports them when it is asked to
+# read one.
 LATE_UPWARD_IMPORTS = {
     ("helpers.arm", "helpers.checks.tables"),
     ("helpers.arm", "helpers.urdf"),
-    ("helpers.expressions", "helpers.checks.engine"),
-    ("helpers.poses", "helpers.checks.compare"),
 }
 
 

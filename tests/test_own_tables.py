@@ -120,8 +120,8 @@ def test_first_row_as_in_craigs_convention_warns():
     [
         (lambda arm: arm.with_row(1, limits=(-170, 170)), r"np\.radians"),
         (lambda arm: arm.with_row(2, limits=(0, 150)), "millimetres divide by 1000"),
-        (lambda arm: arm.with_row(1, a=75), "for millimetres write '75 mm'"),
-        (lambda arm: revolute(d=-300), "for millimetres write '-300 mm'"),
+        (lambda arm: arm.with_row(1, a=75), "for millimetres write 75 / 1000"),
+        (lambda arm: revolute(d=-300), "for millimetres write -300 / 1000"),
         (lambda arm: prismatic(limits=(0, 400)), "millimetres divide by 1000"),
     ],
 )

@@ -49,7 +49,7 @@ FINISHED_FROM, NEARLY_FINISHED_FROM = 1e-6, 1e-2
 TRIED = 0.55 * np.arange(1, 12)
 
 
-def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None) -> Solutions:
+def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
     """Return every joint vector that takes the tip to each target.
 
     Serves six joints with three axes that meet in a point (a spherical wrist, as KUKA, ABB, Fanuc
@@ -63,7 +63,7 @@ def solutions(arm: Arm, targets: ArrayLike | str, start: ArrayLike | None = None
     Args:
         arm: the arm; its tool, base and fixed rows may be any.
         targets: poses (..., 4, 4) in m; positions (..., 3) for an arm of two or three joints that
-            is not a planar three-link arm; or the text of one. Of a pose printed with 3 decimals
+            is not a planar three-link arm. Of a pose printed with 3 decimals
             or more the nearest rotation is taken, with a warning.
         start: values that free joints keep, (..., dof), zeros unless given.
 

@@ -19,7 +19,6 @@ from helpers.inputs import (
 from helpers.inverse.axes import cross, dot
 from helpers.inverse.solutions import check_poses, check_positions
 from helpers.kinematics import jacobian_entries, tip_entries
-from helpers.poses import numbers_of_text
 from helpers.program import RowMotion, Value, get_program, run_batch
 
 Array = NDArray[np.float64]
@@ -76,7 +75,7 @@ class NumericSolution:
 
 def solve(
     arm: Arm,
-    targets: ArrayLike | str,
+    targets: ArrayLike,
     start: ArrayLike | None = None,
     *,
     limits: bool = True,
@@ -314,9 +313,9 @@ def _largest_error(error: Array) -> Array:
     return np.sqrt(np.maximum(_squared_norms(error[:, :3]), _squared_norms(error[:, 3:])))
 
 
-def _read_targets(arm: Arm, targets: ArrayLike | str) -> tuple[Array, tuple[int, ...]]:
+def _read_targets(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
     name, expected = f"{arm.name}: a target", "poses (..., 4, 4) or positions (..., 3) in m"
-    targets = float_array(numbers_of_text(targets, name, expected), name, expected)
+    targets = float_array(targets, name, expected)
     if targets.shape[-2:] == (4, 4):
         flat = check_poses(arm, targets)
         return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]

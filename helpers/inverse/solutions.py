@@ -19,7 +19,7 @@ from helpers.inputs import (
     require_type,
     warn_caller,
 )
-from helpers.poses import numbers_of_text, rigid_poses
+from helpers.poses import rigid_poses
 
 Array = NDArray[np.float64]
 
@@ -312,19 +312,18 @@ def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
     return columns.reshape(math.prod(axes), -1).T.reshape((*shape, *axes))
 
 
-def check_positions(arm: Arm, targets: ArrayLike | str) -> Array:
+def check_positions(arm: Arm, targets: ArrayLike) -> Array:
     """Return targets as positions (..., 3).
 
     Raises ArmError for anything else.
     """
     name, expected = f"{arm.name}: a target", "(..., 3), finite positions in m"
-    numbers = numbers_of_text(targets, name, expected)
-    points = finite_array(numbers, name, expected, (3,), many=True)
+    points = finite_array(targets, name, expected, (3,), many=True)
     _warn_of_millimetres(arm, points)
     return points
 
 
-def check_poses(arm: Arm, targets: ArrayLike | str) -> Array:
+def check_poses(arm: Arm, targets: ArrayLike) -> Array:
     """Return target poses flattened to (..., 16).
 
     Raises ArmError for anything else.
