@@ -8,6 +8,9 @@ SIZES = {
 }
 WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
 
+WAIT_FOR_FRAMES = (
+    "(n) => new Promise((done) => (function on() { n-- ? requestAnimationFrame(on) : done(); })())"
+)
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Boxes are fitted when the reader comes near; for a printer, all at once.
 FIT_ALL_BOXES = "dispatchEvent(new Event('beforeprint'))"
@@ -38,6 +41,35 @@ new PerformanceObserver((list) => list.getEntries().forEach(({ value, sources })
 
 # Stops the pointer event at (0, 0) that a headless browser sometimes sends to a new page.
 STOP_STRAY_POINTER = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.stopImmediatePropagation(), true);"""
+
+
+def keep_first_typeface(page):
+    """Show all text in the fonts of the system: a typeface that arrives late would move lines."""
+    page.route("**/*.woff2", lambda route: route.abort())
+
+
+def until(page, holds):
+    """Wait up to 900 frames until a condition holds; a busy machine draws fewer frames a second."""
+    for _ in range(150):
+        if holds():
+            return
+        page.evaluate(WAIT_FOR_FRAMES, 6)
+    raise AssertionError("the condition did not hold within 900 frames")
+
+
+def find_box(locator):
+    """Return the box of an element once six frames leave it unchanged.
+
+    An element that the page has just replaced has none, and a page goes on scrolling after a swipe.
+    """
+    boxes = []
+
+    def is_still():
+        boxes.append(locator.bounding_box())
+        return len(boxes) > 1 and boxes[-1] and boxes[-1] == boxes[-2]
+
+    until(locator.page, is_still)
+    return boxes[-1]
 
 
 class Reader:

@@ -3,6 +3,7 @@
 from io import BytesIO
 
 import pytest
+from playwright.sync_api import expect
 from pypdf import PdfReader
 
 from answers import make_html_sheet
@@ -18,8 +19,9 @@ def test_answers_open_for_printing_only(browser, scripts):
     page.emulate_media(media="print")
     text = "".join(sheet.extract_text() for sheet in PdfReader(BytesIO(page.pdf())).pages)
     answers = page.locator("details.answer")
-    assert text.count("In numbers:") == answers.count() == 16
-    assert page.locator("details.answer[open]").count() == 0
+    expect(answers).to_have_count(16)
+    assert text.count("In numbers:") == 16
+    expect(page.locator("details.answer[open]")).to_have_count(0)
     cut = "all => all.filter((one) => getComputedStyle(one).overflow !== 'visible').length"
     assert page.locator(".display").evaluate_all(cut) == 0, "a bracket that is cut off"
     context.close()
@@ -45,7 +47,7 @@ def test_copied_block_runs(sheet, capsys):
 
 def test_all_blocks_open_and_copy_together(sheet):
     sheet.get_by_role("button", name="Open all answers").click()
-    assert sheet.locator("details.answer:not([open])").count() == 0
+    expect(sheet.locator("details.answer:not([open])")).to_have_count(0)
     sheet.get_by_role("button", name="Copy all as SymPy").click()
     sheet.get_by_text("SymPy copied.").wait_for()
     exec(sheet.evaluate("navigator.clipboard.readText()"), names := {})

@@ -8,26 +8,23 @@ from playwright.sync_api import expect
 
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import PANDA, STANFORD, UR10E
-from tests.browser.reader import ADD_UP_LAYOUT_SHIFTS, SCROLL_INTO_VIEW, SIZES, SKIP_DRAWING, Reader
+from tests.browser.reader import (
+    ADD_UP_LAYOUT_SHIFTS,
+    SCROLL_INTO_VIEW,
+    SIZES,
+    SKIP_DRAWING,
+    WAIT_FOR_FRAMES,
+    Reader,
+    find_box,
+    keep_first_typeface,
+    until,
+)
 from tests.test_book import HTML
 
 MINUS = "−"
 INSTRUMENT = ".arm-explorer:not([data-figure])"
 
-
-WAIT_FOR_FRAMES = (
-    "(n) => new Promise((done) => (function on() { n-- ? requestAnimationFrame(on) : done(); })())"
-)
 STORE = "document.querySelector('.arm-explorer').explorer.store"
-
-
-def until(page, holds):
-    """Wait up to 900 frames until a condition holds; a busy machine draws fewer frames a second."""
-    for _ in range(150):
-        if holds():
-            return
-        page.evaluate(WAIT_FOR_FRAMES, 6)
-    raise AssertionError("the condition did not hold within 900 frames")
 
 
 def until_still(page):
@@ -41,22 +38,6 @@ def until_still(page):
         }}
     }}"""
     )
-
-
-def at_rest(page, locator):
-    """Return the box of an element once the page has stopped scrolling.
-
-    A page goes on scrolling after a swipe, and a touch would only stop it.
-    """
-    locator.scroll_into_view_if_needed()
-    seen = []
-
-    def is_still():
-        seen.append(locator.bounding_box())
-        return len(seen) > 1 and seen[-1] == seen[-2]
-
-    until(page, is_still)
-    return seen[-1]
 
 
 # Replaces the explorer by its stub, and mounts the stub again as the page does for a link with this fragment.
@@ -220,7 +201,7 @@ def untouched(browser):
     """Share a page for tests without input, in a system font: a late web font would move a line."""
     page = browser.new_page(viewport=SIZES["wide"], offline=True)
     page.add_init_script(SKIP_DRAWING + ADD_UP_LAYOUT_SHIFTS)
-    page.route("**/*.woff2", lambda route: route.abort())
+    keep_first_typeface(page)
     yield page
     page.context.close()
 
@@ -242,7 +223,7 @@ def test_link_state_shows_without_interaction(untouched, size, link, arm, tab, j
     assert seen["tab"] == tab
     assert seen["joints"][: len(joints)] == joints
     assert seen["layoutShift"] < 0.01, "the page’s own arm stood there, with other joints"
-    picture = untouched.locator("section.explorer .stage").bounding_box()
+    picture = find_box(untouched.locator("section.explorer .stage"))
     assert picture["y"] + picture["height"] / 2 < SIZES[size]["height"], "the first thing there"
 
 
@@ -251,7 +232,7 @@ def test_dragged_slider_pose_equals_python(visit):
     home = here.pose()
     np.testing.assert_allclose(home, forward_kinematics(PANDA, PANDA.home), atol=5.1e-5)
     slider = here.page.get_by_role("slider", name="Joint 4, angle")
-    box = slider.bounding_box()
+    box = find_box(slider)
     here.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     here.page.mouse.down()
     here.page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + box["height"] / 2, steps=5)
@@ -271,7 +252,7 @@ def test_keys_move_joints_tabs_and_view(visit):
     assert here.q()[0] == pytest.approx(np.radians(10.1), abs=1e-6)
     here.page.get_by_role("tab", name="Pose").focus()
     here.page.keyboard.press("ArrowRight")
-    assert here.page.get_by_role("tab", name="Jacobian").get_attribute("aria-selected") == "true"
+    expect(here.page.get_by_role("tab", name="Jacobian")).to_have_attribute("aria-selected", "true")
     picture = here.page.locator(".stage canvas")
     before = picture.screenshot()
     here.page.locator(".stage").focus()
@@ -293,14 +274,14 @@ def test_typed_values_are_validated(visit):
     np.testing.assert_allclose(here.pose(), forward_kinematics(STANFORD, expected), atol=5.1e-5)
     field.fill("ninety")
     field.press("Enter")
-    assert "“ninety” is no number" in here.page.locator(".sliders .error").inner_text()
+    expect(here.page.locator(".sliders .error")).to_contain_text("“ninety” is no number")
     np.testing.assert_allclose(here.q(), expected, atol=1e-6)
 
 
 def test_bad_table_entry_keeps_last_arm(visit):
     here = visit()
     here.page.locator("[data-cell='3-a']").fill("0.1")
-    assert "17.5 mm" in here.page.locator(".dh .verdict").inner_text()
+    expect(here.page.locator(".dh .verdict")).to_contain_text("17.5 mm")
     here.page.locator("[data-cell='3-a']").fill("100 mm")
     here.page.locator("[data-cell='5-alpha']").fill("9o")
     assert here.page.locator("[data-cell='3-a']").input_value() == "0.1", "in the column's unit"
@@ -311,7 +292,7 @@ def test_bad_table_entry_keeps_last_arm(visit):
     rows[2] = type(rows[2])(0.1, "-pi/2", "d_3")
     mine = type(PANDA)("mine", tuple(rows), PANDA.values)
     here.page.get_by_role("button", name="rad", exact=True).click()
-    assert here.page.locator("[data-cell='1-alpha']").input_value() == "π/2"
+    expect(here.page.locator("[data-cell='1-alpha']")).to_have_value("π/2")
     np.testing.assert_allclose(here.pose(), forward_kinematics(mine, PANDA.home), atol=5.1e-5)
 
 
@@ -319,16 +300,16 @@ def test_table_rows_are_added_and_removed(visit):
     here = visit("#arm=Elbow arm")
     here.page.get_by_role("button", name="Add a row").click()
     here.page.get_by_label("Row 4, kind of joint").select_option("prismatic")
-    assert here.page.get_by_role("slider", name="Joint 4, slide").count() == 1
+    expect(here.page.get_by_role("slider", name="Joint 4, slide")).to_have_count(1)
     here.page.get_by_role("button", name="Remove row 2").click()
-    assert here.page.get_by_role("slider").count() == 3
+    expect(here.page.get_by_role("slider")).to_have_count(3)
     here.page.get_by_role("button", name="Back to the first table").click()
-    assert here.page.get_by_role("slider").count() == 3
-    assert "stays as a ghost" in here.page.locator(".dh .verdict").inner_text()
+    expect(here.page.get_by_role("slider")).to_have_count(3)
+    expect(here.page.locator(".dh .verdict")).to_contain_text("stays as a ghost")
     here.page.locator("[data-cell='3-a']").fill("0.088")
     again = visit(here.fragment())
     assert again.state("arm.name") == "Your arm"
-    assert again.page.locator("[data-cell='3-a']").input_value() == "0.088"
+    expect(again.page.locator("[data-cell='3-a']")).to_have_value("0.088")
 
 
 def test_shown_jacobian_equals_python(visit):
@@ -348,10 +329,10 @@ def test_static_torques_follow_the_force_ball(visit):
     shown = [float(text.replace(MINUS, "-")) for text in totals]
     np.testing.assert_allclose(shown, expected, atol=5.1e-3)
     field.fill("push")
-    assert "The last good wrench stays" in here.page.locator(".torque > .error").inner_text()
+    expect(here.page.locator(".torque > .error")).to_contain_text("The last good wrench stays")
     field.fill("-5")
     here.page.get_by_role("button", name="Fit").click()
-    box = here.page.locator(".stage canvas").bounding_box()
+    box = find_box(here.page.locator(".stage canvas"))
     ball = find_force_ball(here.page)
     here.page.mouse.move(box["x"] + ball[0], box["y"] + ball[1])
     here.page.mouse.down()
@@ -403,7 +384,7 @@ def test_circle_is_traced_played_and_scrubbed(visit):
     here = visit("#arm=Panda (homework)&view=trace")
     here.page.get_by_role("button", name="Draw a circle from here").click()
     expect(here.page.locator(".trace .verdict")).to_contain_text("would have to pass their limits")
-    assert here.page.locator(".plots figure").count() == 7
+    expect(here.page.locator(".plots figure")).to_have_count(7)
     button = here.page.get_by_role("button", name="Play")
     here.page.locator(
         ".stage .labels:not([hidden])"
@@ -421,10 +402,10 @@ def test_circle_is_traced_played_and_scrubbed(visit):
     np.testing.assert_allclose(tip, [0.679, 0, 0.825 - 0.2], atol=2e-4)
     here.tab("Circle trace")
     here.page.get_by_label("What the plots show").select_option("torque")
-    assert "N m" in here.page.locator(".plots figcaption").first.inner_text()
+    expect(here.page.locator(".plots figcaption").first).to_contain_text("N m")
     here.page.get_by_label("Radius of the circle, m").fill("-1")
     here.page.get_by_role("button", name="Draw a circle from here").click()
-    assert "no length above 0" in here.page.locator(".trace .error").inner_text()
+    expect(here.page.locator(".trace .error")).to_contain_text("no length above 0")
 
 
 # Lists the pixels of the picture over which the cursor is a pointer.
@@ -455,7 +436,7 @@ def test_branches_are_chosen_in_picture_and_list(visit):
         )
 
     canvas.scroll_into_view_if_needed()
-    box = canvas.bounding_box()
+    box = find_box(canvas)
     ghosts, before = canvas.evaluate(POINTED), None
     while ghosts != before:  # until the picture has come to rest
         here.page.evaluate(WAIT_FOR_FRAMES, 6)
@@ -486,11 +467,11 @@ def test_chapter_1_offset_slides_on_parallel_axes(
     page = visit(name="01_dh_tables").page
     verdict = page.locator(".dh .verdict")
     page.locator("[data-cell='2-d']").fill("0.1639")
-    assert "163.9 mm" in verdict.inner_text()
+    expect(verdict).to_contain_text("163.9 mm")
     page.locator("[data-cell='4-d']").fill("0")
     type_value(page, "Joint 3, angle, typed", "70")
     type_value(page, "Joint 5, angle, typed", "-40")
-    assert "0.0 mm and 0.0°" in verdict.inner_text()
+    expect(verdict).to_contain_text("0.0 mm and 0.0°")
 
     page.get_by_role("button", name="Back to the first table").click()
     type_value(page, "Joint 3, angle, typed", "0")
@@ -498,7 +479,7 @@ def test_chapter_1_offset_slides_on_parallel_axes(
         page.locator(f"[data-cell='{row}-alpha']").fill("0")
     for joint in (1, 2, 4, 5, 6):
         type_value(page, f"Joint {joint}, angle, typed", "25")
-    assert "0.0 mm and 0.0°" in verdict.inner_text()
+    expect(verdict).to_contain_text("0.0 mm and 0.0°")
     type_value(page, "Joint 3, angle, typed", "25")
     assert "0.0 mm" not in verdict.inner_text()
 
@@ -507,7 +488,7 @@ def test_live_figures_share_one_webgl_context(visit):
     page = visit(name="01_dh_tables").page
     figures = page.locator("[data-figure]").all()
     assert len(figures) >= 3
-    assert not figures[-1].locator("canvas").count()
+    expect(figures[-1].locator("canvas")).to_have_count(0)
     for figure in figures:
         figure.evaluate(SCROLL_INTO_VIEW)
         figure.locator("canvas").wait_for()
@@ -521,10 +502,10 @@ def test_chapter_2_joints_3_and_5_restore_rank(visit):
     assert verdict.inner_text() == f"Singular: rank 3 of 6. {lost}"
     for joint in (1, 6):
         type_value(page, f"Joint {joint}, angle, typed", "30")
-        assert "rank 3 of 6" in verdict.inner_text()
+        expect(verdict).to_contain_text("rank 3 of 6")
         type_value(page, f"Joint {joint}, angle, typed", "0")
     type_value(page, "Joint 3, angle, typed", "30")
-    assert "rank 5 of 6" in verdict.inner_text()
+    expect(verdict).to_contain_text("rank 5 of 6")
     type_value(page, "Joint 5, angle, typed", "30")
     assert verdict.inner_text().startswith("Rank 6")
 
@@ -539,18 +520,18 @@ def test_chapter_3_only_one_circle_winds(visit):
         type_value(page, f"Joint {joint}, angle, typed", angle)
     page.get_by_role("button", name="Draw a circle from here").click()
     expect(verdict).to_have_text("All joints stay within their limits.")
-    assert page.locator(".plots .past").count() == 0
+    expect(page.locator(".plots .past")).to_have_count(0)
     page.locator(INSTRUMENT).get_by_label("Arm", exact=True).select_option("Panda, elbow out")
     expect(verdict).not_to_have_text("All joints stay within their limits.")
     page.get_by_role("button", name="Draw a circle from here").click()
     expect(verdict).to_have_text("All joints stay within their limits.")
-    assert page.locator(".plots .past").count() == 0
+    expect(page.locator(".plots .past")).to_have_count(0)
 
 
 def test_chapter_4_pushed_pen_overloads_joint_6(visit):
     page = visit(name="04_static_torque").page
     totals = page.locator(".bars .total")
-    assert totals.nth(1).inner_text() == "22.18"
+    expect(totals.nth(1)).to_have_text("22.18")
     page.get_by_label("F x, N", exact=True).fill("5")
     expect(totals.nth(1)).to_have_text("27.10")  # 4.92 N m more
     page.get_by_label("F x, N", exact=True).fill("0")
@@ -561,7 +542,7 @@ def test_chapter_4_pushed_pen_overloads_joint_6(visit):
     expect(verdict).to_contain_text("Every joint can hold this.")
     page.get_by_role("tab", name="Circle trace").click()
     page.get_by_label("What the plots show").select_option("torque")
-    assert page.locator(".plots figure").count() == 7
+    expect(page.locator(".plots figure")).to_have_count(7)
 
 
 LIST_NAMELESS_CONTROLS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']")]
@@ -573,7 +554,7 @@ LIST_NAMELESS_CONTROLS = """e => [...e.querySelectorAll("button, input, select, 
 def test_every_tab_fits_and_names_its_controls(visit, theme, size):
     here = visit(theme=theme, size=size)
     card = here.page.locator("section.explorer")
-    assert card.get_attribute("data-theme") == theme
+    expect(card).to_have_attribute("data-theme", theme)
     for name in ("DH table", "Pose", "Jacobian", "Circle trace", "Static torque", "IK branches"):
         here.tab(name)
         assert here.page.evaluate("document.documentElement.scrollWidth") <= SIZES[size]["width"]
@@ -583,8 +564,8 @@ def test_every_tab_fits_and_names_its_controls(visit, theme, size):
     here.page.evaluate(f"document.documentElement.dataset.theme = '{other}'")
     expect(card).to_have_attribute("data-theme", other)
     here.page.emulate_media(media="print")
-    assert card.locator(".still").is_visible()
-    assert not card.locator("header, .views, canvas").locator("visible=true").count()
+    expect(card.locator(".still")).to_be_visible()
+    expect(card.locator("header, .views, canvas").locator("visible=true")).to_have_count(0)
 
 
 def test_wide_layout_shows_all_columns(visit):
@@ -596,7 +577,7 @@ def test_wide_layout_shows_all_columns(visit):
     for name in ("DH table", "Jacobian"):
         here.tab(name)
         table = here.page.locator(".view .scroll")
-        assert table.bounding_box()["x"] > here.page.locator(".stage canvas").bounding_box()["x"]
+        assert find_box(table)["x"] > find_box(here.page.locator(".stage canvas"))["x"]
         assert table.evaluate("e => e.scrollWidth <= e.clientWidth + 1")
     here.leave()
 
@@ -633,7 +614,7 @@ def test_numbers_work_without_webgl(browser):
     page.get_by_label("Joint 4, angle, typed").fill("120")
     page.get_by_label("Joint 4, angle, typed").press("Enter")
     assert page.get_by_role("slider", name="Joint 4, angle").evaluate("e => Number(e.value)") == pytest.approx(np.radians(120))  # fmt: skip
-    assert stage.locator(".still").is_visible()
+    expect(stage.locator(".still")).to_be_visible()
     assert stage.locator(".still").evaluate("e => e.outerHTML") != before, "it follows"
     here.context.close()
 
@@ -805,7 +786,8 @@ def test_vertical_swipe_ignores_sliders(visit):
     touch = page.context.new_cdp_session(page)
 
     def swipe(dx, dy):
-        box = at_rest(page, rail)
+        rail.scroll_into_view_if_needed()
+        box = find_box(rail)
         x, y = box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2
         points = [{"x": x + dx * k / 6, "y": y + dy * k / 6} for k in range(7)]
         touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": points[:1]})
@@ -825,7 +807,7 @@ def test_vertical_swipe_ignores_sliders(visit):
     until(page, has_moved)
     assert here.q()[3] < start[3] + 2, "from where it stood, not to where the thumb is"
     page.locator("[data-cell='7-d']").scroll_into_view_if_needed()
-    picture = page.locator(".stage").bounding_box()
+    picture = find_box(page.locator(".stage"))
     assert picture["y"] >= 0
     assert picture["y"] + picture["height"] < 844, "the picture is in view while one types"
 
@@ -853,8 +835,8 @@ def test_pasted_table_fills_the_cells_and_is_announced_once(visit):
     page.wait_for_function(f"{STORE}.state.arm.name === 'Your arm'")  # the reader comes with it
     assert here.state("arm.rows.length") == 3
     page.locator("[data-cell='1-a']:focus").wait_for()
-    assert page.locator("[data-cell='1-d']").input_value() == "0.6"
-    assert page.locator("[data-cell='2-a']").input_value() == "0.45"
+    expect(page.locator("[data-cell='1-d']")).to_have_value("0.6")
+    expect(page.locator("[data-cell='2-a']")).to_have_value("0.45")
     assert here.q() == pytest.approx([0, 0, 0])
     page.get_by_role("slider", name="Joint 1, angle").focus()
     for _ in range(30):

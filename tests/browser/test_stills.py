@@ -3,8 +3,9 @@
 import re
 
 import pytest
+from playwright.sync_api import expect
 
-from tests.browser.reader import WINDOWS
+from tests.browser.reader import WINDOWS, until
 from tests.test_book import HTML, NAMES
 
 LIVE = re.compile(r"_static/(explorer|judge)\.js$")
@@ -100,12 +101,12 @@ def test_page_without_scripts_gives_no_live_instructions(page_without_scripts):
 @pytest.mark.parametrize("page_without_scripts", PAGES, indirect=True)
 def test_stills_are_visible_without_scripts(page_without_scripts):
     for part in page_without_scripts.locator(".arm-explorer").all():
-        assert part.locator(".still").is_visible()
-        assert not part.locator("button, input").locator("visible=true").count()
+        expect(part.locator(".still")).to_be_visible()
+        expect(part.locator("button, input").locator("visible=true")).to_have_count(0)
     for form in page_without_scripts.locator(".arm-judge").all():
-        assert form.get_by_label("Your answer", exact=True).is_visible()
+        expect(form.get_by_label("Your answer", exact=True)).to_be_visible()
         assert form.locator(".verdict").inner_text()
-        assert form.locator(".unscripted").is_visible()
+        expect(form.locator(".unscripted")).to_be_visible()
 
 
 def test_entries_before_the_script_are_kept(browser):
@@ -117,14 +118,13 @@ def test_entries_before_the_script_are_kept(browser):
     page.get_by_label("Arm", exact=True).select_option("ELBOW")
     answer = page.get_by_label("Your answer", exact=True)
     answer.fill("1 2 3")
-    page.wait_for_timeout(50)
-    assert late, "the script has been asked for"
+    until(page, lambda: late)  # the script has been asked for
     page.unroute(LIVE)  # which lets it come
     page.locator(".arm-judge:not(:has(> .unscripted))").wait_for()
-    assert answer.input_value() == "1 2 3"
-    assert answer.evaluate("(e) => e === document.activeElement"), "keys go on into it"
-    assert page.get_by_label("Question", exact=True).input_value() == "table"
-    assert page.get_by_label("Arm", exact=True).input_value() == "ELBOW"
+    expect(answer).to_have_value("1 2 3")
+    expect(answer, "keys go on into it").to_be_focused()
+    expect(page.get_by_label("Question", exact=True)).to_have_value("table")
+    expect(page.get_by_label("Arm", exact=True)).to_have_value("ELBOW")
     page.close()
 
 
@@ -166,7 +166,7 @@ def test_example_is_judged_when_the_reader_turns_to_it(browser):
     page.goto((HTML / "check_your_homework.html").as_uri())
     page.locator(".arm-judge:not(:has(> .unscripted))").wait_for()
     headline = page.locator(".arm-judge .headline")
-    assert headline.inner_text() == "as built"
+    expect(headline).to_have_text("as built")
     page.get_by_label("Your answer", exact=True).focus()
     page.locator(".arm-judge .headline:not(:text('as built'))").wait_for()
     page.close()
