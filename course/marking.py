@@ -237,7 +237,9 @@ def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
         answer = [str(entry) for entry in answer]
     camera = topics.make_camera_arm(question.arm, question.numbers)
     poses = np.array(question.numbers["poses"])[:, : camera.dof].tolist()
-    values_at_poses = ask_judge("formulas", mine=answer, arm=judge_data(camera), poses=poses)
+    values_at_poses = ask_judge(
+        "formulas", mine=answer, arm=judge_data(camera), configurations=poses
+    )
     if len(values_at_poses) != np.size(part.value) or None in values_at_poses:
         raise ArmError("expected six formulas, one for each of v and ω, with a value at every pose")
     values = np.array(values_at_poses, dtype=float).reshape(-1, 6)

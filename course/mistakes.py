@@ -47,7 +47,7 @@ def list_mistakes(
         wrench: Force and moment on the tip, shape (6,), for torques.
     """
     question: dict[str, Any] = {"kind": kind, "arm": judge_data(arm)}
-    for name, value in (("q", q), ("poses", poses), ("wrench", wrench)):
+    for name, value in (("q", q), ("configurations", poses), ("wrench", wrench)):
         if np.size(value):
             question[name] = np.asarray(value, dtype=float).tolist()
     answers = ask_judge("mistakes", **question)

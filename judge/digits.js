@@ -190,7 +190,7 @@ export function logCountPossibleValues({ values, units: lastPlaces }, expected, 
 
 /**
  * Return how far each computed number may move because q was typed with few digits.
- * @param {Entries} q joint values, `dof` for each pose
+ * @param {Entries} q joint values, `dof` for each configuration
  * @param {number} dof
  * @param {(q: number[]) => number[]} compute computes the numbers from q
  * @param {number} [coarsest] units from this one on count as exact (rad or m)
@@ -199,12 +199,12 @@ export function computeSlack(q, dof, compute, coarsest = FINE_UNIT) {
   const fineUnits = q.units.map((unit) => (unit < coarsest ? unit : 0));
   const numbers = compute(q.values);
   const slack = numbers.map(() => 0);
-  const countPerPose = (numbers.length * dof) / q.values.length;
+  const countPerConfiguration = (numbers.length * dof) / q.values.length;
   for (let k = 0; k < dof; k++) {
     if (!fineUnits.some((unit, i) => unit && i % dof === k)) continue;
     const shifted = compute(q.values.map((x, i) => (i % dof === k ? x + STEP : x)));
     shifted.forEach((x, i) => {
-      const unit = fineUnits[Math.floor(i / countPerPose) * dof + k];
+      const unit = fineUnits[Math.floor(i / countPerConfiguration) * dof + k];
       slack[i] += (HALF * unit * Math.abs(x - numbers[i])) / STEP;
     });
   }

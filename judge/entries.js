@@ -21,7 +21,7 @@ import {
  * Entries to be judged.
  * @typedef {object} EntriesQuestion
  * @property {Entries} typed
- * @property {Entries} q joint values, `dof` for each pose
+ * @property {Entries} q joint values, `dof` for each configuration
  * @property {number} dof
  * @property {(q: number[]) => number[]} makeExpected computes the right entries from q
  * @property {Mistake[]} mistakes usual mistakes

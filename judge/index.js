@@ -12,7 +12,7 @@ import { compareBranches } from "./topics/branches.js";
 import { compareJacobian } from "./topics/jacobian.js";
 import { comparePose } from "./topics/pose.js";
 import { compareTables } from "./topics/table.js";
-import { compareTorques, readPoses } from "./topics/torques.js";
+import { compareTorques, readConfigurations } from "./topics/torques.js";
 import { compareTrace } from "./topics/trace.js";
 
 /** @typedef {import("./verdict.js").Verdict} Verdict */
@@ -33,7 +33,7 @@ const TOPICS = {
   torques: ({ mine, arm, q, options }) => compareTorques(mine, arm, q, options),
   trace: judgeSampledTrace,
   joints: ({ q, arm, angles }) => readConfiguration(q, arm, angles),
-  poses: ({ q, arm, angles }) => readPoses(q, arm, angles),
+  configurations: ({ q, arm, angles }) => readConfigurations(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
   rows: ({ mine, options }) => readArmTable(mine, options),
   entry: ({ text, kinds }) => formulaOf(text, kinds),

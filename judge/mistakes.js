@@ -1,7 +1,7 @@
 // Lists the entries that each usual mistake makes of right work, and finds a wrong entry in a DH
 // table. The course marks by these lists, so that marks and messages agree.
 
-import { listPoseMistakes, listTableMistakes } from "./causes/chain.js";
+import { listConfigurationMistakes, listTableMistakes } from "./causes/chain.js";
 import { listJacobianSteps, listSingleMistakes } from "./causes/jacobian.js";
 import { causeMessage, causeName, makeCause } from "./causes/ranking.js";
 import {
@@ -44,15 +44,18 @@ const MISTAKES_BY_KIND = {
 /**
  * List the usual mistakes in a question, each with its message and the answer that it gives.
  * @param {{ kind: "tip" | "jacobian" | "torques", arm: Arm, q: number[], wrench?: number[],
- *   poses?: number[][] }} question `poses` takes the place of q if there are several joint vectors
+ *   configurations?: number[][] }} question `configurations` takes the place of q if there are
+ *   several joint vectors
  */
-export function listMistakes({ kind, poses, ...question }) {
-  const q = question.q ?? poses?.[0];
+export function listMistakes({ kind, configurations, ...question }) {
+  const q = question.q ?? configurations?.[0];
   const mistakes = MISTAKES_BY_KIND[kind](/** @type {any} */ ({ ...question, q }));
   return Array.from(mistakes, ({ cause, make }) => ({
     name: causeName(cause),
     message: causeMessage(cause),
-    values: poses ? poses.flatMap((pose) => make(pose)) : make(question.q),
+    values: configurations
+      ? configurations.flatMap((configuration) => make(configuration))
+      : make(question.q),
   }));
 }
 
@@ -63,7 +66,10 @@ function* listTipMistakes(arm) {
     const { x, y, z, o } = chainFrames(change(makeChain(arm, q))).at(-1);
     return [...o, ...[0, 1, 2].flatMap((i) => [x[i], y[i], z[i]])];
   };
-  for (const [cause, change] of [...listPoseMistakes("J.degrees", arm), ...listTableMistakes(arm)])
+  for (const [cause, change] of [
+    ...listConfigurationMistakes("J.degrees", arm),
+    ...listTableMistakes(arm),
+  ])
     yield { cause, make: makeTip(change) };
   const makeRight = makeTip((chain) => chain);
   const makeInMillimetres = (q) => makeRight(q).map((x, i) => (i < 3 ? 1000 * x : x));
@@ -76,12 +82,12 @@ function* listTipMistakes(arm) {
 }
 
 /**
- * Evaluate six formulas at several poses.
- * @param {{ mine: any, arm: Arm, poses: number[][] }} question
- * @returns {number[]} six values for each pose
+ * Evaluate six formulas at several configurations.
+ * @param {{ mine: any, arm: Arm, configurations: number[][] }} question
+ * @returns {number[]} six values for each configuration
  */
-export const evaluateFormulas = ({ mine, arm, poses }) =>
-  poses.flatMap((q) => {
+export const evaluateFormulas = ({ mine, arm, configurations }) =>
+  configurations.flatMap((q) => {
     const wants = [
       { rows: 6, columns: 1 },
       { rows: 1, columns: 6 },
@@ -90,7 +96,7 @@ export const evaluateFormulas = ({ mine, arm, poses }) =>
   });
 
 /**
- * Compare a table with an arm at the pose q = 0, and name its mistake if it has only one.
+ * Compare a table with an arm at the configuration q = 0, and name its mistake if it has only one.
  * @param {{ mine: any, arm: Arm, options: any }} question
  * @returns {{ right: boolean, name: string, message: string, headline: string, rows: any[],
  *   share?: number }} `rows` as they were read; `share` of the joints is right if the rows of the

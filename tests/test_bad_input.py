@@ -154,7 +154,7 @@ RIGHT = {
     "inverse.follow": dict(targets=REACH[None], start=[0.4, -1.2, 1.3, -1.2, -1.2, 0.3]),
     "inverse.Solutions.nearest": dict(self=FOUND, q=[0.4] * 6),
     "checks.check": dict(label="one is one", tolerance=0.1),
-    "checks.compare_tables": dict(answer=[["q1", 0, 0, 0]], tolerance=1e-6, start_pose=PANDA.home),
+    "checks.compare_tables": dict(answer=[["q1", 0, 0, 0]], tolerance=1e-6, start_configuration=PANDA.home),
     "checks.compare_jacobian": dict(answer=kinematics.jacobian(SIX, [0.1] * 6), arm=SIX,
         q=[0.1] * 6, frame=0),
     "checks.compare_torques": dict(answer=[0.0] * 7),

@@ -320,22 +320,22 @@ def test_numeric_jacobian_needs_q_but_function_does_not():
         compare_jacobian(jacobian(ELBOW, Q3), ELBOW)
     report = compare_jacobian(lambda q: jacobian(ELBOW, q), ELBOW)
     assert report.agrees
-    assert "at this pose" not in report.headline
+    assert "at this configuration" not in report.headline
     assert not report.notes
     at = compare_jacobian(lambda q: jacobian(ELBOW, q), ELBOW, Q3)
     assert at.agrees
-    assert "at this pose" not in at.headline
+    assert "at this configuration" not in at.headline
 
 
 @pytest.mark.parametrize("arm", [PANDA, STANFORD, ELBOW, PANDA.lock(3)], ids=str)
-def test_generic_pose_is_within_limits_without_symmetry(arm):
-    q = compare._generic_pose(arm)
+def test_generic_configuration_is_within_limits_without_symmetry(arm):
+    q = compare._generic_configuration(arm)
     low, high = (np.clip(limit, -1.5, 1.5) for limit in arm.limits)
     low, high = np.where(np.isfinite(arm.limits[0]), low, -1.5), high
     share = (q - low) / (high - low)
     assert ((share >= 0.55) & (share <= 0.95)).all(), share
     assert np.diff(np.sort(share)).min() > 1e-3
-    assert (compare._generic_pose(arm) == q).all()
+    assert (compare._generic_configuration(arm) == q).all()
 
 
 @pytest.mark.parametrize("frame", [8, -1, 1.5, "x", None])

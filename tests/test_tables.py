@@ -480,15 +480,15 @@ def test_base_and_tip_of_the_question_are_no_choice(typed, reference, options, g
 def test_fixed_pose_excludes_joint_maps():
     typed = "q1 0.5 0 90; q2+90 0 0.4 0; q3 0 0.3 0".replace(";", "\n")
     assert compare_tables(typed, ELBOW).grade == "right by map"
-    report = compare_tables(typed, ELBOW, start_pose=[0, 0, 0])
+    report = compare_tables(typed, ELBOW, start_configuration=[0, 0, 0])
     assert (report.grade, report.causes) == ("wrong", ("table.too much:theta:2",))
     words = "is at q = (0, 0, 0), and the tip of your table is 0.99 m away from there, "
     assert words in report.headline
     turned = typed.replace("q2+90", "q2").replace("90", "-90")  # joints 2 and 3 count backwards
-    assert compare_tables(turned, ELBOW, start_pose=[0, 0, 0]).grade == "wrong"
-    assert compare_tables(ELBOW, ELBOW, start_pose=[0, 0, 0]).grade == "right"
-    with pytest.raises(ArmError, match="start_pose"):
-        compare_tables(typed, ELBOW, start_pose=[0, 0])
+    assert compare_tables(turned, ELBOW, start_configuration=[0, 0, 0]).grade == "wrong"
+    assert compare_tables(ELBOW, ELBOW, start_configuration=[0, 0, 0]).grade == "right"
+    with pytest.raises(ArmError, match="start_configuration"):
+        compare_tables(typed, ELBOW, start_configuration=[0, 0])
 
 
 @pytest.mark.parametrize("arm", [UR10E, PANDA, STANFORD, PANDA.lock(3), SCARA], ids=str)

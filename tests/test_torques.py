@@ -21,7 +21,7 @@ F = np.array([3.0, -7, 11, 0.5, -2, 1.5])
 BENT = np.array([0.4137, 0.3281, -0.9452])
 Q2, Q3 = (BENT + np.outer(np.linspace(0, 1, n), [0.1, 0.2, 0.5]) for n in (2, 3))
 LINKS = "links of 2.5, 0, 1.7, 0.9 kg under g = 9.81 m/s²"
-TURNED = "one list for each joint, transposed into one row for each pose"
+TURNED = "one list for each joint, transposed into one row for each configuration"
 LOCKED = "all joints; 2 is locked, so its 0.7 is set aside"
 OFF = np.eye(3)
 
@@ -96,7 +96,11 @@ def test_wrong_shape_is_reported(mine, q, shape, wanted):
     key = "tau.energy" if shape is None else "tau.shape"
     assert (report.grade, report.causes, finding.what) == ("wrong", (key,), "shape")
     assert (finding.mine, finding.expected) == (np.shape(mine), (len(np.atleast_2d(q)), 3))
-    shape = "Your list has one number for each pose" if shape is None else f"Its shape is {shape};"
+    shape = (
+        "Your list has one number for each configuration"
+        if shape is None
+        else f"Its shape is {shape};"
+    )
     assert finding.words.startswith(shape)
     assert wanted is None or f"give {wanted}, one torque for each of 3 joints" in finding.words
     assert report.headline.startswith(f"The torques of your arm are not right: {shape[:3].lower()}")

@@ -102,7 +102,7 @@ def compare_tables(
     convention: str | None = None,
     values: Mapping[str, float] | None = None,
     tolerance: float | None = None,
-    start_pose: ArrayLike | None = None,
+    start_configuration: ArrayLike | None = None,
 ) -> Verdict:
     """Judge whether two DH tables describe the same arm.
 
@@ -124,8 +124,8 @@ def compare_tables(
             and the verdict says what was guessed.
         tolerance: the largest deviation of a length (m); inferred from the digits typed unless
             given.
-        start_pose: joint values (rad or m) at which the question says where the tool is. A table
-            that takes it elsewhere is wrong, though another choice of zeros would explain it.
+        start_configuration: joint values (rad or m) at which the question says where the tool is. A
+            table that takes it elsewhere is wrong, though another choice of zeros would explain it.
 
     Raises ArmError where an arm has no joint or `answer` is no table. Source: Siciliano et al.,
     Robotics, section 2.8.2, on the free choices.
@@ -143,8 +143,10 @@ def compare_tables(
         raise ArmError(
             format_sentence("arm is read", given=", ".join(map(shorten, reading_options.values())))
         )
-    if start_pose is not None:
-        options["startPose"] = reference.joint_vector(start_pose, "start_pose", many=False).tolist()
+    if start_configuration is not None:
+        options["startConfiguration"] = reference.joint_vector(
+            start_configuration, "start_configuration", many=False
+        ).tolist()
     table = _arm_table(answer) if isinstance(answer, Arm) else format_table(answer)
     reply = ask_judge(
         "table", mine=table, arm=judge_data(reference), options=options | reading_options
@@ -203,7 +205,7 @@ def compare_jacobian(
     if not isinstance(angular_first, int | np.bool_):
         raise ArmError(f"angular_first is {shorten(angular_first)}; expected True or False")
     options |= {"angularFirst": bool(angular_first), "frame": _check_frame(frame, arm)}
-    at = to_plain_data(_generic_pose(arm) if q is None else q)
+    at = to_plain_data(_generic_configuration(arm) if q is None else q)
     given = dict(arm=judge_data(arm), q=at)
     if not callable(answer) or hasattr(answer, "free_symbols"):
         options["generic"] = q is None
@@ -227,7 +229,7 @@ def _check_frame(frame: int, arm: Arm) -> int:
     return number
 
 
-def _generic_pose(arm: Arm) -> Array:
+def _generic_configuration(arm: Arm) -> Array:
     """Return joint values, shape (dof,), within 1.5 of zero and away from limits and symmetry."""
     lower, upper = arm.limits
     lower, upper = np.maximum(lower, -1.5), np.minimum(upper, 1.5)
@@ -270,22 +272,27 @@ def compare_torques(
     at, data = to_plain_data(q), judge_data(arm)
     F = check_wrench(wrench)
     F = F.reshape(-1, 6) if F.ndim > 2 else F
-    poses = np.array(ask_judge("poses", q=at, arm=data, angles=angles)["values"]).reshape(
-        -1, arm.dof
-    )
-    static_torque(arm, poses, F, gravity)  # says what is wrong with the load
+    configurations = np.array(
+        ask_judge("configurations", q=at, arm=data, angles=angles)["values"]
+    ).reshape(-1, arm.dof)
+    static_torque(arm, configurations, F, gravity)  # says what is wrong with the load
     options |= {"wrench": F.tolist(), "gravity": np.asarray(gravity, float).tolist()}
     given = dict(arm=data, q=at)
     if callable(answer):
-        q = poses if len(poses) > 1 or F.ndim == 1 else np.tile(poses, (len(F), 1))
-        answer = _call_at_poses(answer, q, f"{arm.name}: your torques")
+        q = (
+            configurations
+            if len(configurations) > 1 or F.ndim == 1
+            else np.tile(configurations, (len(F), 1))
+        )
+        answer = _call_at_configurations(answer, q, f"{arm.name}: your torques")
     return make_verdict(ask_judge("torques", mine=to_plain_data(answer), options=options, **given))
 
 
-def _call_at_poses(function: Callable, poses: Array, name: str) -> Any:
+def _call_at_configurations(function: Callable, configurations: Array, name: str) -> Any:
     """Return the torques that a student's function gives at each pose."""
     rows = [
-        read_numbers(call_student_function(function, q, name), name).values.ravel() for q in poses
+        read_numbers(call_student_function(function, q, name), name).values.ravel()
+        for q in configurations
     ]
     return rows if len(rows) > 1 else rows[0]
 

@@ -121,7 +121,7 @@ function listRowMistakes(row, index) {
  * @param {Arm} arm
  * @returns {ChainMistake[]}
  */
-export function listPoseMistakes(degreesKey, arm) {
+export function listConfigurationMistakes(degreesKey, arm) {
   const isRevolute = revoluteFlags(arm);
   const changeJoints = (change) => (c) => ({ ...c, q: c.q.map(change) });
   /** @type {ChainMistake[]} */

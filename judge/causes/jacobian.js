@@ -5,7 +5,7 @@
 import { jointNumbers } from "../geometry/kinematics.js";
 import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
-import { listPoseMistakes, listTableMistakes } from "./chain.js";
+import { listConfigurationMistakes, listTableMistakes } from "./chain.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -56,7 +56,7 @@ const keep = (x, ..._) => x;
 /** List the mistakes. @param {Arm} arm @param {number[]} q @returns {JacobianStep[]} */
 export function listJacobianSteps(arm, q, frame) {
   const c = chains.makeChain(arm, q);
-  const changes = [...listPoseMistakes("J.degrees", arm), ...listTableMistakes(arm)];
+  const changes = [...listConfigurationMistakes("J.degrees", arm), ...listTableMistakes(arm)];
   return [
     ...changes.map(([cause, change]) => ({ cause, change })),
     ...Array.from(listJacobianRecipes(c), ([cause, recipe]) => ({ cause, recipe })),

@@ -8,7 +8,7 @@ import { jointNumbers, movingRows, plus, scaled } from "../geometry/kinematics.j
 import { subtractEach } from "../geometry/linear.js";
 import { rowsOf } from "../reading/numbers.js";
 import { formatNumber, joinList } from "../sentences.js";
-import { listPoseMistakes, listTableMistakes } from "./chain.js";
+import { listConfigurationMistakes, listTableMistakes } from "./chain.js";
 import { listJacobianRecipes } from "./jacobian.js";
 import { makeMakersCause } from "./joints.js";
 import { combineCauses, makeCause } from "./ranking.js";
@@ -17,17 +17,17 @@ import { combineCauses, makeCause } from "./ranking.js";
 /** @typedef {import("../geometry/kinematics.js").Frame} Frame */
 /** @typedef {import("./ranking.js").Mistake} Mistake */
 /**
- * An arm with masses under gravity, and a wrench for each of its poses.
+ * An arm with masses under gravity, and a wrench for each of its configurations.
  * @typedef {object} Load
- * @property {import("../geometry/chains.js").Chain} c rows and joints, at no pose yet
+ * @property {import("../geometry/chains.js").Chain} c rows and joints, at no configuration yet
  * @property {number[][]} wrenches on the tool (N, N m)
  * @property {number[]} gravity vector (m/s²)
  * @property {number[]} masses of each row (kg)
  * @property {number[][]} centres of mass in the frame of each row (m)
  */
 /**
- * A load at a pose, with the frames and the wrench there.
- * @typedef {Load & { T: Frame[], F: number[] }} LoadAtPose
+ * A load at a configuration, with the frames and the wrench there.
+ * @typedef {Load & { T: Frame[], F: number[] }} PlacedLoad
  */
 /**
  * A mistake in torques, with the step of load, weight, force and writing that it changes.
@@ -35,25 +35,25 @@ import { combineCauses, makeCause } from "./ranking.js";
  * @property {import("./ranking.js").Cause} cause
  * @property {(load: Load) => Load} [change]
  * @property {(load: Load) => Load} [secondChange] of a pair, done after `change`
- * @property {(at: LoadAtPose) => number[]} [weight]
- * @property {(at: LoadAtPose) => number[]} [force]
+ * @property {(at: PlacedLoad) => number[]} [weight]
+ * @property {(at: PlacedLoad) => number[]} [force]
  * @property {(tau: number[]) => number[]} [write]
  */
 
 const keep = (x) => x;
 const multiply = (factor, list) => list.map((x) => factor * x);
 
-/** @param {LoadAtPose} at */
+/** @param {PlacedLoad} at */
 const computeWeight = ({ c, T, masses, centres, gravity }) =>
   chains.computeTorquesOfMasses(c, T, masses, centres, gravity);
 // Jacobians by their frames, which mistakes in forces and masses share.
 const jacobians = new WeakMap();
-/** @param {LoadAtPose} at */
+/** @param {PlacedLoad} at */
 function computeJacobian({ c, T }) {
   if (!jacobians.has(T)) jacobians.set(T, chains.flatJacobian(c, T));
   return jacobians.get(T);
 }
-/** @param {LoadAtPose} at */
+/** @param {PlacedLoad} at */
 const computeForce = (at) =>
   at.F.some(Boolean) ? chains.multiplyByTranspose(computeJacobian(at), at.F) : at.c.at.map(() => 0);
 
@@ -80,14 +80,14 @@ function cacheResults(compute, results = new Map()) {
   };
 }
 
-/** Computes torques at some poses. Mistakes share the cached frames, weights and forces. */
-class TorquesAtPoses {
-  /** @param {Load} load @param {number} dof @param {number[]} q joint values of all poses */
+// Computes torques at some configurations. Mistakes share the cached frames, weights and forces.
+class TorqueComputer {
+  /** @param {Load} load @param {number} dof @param {number[]} q all joint values */
   constructor(load, dof, q) {
-    const poses = rowsOf(q, dof).map((pose) => ({ ...load, c: { ...load.c, q: pose, dof } }));
+    const loads = rowsOf(q, dof).map((values) => ({ ...load, c: { ...load.c, q: values, dof } }));
     const framesOf = cacheResults(chains.chainFrames, new WeakMap());
-    this.atPose = (changed, i) => ({ ...changed, T: framesOf(changed.c), F: load.wrenches[i] });
-    this.loadsOf = cacheResults((change) => poses.map((pose, i) => this.atPose(change(pose), i)));
+    this.place = (changed, i) => ({ ...changed, T: framesOf(changed.c), F: load.wrenches[i] });
+    this.loadsOf = cacheResults((change) => loads.map((load, i) => this.place(change(load), i)));
     const partsOf = (change) => cacheResults((part) => this.loadsOf(change).map(part));
     this.weightsOf = cacheResults(partsOf);
     this.forcesOf = cacheResults(partsOf);
@@ -105,7 +105,7 @@ class TorquesAtPoses {
     write = keep,
   }) {
     const loads =
-      secondChange && this.loadsOf(change).map((load, i) => this.atPose(secondChange(load), i));
+      secondChange && this.loadsOf(change).map((load, i) => this.place(secondChange(load), i));
     const weights = loads ? loads.map(weight) : this.weightsOf(change)(weight);
     const forces = loads ? loads.map(force) : this.forcesOf(change)(force);
     return weights.flatMap((g, i) => write(subtractEach(g, forces[i])));
@@ -114,17 +114,17 @@ class TorquesAtPoses {
 
 /**
  * Return a maker of torques. It takes the steps done wrong, and returns a function from the
- * joint values of all poses to the torques there. Results at `q` are cached.
+ * joint values of all configurations to the torques there. Results at `q` are cached.
  * @param {Load} load
  * @param {number} dof
  * @param {number[]} q
  * @returns {(steps?: Partial<TorqueStep>) => (values: number[]) => number[]}
  */
 export function makeTorqueMaker(load, dof, q) {
-  const cached = new TorquesAtPoses(load, dof, q);
+  const cached = new TorqueComputer(load, dof, q);
   return (steps = {}) =>
     (values) =>
-      (values === q ? cached : new TorquesAtPoses(load, dof, values)).compute(steps);
+      (values === q ? cached : new TorqueComputer(load, dof, values)).compute(steps);
 }
 
 /**
@@ -146,7 +146,7 @@ function listChainMistakes(arm) {
   const tables = listTableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
-  return [...listPoseMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
+  return [...listConfigurationMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
     const changed = cacheResults(change, new WeakMap());
     const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
     return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };

@@ -36,7 +36,7 @@ const CONSTANT_ERROR = 1e-5;
  * right equation K is the Jacobian, as a list row by row, and v the path's velocity.
  * @typedef {object} Rule
  * @property {Cause} [cause] the mistake in the equation
- * @property {(c: any, T: any[]) => number[]} [K] of an arm at a pose
+ * @property {(c: any, T: any[]) => number[]} [K] of an arm at a configuration
  * @property {(t: number, dt: number) => number[]} [v]
  */
 /**
@@ -57,8 +57,8 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
   const at = (k) => {
     if (!statesByRow.has(k)) {
       const next = q[Math.ceil(k)];
-      const pose = q[Math.floor(k)].map((x, i) => (x + next[i]) / 2);
-      const c = makeChain(arm, pose);
+      const configuration = q[Math.floor(k)].map((x, i) => (x + next[i]) / 2);
+      const c = makeChain(arm, configuration);
       statesByRow.set(k, [c, chainFrames(c)]);
     }
     return statesByRow.get(k);

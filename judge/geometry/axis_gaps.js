@@ -52,8 +52,8 @@ const listLengths = (gaps) => [
   ...gaps.flatMap(({ offset, fromBase }) => (offset === null || fromBase ? [] : [offset])),
 ];
 
-// List the gaps at one pose. The common normals of revolute axes follow one after the other: `foot`
-// is where the last one ends.
+// List the gaps at one configuration. The common normals of revolute axes follow one after the
+// other: `foot` is where the last one ends.
 function listGapsAt(arm, q) {
   const frames = linkFrames(arm, q);
   const moving = movingRows(arm);

@@ -20,7 +20,7 @@ const ZERO = [0, 0, 0];
 /** @typedef {import("./arm.js").Row} Row */
 /** @typedef {import("./kinematics.js").Frame} Frame */
 /**
- * An arm at a pose. A mistake changes the arm's table or its joint values.
+ * An arm at a configuration. A mistake changes the arm's table or its joint values.
  * @typedef {object} Chain
  * @property {Row[]} rows
  * @property {number[]} q joint values (rad or m)
@@ -40,7 +40,7 @@ const ZERO = [0, 0, 0];
  */
 
 /**
- * Return an arm at a pose.
+ * Return an arm at a configuration.
  * @param {import("./arm.js").Rows} arm
  * @param {number[]} q
  * @returns {Chain}
@@ -53,7 +53,7 @@ export const makeChain = (arm, q) => ({
   dof: q.length,
 });
 
-/** Return the link frames of an arm at its pose. @param {Chain} c */
+/** Return the link frames of an arm at its configuration. @param {Chain} c */
 export const chainFrames = (c) => linkFrames(c, c.q);
 
 /**

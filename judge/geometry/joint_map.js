@@ -19,7 +19,8 @@ import { wrapAngle } from "./planar.js";
 import { formatNumber } from "../sentences.js";
 
 const DIRECTION_TOLERANCE = 1e-6; // m, or the sine of an angle: less than this fixes no direction
-// The map is confirmed at these poses: joint k (from 0) of each has the value sin((k + 1) x step).
+// The map is confirmed at these configurations: joint k (from 0) of each has the value sin((k + 1)
+// x step).
 const POSE_STEPS = [0.3, 0.7, 1.1, 1.9];
 
 /** @typedef {import("./axes.js").AxisComparison} AxisComparison */
@@ -40,7 +41,7 @@ const POSE_STEPS = [0.3, 0.7, 1.1, 1.9];
  * @param {TableAxes} reference
  * @param {AxisComparison} comparison of the two
  * @param {number} [tolerance] of the tips (m)
- * @returns {JointMap | null} null if the tips differ at some pose
+ * @returns {JointMap | null} null if the tips differ at some configuration
  */
 export function findJointMap(student, reference, comparison, tolerance = 1e-6) {
   const { signs } = comparison;
@@ -134,8 +135,8 @@ function findSlide(z, target, feature) {
 
 const fixesDirection = (v) => dot(v, v) > DIRECTION_TOLERANCE ** 2;
 
-// Return the map if it makes the tips agree at each test pose, else null. The tips may differ in
-// height, which then becomes the height of the student's base.
+// Return the map if it makes the tips agree at each test configuration, else null. The tips may
+// differ in height, which then becomes the height of the student's base.
 function confirmMap(student, reference, map, tolerance) {
   const differences = POSE_STEPS.map((step) => {
     const studentQ = student.joints.map((_, k) => Math.sin(step * (k + 1)));

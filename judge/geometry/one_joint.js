@@ -14,7 +14,7 @@ import { cross, dot, linkFrames, minus, movingRows, plus } from "./kinematics.js
  * @param {Goal} goal
  * @returns {number[][]} for each joint the values with that joint changed
  */
-export function listPosesWithOneChange(arm, q, goal) {
+export function listConfigurationsWithOneChange(arm, q, goal) {
   const frames = linkFrames(arm, q);
   const actual = listPoints(frames.at(-1), goal);
   const wanted = listPoints({ ...goal.tool, o: goal.point }, goal);

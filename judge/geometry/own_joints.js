@@ -11,7 +11,7 @@ import { snapRows } from "./rows.js";
 /** @typedef {import("./joint_map.js").JointMap} JointMap */
 
 /**
- * Return the student's joint values of a pose of the reference arm.
+ * Return the student's joint values of a configuration of the reference arm.
  * @param {JointMap} map
  * @param {number[]} q joint values of the reference (rad or m)
  */

@@ -12,10 +12,10 @@ import { decomposeSingular, solveLinear } from "./linear.js";
 /**
  * @typedef {object} Structure
  * @property {"wrist" | "first three meet" | "parallel" | "planar" | "position" | "two links"} kind
- * @property {Axis[]} axes one for each joint, at the pose `reference`
+ * @property {Axis[]} axes one for each joint, at the configuration `reference`
  * @property {number} size length of the arm from axis to axis (m)
- * @property {number[]} reference the generic pose
- * @property {Frame} tip the tip's frame at that pose
+ * @property {number[]} reference the generic configuration
+ * @property {Frame} tip the tip's frame at that configuration
  * @property {Vector} [centre] the point where three axes meet
  * @property {number} [first] the index of the first of three parallel axes
  * @property {number} gap largest deviation of the axes from the structure (rad, or lengths divided
@@ -35,30 +35,30 @@ const structures = new WeakMap();
 
 /** Return the structure of an arm, or null if it has none. @param {Arm} arm */
 export function findStructure(arm) {
-  if (!structures.has(arm)) structures.set(arm, classifyAxes(axesAtGenericPose(arm)));
+  if (!structures.has(arm)) structures.set(arm, classifyAxes(axesAtGenericConfiguration(arm)));
   return structures.get(arm) ?? null;
 }
 
 /** @returns {Structure | null} */
-function classifyAxes(pose) {
-  const { axes, size } = pose;
+function classifyAxes(configuration) {
+  const { axes, size } = configuration;
   const turns = axes.map((axis) => axis.turns);
   const isParallel = axes.length > 1 && parallelGap(axes) < STRUCTURE_TOLERANCE;
-  if (axes.length === 6) return classifySix(pose);
+  if (axes.length === 6) return classifySix(configuration);
   if (turns.filter(Boolean).length === 3 && axes.length < 5 && isParallel)
-    return { kind: "planar", ...pose, gap: parallelGap(axes) };
+    return { kind: "planar", ...configuration, gap: parallelGap(axes) };
   if (axes.length === 3) {
     const gap = crossingGap(axes, size);
-    return gap < STRUCTURE_TOLERANCE ? { kind: "position", ...pose, gap } : null;
+    return gap < STRUCTURE_TOLERANCE ? { kind: "position", ...configuration, gap } : null;
   }
   if (axes.length === 2 && turns.every(Boolean) && isParallel)
-    return { kind: "two links", ...pose, gap: parallelGap(axes) };
+    return { kind: "two links", ...configuration, gap: parallelGap(axes) };
   return null;
 }
 
 /** @returns {Structure | null} */
-function classifySix(pose) {
-  const { axes, size } = pose;
+function classifySix(configuration) {
+  const { axes, size } = configuration;
   const sphericalKinds = [
     { kind: /** @type {const} */ ("wrist"), three: axes.slice(3), placing: axes.slice(0, 3) },
     {
@@ -71,7 +71,7 @@ function classifySix(pose) {
     const centre = meetingPoint(three, size);
     const gap = crossingGap(placing, size);
     if (centre && gap < STRUCTURE_TOLERANCE)
-      return { kind, ...pose, centre: centre.point, gap: Math.max(centre.gap, gap) };
+      return { kind, ...configuration, centre: centre.point, gap: Math.max(centre.gap, gap) };
   }
   if (!axes.every((axis) => axis.turns)) return null;
   for (let first = 0; first < 4; first++) {
@@ -82,16 +82,16 @@ function classifySix(pose) {
       return meetingPoint([axes[others[i]], axes[others[i + 1]]], size)?.gap ?? [];
     });
     if (gap < STRUCTURE_TOLERANCE && gaps.length)
-      return { kind: "parallel", ...pose, first, gap: Math.max(gap, Math.min(...gaps)) };
+      return { kind: "parallel", ...configuration, first, gap: Math.max(gap, Math.min(...gaps)) };
   }
   return null;
 }
 
 /**
- * Return the joint axes as lines, the arm's size and its tip at the generic pose.
+ * Return the joint axes as lines, the arm's size and its tip at the generic configuration.
  * @param {Arm} arm
  */
-function axesAtGenericPose(arm) {
+function axesAtGenericConfiguration(arm) {
   const moving = movingRows(arm);
   const reference = moving.map((_, k) => GENERIC_POSE[k % 6]);
   const frames = linkFrames(arm, reference);

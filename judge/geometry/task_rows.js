@@ -5,9 +5,9 @@ import { jacobianColumns, linkFrames, movingRows } from "./kinematics.js";
 
 /** @typedef {import("./arm.js").Rows} Rows */
 
-const LARGEST_ZERO = 1e-12; // m or 1: a row up to this at the generic poses is 0 at every pose
+const LARGEST_ZERO = 1e-12; // m or 1: a row up to this at the generic configurations is always 0
 // Joint values (rad or m) without any symmetry, for up to 16 joints.
-const GENERIC_POSES = [0.37, 0.81].map((first) =>
+const GENERIC_CONFIGURATIONS = [0.37, 0.81].map((first) =>
   Array.from({ length: 16 }, (_, k) => first + Math.sin(1 + 2.3 * k)),
 );
 
@@ -21,7 +21,7 @@ const rowsByTable = new WeakMap();
  */
 export function movableRows(arm) {
   if (!rowsByTable.has(arm.rows)) {
-    const columns = GENERIC_POSES.flatMap((q) => jacobianColumns(arm, linkFrames(arm, q)));
+    const columns = GENERIC_CONFIGURATIONS.flatMap((q) => jacobianColumns(arm, linkFrames(arm, q)));
     const isMovable = (i) => columns.some((column) => Math.abs(column[i]) > LARGEST_ZERO);
     rowsByTable.set(arm.rows, [0, 1, 2, 3, 4, 5].filter(isMovable));
   }

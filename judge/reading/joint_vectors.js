@@ -97,7 +97,8 @@ const noteColumns = (areColumns, { length }) =>
   areColumns && length > 1 ? [formatMessage("taken: answer per column")] : [];
 
 // Return the numbers of rows and columns. A plain or nested list is a single row. A single column
-// with the values of several poses, pose after pose, has a row for each pose.
+// with the values of several configurations, configuration after configuration, has a row for each
+// configuration.
 function findMatrixShape({ shape, values }, dof) {
   if (shape[1] === 1 && shape[0] % dof === 0) return [shape[0] / dof, dof];
   const flat = shape.length > 2 ? shape.filter((n) => n !== 1) : shape;

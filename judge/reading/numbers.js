@@ -246,7 +246,8 @@ export function readConfiguration(q, arm, angles = "rad") {
   return inRadians(typed, arm, angles);
 }
 
-// Drop the values of locked joints. The values are those of all rows of the arm, pose after pose.
+// Drop the values of locked joints. The values are those of all rows of the arm, configuration
+// after configuration.
 export function ofMoving(typed, arm) {
   const moving = movingRows(arm);
   if (moving.length === arm.rows.length) return typed;
@@ -269,7 +270,7 @@ export function hasLockedColumns(rows, arm) {
 
 /**
  * Write the message that the values of locked joints are not judged.
- * @param {Arm} arm @param {number[]} values one for each row of the arm, pose after pose
+ * @param {Arm} arm @param {number[]} values for each configuration, one for each row
  */
 export function noteLockedValues({ rows }, values) {
   const locked = fixedRows({ rows });
@@ -294,7 +295,7 @@ export const rowsOf = (flat, width) =>
 
 /**
  * Raise an error for a value whose unit cannot be that of its joint.
- * @param {Entry[]} entries one for each moving joint, pose after pose
+ * @param {Entry[]} entries one for each moving joint, configuration after configuration
  * @param {Arm} arm @param {string} what the answer @param {boolean} isTorque
  */
 export function refuseMisfitUnits(entries, arm, what, isTorque) {

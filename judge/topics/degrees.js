@@ -12,7 +12,7 @@ const TURN = 2 * Math.PI;
  * The question, and how to judge it again.
  * @typedef {object} DegreesQuestion
  * @property {import("../geometry/arm.js").Arm} arm
- * @property {number[]} values joint values as they were read, pose after pose (rad or m)
+ * @property {number[]} values joint values as they were read, one configuration after another
  * @property {string} [angles] unit that the question names, "rad" or "deg"
  * @property {string} key of the message that degrees were typed
  * @property {() => Verdict} [judgeInDegrees] judges the same answer with degrees

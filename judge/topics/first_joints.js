@@ -17,7 +17,8 @@ import { makeVerdict } from "../verdict.js";
 /** @typedef {import("../reading/numbers.js").Typed} Typed */
 /** @typedef {import("../verdict.js").Verdict} Verdict */
 /**
- * A question about torques at one pose q of a loaded arm. `taken` describes q and the masses.
+ * A question about torques at one configuration q of a loaded arm. `taken` describes q and the
+ * masses.
  * @typedef {{ arm: Arm, q: import("../digits.js").Entries,
  *   load: import("../causes/torques.js").Load, tolerance: number | null,
  *   isGradeOnly: boolean | undefined, taken: string[] }} TorqueContext

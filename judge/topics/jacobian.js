@@ -268,7 +268,7 @@ function judgeSelectedEntries(typed, request, selection) {
   return { judged, notes };
 }
 
-// Note how many mistakes in the recipe give the same Jacobian at this pose.
+// Note how many mistakes in the recipe give the same Jacobian at this configuration.
 function noteHiddenMistakes(steps, mistakes, q, expected) {
   const recipe = mistakes.filter((_, k) => !steps[k].change && !("i" in steps[k].cause.fields[0]));
   const zeros = expected.map(() => 0);
@@ -282,7 +282,7 @@ function noteHiddenMistakes(steps, mistakes, q, expected) {
 // Report a Jacobian that is right, rounded or right so far. `half` is 0 or 1 if only the linear or
 // the angular half was typed, else null.
 function reportRight({ grade, agreement, wrong }, typed, arm, half) {
-  const where = typed.symbolic ? "" : formatMessage("at this pose");
+  const where = typed.symbolic ? "" : formatMessage("at this configuration");
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
   const [typedHalf, other] = half ? ["angular", "linear"] : HALVES;
   const keys = { [RIGHT]: half === null ? "J right" : "J half right", [SO_FAR]: "J so far" };

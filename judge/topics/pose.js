@@ -9,7 +9,7 @@ import { judgeEntries } from "../entries.js";
 import { isOutsideLimits } from "../geometry/arm.js";
 import { makeChain, chainFrames } from "../geometry/chains.js";
 import { findClosedForm, needsPose } from "../geometry/inverse.js";
-import { listPosesWithOneChange } from "../geometry/one_joint.js";
+import { listConfigurationsWithOneChange } from "../geometry/one_joint.js";
 import { orthonormalize, solveTarget } from "../geometry/target.js";
 import {
   cross,
@@ -197,7 +197,7 @@ function findWrongJoint(q, arm, T, typed, makeExpected) {
   const goal = T.pose
     ? { point: T.values.map((row) => row[3]), tool: { x, y, z, o: [0, 0, 0] } }
     : { point: T.values[0], tool: null };
-  const poses = T.formulas ? [] : listPosesWithOneChange(arm, q.values, goal);
+  const poses = T.formulas ? [] : listConfigurationsWithOneChange(arm, q.values, goal);
   const causes = poses.flatMap((values, k) => {
     const slack = computeSlack({ ...q, values }, values.length, makeExpected);
     if (!agrees(typed, makeExpected(values), slack)) return [];

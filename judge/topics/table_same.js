@@ -171,7 +171,7 @@ function findStartFault({ rows, reference }, startConfiguration, length) {
     away: formatNumber(away < TIP_TOLERANCE ? 0 : away, 3),
     turned: turn < 1 ? "" : formatMessage("table tool turned", { degrees: formatNumber(turn, 3) }),
   };
-  return { message: formatMessage("start pose", fields), where: "", entry: "" };
+  return { message: formatMessage("start configuration", fields), where: "", entry: "" };
 }
 
 /** @param {TablePair} pair @param {Fault} fault @returns {Verdict} */

@@ -1,4 +1,4 @@
-// Judges joint torques at a single pose or along a trajectory.
+// Judges joint torques at a single configuration or along a trajectory.
 
 import {
   makeLoad,
@@ -36,7 +36,7 @@ import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from ".
 const GRAVITY = [0, 0, -9.81]; // m/s²
 // Names of variables that hold the answer; "effort" is the name in ROS.
 const ANSWER_NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i;
-const SAMPLE_SIZE = 5; // poses of a trajectory at which mistakes are tried first
+const SAMPLE_SIZE = 5; // configurations of a trajectory at which mistakes are tried first
 
 /**
  * Judge torques at q or along a list of q.
@@ -52,8 +52,8 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   if (!arm.rows.every((row) => row.body))
     throw new ArmError(formatMessage("no masses", { arm: arm.name, rows: arm.rows.length }));
   const dof = movingRows(arm).length;
-  const [typedQ, wrenches] = pairPosesWithWrenches(
-    readPoses(q, arm, options.angles),
+  const [typedQ, wrenches] = pairConfigurationsWithWrenches(
+    readConfigurations(q, arm, options.angles),
     dof,
     options.wrench,
   );
@@ -90,7 +90,7 @@ function judgeAllTorques(mine, arm, q, options = {}) {
 function judgeTorques(typed, context) {
   const { arm, q, load, taken } = context;
   const count = load.wrenches.length;
-  const arranged = arrangeByPose(typed, count, arm);
+  const arranged = arrangeByConfiguration(typed, count, arm);
   if (arranged) {
     const allTaken = [...typed.taken, ...arranged.taken, ...taken];
     const verdict = judgeArrangedTorques({ ...arranged, taken: allTaken }, q, load, context);
@@ -105,8 +105,8 @@ function judgeTorques(typed, context) {
   return verdict ?? { ...reportWrongShape(typed, count, arm), typed };
 }
 
-// List the shapes that are read. They have a row for each pose or a list for each joint, with or
-// without locked joints. A single number for each pose is an energy.
+// List the shapes that are read. They have a row for each configuration or a list for each joint,
+// with or without locked joints. A single number for each configuration is an energy.
 function listShapes(count, arm) {
   const widths = [...new Set([movingRows(arm).length, arm.rows.length])];
   return [
@@ -133,8 +133,9 @@ function convertToNewtonMetres(typed) {
   return { ...typed, values: scale(typed.values), units: scale(typed.units), taken };
 }
 
-// Pair poses with wrenches. A single wrench belongs to all poses, a single pose to all wrenches.
-function pairPosesWithWrenches(typedQ, dof, wrench = [0, 0, 0, 0, 0, 0]) {
+// Pair configurations with wrenches. A single wrench belongs to all configurations, a single
+// configuration to all wrenches.
+function pairConfigurationsWithWrenches(typedQ, dof, wrench = [0, 0, 0, 0, 0, 0]) {
   const count = typedQ.values.length / dof;
   const wrenches = Array.isArray(wrench[0]) ? wrench : rowsOf(typedQ.values, dof).map(() => wrench);
   if (count !== 1) return [typedQ, wrenches];
@@ -143,7 +144,7 @@ function pairPosesWithWrenches(typedQ, dof, wrench = [0, 0, 0, 0, 0, 0]) {
 }
 
 /** Read a joint vector or a list of joint vectors. */
-export function readPoses(q, arm, angles) {
+export function readConfigurations(q, arm, angles) {
   const dof = movingRows(arm).length;
   const read = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
     wants: jointShapes(arm),
@@ -161,9 +162,9 @@ const describeModel = ({ masses, gravity }) => [
   }),
 ];
 
-// Return the torques with a row for each pose, or null if their shape is wrong. Lists for each
-// joint are transposed and values of locked joints dropped, and the verdict reports both.
-function arrangeByPose({ values, units, shape }, count, arm) {
+// Return the torques with a row for each configuration, or null if their shape is wrong. Lists for
+// each joint are transposed and values of locked joints dropped, and the verdict reports both.
+function arrangeByConfiguration({ values, units, shape }, count, arm) {
   const moving = movingRows(arm);
   const [dof, rows] = [moving.length, arm.rows.length];
   const sizes = shape.filter((n) => n !== 1);
@@ -228,8 +229,8 @@ function judgeArrangedTorques(typed, typedQ, load, { arm, tolerance, isGradeOnly
   return makeTorquesVerdict(arm, judged.grade, headline, { ...rest, notes });
 }
 
-// Judge torques at all poses. If there are many poses, each mistake is tried at a few poses first.
-// Only mistakes that fit there are tried at all poses.
+// Judge torques at all configurations. If there are many configurations, each mistake is tried at a
+// few configurations first. Only mistakes that fit there are tried at all configurations.
 function judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
@@ -238,8 +239,8 @@ function judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
   const request = { dof, tolerance, isGradeOnly };
   const judgeWith = (torques, q, maker, mistakes, furtherLists) =>
     judgeEntries({ ...request, typed: torques, q, makeExpected: maker(), mistakes, furtherLists });
-  const judgeWithAllMistakes = (torques, q, loadAtPoses) => {
-    const maker = makeTorqueMaker(loadAtPoses, dof, q.values);
+  const judgeWithAllMistakes = (torques, q, loadAtConfigurations) => {
+    const maker = makeTorqueMaker(loadAtConfigurations, dof, q.values);
     const pairs = isEmpty ? [] : [() => listMistakePairs(steps, maker)];
     return judgeWith(torques, q, maker, listSingleMistakes(steps, maker), pairs);
   };
@@ -256,7 +257,8 @@ function judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
   return judgeWith(typed, typedQ, maker, mistakes, []);
 }
 
-// Return the largest error of a torque, and the number of joints that are right at every pose.
+// Return the largest error of a torque, and the number of joints that are right at every
+// configuration.
 function measureErrors(actual, expected, { grade, wrong }, dof) {
   const errors = subtractEach(actual, expected).map(Math.abs);
   const wrongJoints = new Set(

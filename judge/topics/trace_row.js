@@ -12,7 +12,7 @@ import {
   revoluteFlags,
   rotationBetween,
 } from "../geometry/kinematics.js";
-import { listPosesWithOneChange } from "../geometry/one_joint.js";
+import { listConfigurationsWithOneChange } from "../geometry/one_joint.js";
 import { describeMiss } from "../matching.js";
 import { formatNumber, joinList } from "../sentences.js";
 import { boundTipError } from "./trace_units.js";
@@ -76,13 +76,16 @@ export function findOnlyWrongRow({ q, units }, arm, path, frames, allowed) {
 /** @returns {Pick<WrongRow, "corrections" | "exchanged">} */
 function findRowCorrections(q, row, arm, goal) {
   const typed = q[row];
-  const isRight = (pose) => reachesGoal(linkFrames(arm, pose).at(-1), goal);
-  const corrections = listPosesWithOneChange(arm, typed, goal)
-    .map((pose, index) => ({ index, pose }))
-    .filter(({ pose }) => isRight(pose));
+  const isRight = (configuration) => reachesGoal(linkFrames(arm, configuration).at(-1), goal);
+  const corrections = listConfigurationsWithOneChange(arm, typed, goal)
+    .map((configuration, index) => ({ index, configuration }))
+    .filter(({ configuration }) => isRight(configuration));
   const nearest = selectNearest(corrections, q[row - 1] ?? q[row + 1], q[row + 1] ?? q[row - 1]);
   return {
-    corrections: nearest.map(({ index, pose }) => ({ index, value: pose[index] })),
+    corrections: nearest.map(({ index, configuration }) => ({
+      index,
+      value: configuration[index],
+    })),
     exchanged: findExchangedJoints(typed, isRight),
   };
 }
@@ -93,8 +96,8 @@ const reachesGoal = (tip, { point, tool, distance, angle }) =>
 // Select the corrections that leave the row nearest to its neighbours. A correction that leads
 // farther away is on a different branch.
 function selectNearest(corrections, before, after) {
-  const distances = corrections.map(({ pose }) =>
-    norm(pose.map((x, i) => x - (before[i] + after[i]) / 2)),
+  const distances = corrections.map(({ configuration }) =>
+    norm(configuration.map((x, i) => x - (before[i] + after[i]) / 2)),
   );
   const nearest = Math.min(...distances);
   return corrections.filter((_, k) => distances[k] <= AS_NEAR * nearest);

@@ -112,7 +112,7 @@ def test_link_restores_typed_answer(page):
     verdict(page, "joint i turns about the axis of the frame before it")
     expect(page.locator(".arm-judge td.off")).to_have_count(15)  # of 18: last two axes coincide
     ask(page, ELBOW)
-    verdict(page, "The Jacobian of Elbow arm is right at this pose, to the digits you gave.")
+    verdict(page, "The Jacobian of Elbow arm is right at this configuration, to the digits you gave.")
     expect(page.locator(".arm-judge td.off")).to_have_count(0)
     ask(page, ELBOW.replace("0.2866", "0.3866"))
     verdict(page, "olumn 3 (joint 3): check vz.")
@@ -135,7 +135,7 @@ def test_report_of_wrong_answer_is_copied(page):
     verdict(page, "An example, with a mistake in it.")
     expect(button).to_be_hidden()
     ask(page, ELBOW)
-    verdict(page, "is right at this pose, to the digits you gave")
+    verdict(page, "is right at this configuration, to the digits you gave")
     expect(button).to_be_hidden()
     for answer, words in (
         (
@@ -671,7 +671,7 @@ def test_wrong_entry_is_corrected_in_the_text(page):
     marked.locator("pre .off").click()
     page.get_by_label("The number as it should be read").fill("0.2866")
     page.keyboard.press("Enter")
-    verdict(page, "is right at this pose")
+    verdict(page, "is right at this configuration")
     answer = page.get_by_label("Your answer", exact=True)
     expect(answer).to_have_value(ELBOW)
     marked.get_by_role("button", name="Undo").click()
