@@ -41,7 +41,7 @@ BOOK := $(HTML)/.whole
 
 $(BOOK): $(BIN)/.installed $(SOURCES)
 	@rm -f $@ && mkdir -p $(HTML) && touch $@.begun
-	$(BIN)/jupyter-book build book -W -n --keep-going --quiet $(if $(wildcard $@),$(if $(filter-out $(wildcard book/*.*),$?),--all),--all)
+	$(BIN)/jupyter-book build book -W -n --keep-going --quiet $(if $(wildcard $@),$(if $(filter-out $(wildcard book/*.* book/exercises/*.* book/further/*.*),$?),--all),--all)
 	@mv $@.begun $@
 
 book: $(BOOK) ## build the book and say where it is
@@ -118,7 +118,7 @@ lite: ## JupyterLite with the notebooks, in book/_build/lite/site; it runs once 
 	test -d .venv-lite || $(PYTHON) -m venv .venv-lite
 	.venv-lite/bin/python -m pip install --quiet --disable-pip-version-check jupyterlite-core==0.8.6 jupyterlite-pyodide-kernel==0.8.6 jupyter-server
 	rm -rf book/_build/lite && mkdir -p book/_build/lite/content
-	cp -r $(NOTEBOOKS) helpers book/_build/lite/content
+	cp -r book/*.ipynb book/exercises book/further helpers book/_build/lite/content
 	find book/_build/lite/content -name __pycache__ -type d -prune -exec rm -r {} +
 	cd book/_build/lite && ../../../.venv-lite/bin/jupyter lite build --contents content --output-dir site
 

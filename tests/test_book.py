@@ -13,14 +13,16 @@ from urllib.parse import unquote, urldefrag
 import pytest
 from fontTools.ttLib import TTFont
 
+from tools.numbering import list_notebooks, page_name
+
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
 NAMES = re.findall(
     r"(?:file|root): (\S+)", (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
 )
 
-# Ids in the text of the pages of 0b8c1d9, without those that Python names and page scripts make.
-OLD_IDS = json.loads((ROOT / "tests" / "page_ids.json").read_text(encoding="utf-8"))
+# Ids in the text of the pages of e0e3bff4, without those that Python names and page scripts make.
+OLD_IDS = json.loads((ROOT / "book" / "old_anchors.json").read_text(encoding="utf-8"))
 
 SHEETS = [name for name in NAMES if name.startswith("answers/")]
 
@@ -33,6 +35,7 @@ class Page(HTMLParser):
     def __init__(self, text: str) -> None:
         super().__init__()
         self.ids, self.links, self.loads, self.pictures, self.meta = set(), [], [], [], {}
+        self.moved, self.left = {}, None  # target of each part that has left the page, by its id
         self.kinds = set()  # tag, class and names of attributes
         self.span_classes = []  # classes of the last <span> before this point
         self.feed(text)
@@ -41,6 +44,12 @@ class Page(HTMLParser):
         attrs = dict(attrs)
         self.kinds.add((tag, attrs.get("class"), *sorted(attrs)))
         self.ids |= {attrs[key] for key in ("id", "name") if attrs.get(key)}
+        if tag == "ul":
+            self.left = "" if attrs.get("class") == "moved" else None
+        if tag == "li" and self.left is not None:
+            self.left = attrs["id"]
+        if tag == "a" and self.left:
+            self.moved[self.left] = attrs["href"]
         if tag == "a" and attrs.get("href"):
             self.links.append(attrs["href"])
         if tag == "link" and attrs.get("rel") != "canonical":
@@ -145,9 +154,19 @@ def test_page_has_no_unrendered_markup(name):
 
 
 @pytest.mark.parametrize("name", OLD_IDS)
-def test_page_keeps_the_ids_of_the_fourth_edition(name):
-    """A heading that changes keeps its old id in an empty anchor: ``<a id="old"></a>``."""
-    assert not set(OLD_IDS[name]) - page(HTML / f"{name}.html").ids
+def test_address_of_the_fifth_edition_leads_somewhere(name):
+    """An anchor stands on its page, or the page says where its part stands now.
+
+    A heading that changes keeps its old id in an empty anchor: ``<a id="old"></a>``.
+    """
+    here = HTML / f"{name}.html"
+    assert not set(OLD_IDS[name]) - page(here).ids
+    for anchor in set(OLD_IDS[name]) & set(page(here).moved):
+        url = page(here).moved[anchor]
+        target = here.parent / local_path(url)
+        part = unquote(urldefrag(url)[1])
+        assert target.exists(), url
+        assert not part or part in page(target).ids - set(page(target).moved), url
 
 
 def test_stylesheets_load_only_local_files():
@@ -156,10 +175,11 @@ def test_stylesheets_load_only_local_files():
             assert not re.match(r"(https?:)?//", url), f"{sheet.name}: {url}"
 
 
-@pytest.mark.parametrize("path", sorted((ROOT / "book").glob("*.ipynb")), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", list_notebooks(), ids=page_name)
 def test_page_offers_the_notebook_of_the_repository(path):
-    (link,) = [url for url in page(HTML / f"{path.stem}.html").links if url.endswith(path.name)]
-    assert (HTML / link).read_bytes() == path.read_bytes()
+    here = HTML / f"{page_name(path)}.html"
+    (link,) = [url for url in page(here).links if re.search(rf"_sources/.*{path.name}$", url)]
+    assert (here.parent / link).read_bytes() == path.read_bytes()
 
 
 @pytest.mark.parametrize("name", SHEETS[1:])

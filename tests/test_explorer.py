@@ -28,6 +28,7 @@ from helpers.statics import gravity_torque, potential_energy, static_torque
 from tests.machines import random_pair
 from tests.node import NODE, ask_node, needs_node, needs_packages
 from tests.test_tables import flip_x, flip_z, replace_rows, shift_zero
+from tools.numbering import list_notebooks
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "page"
@@ -480,7 +481,7 @@ def test_figure_shows_widget_and_stub():
 
 def test_stored_notebooks_hold_stubs_not_widgets():
     stubs = 0
-    for path in (ROOT / "book").glob("*.ipynb"):
+    for path in list_notebooks():
         notebook = json.loads(path.read_text(encoding="utf-8"))
         assert "widgets" not in notebook["metadata"]
         for cell in notebook["cells"]:

@@ -12,18 +12,20 @@ from statistics import median
 import nbformat
 import pytest
 
-from tools.numbering import list_notebooks
+from tools.numbering import list_notebooks, page_name
 from tools.refresh import hide_drawing_code, write_derived_cells
 from tools.setup_note import IMPORT_COMMENT, format_setup_note
 
 NOTEBOOKS = list_notebooks()
 PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
 CHAPTERS = [path for path in NOTEBOOKS if path.stem[:2].isdigit()]
-ALLOWED_TAGS = {"hide-input", "hide-output", "hide-cell", "remove-input", "remove-cell"}
+ALLOWED_TAGS = {
+    *("hide-input", "hide-output", "hide-cell", "remove-input", "remove-cell", "show-code")
+}
 CAPTION = r'(?s)(?:<a id="[\w-]+"></a>\s+)+\*\*Fig\. [\d.]+\.\*\* .{30,}'
 SLIDERS = "from ipywidgets import interactive\n"  # the second line of a cell with sliders
 
-every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=page_name)
 
 
 def read(path):
@@ -76,7 +78,7 @@ def test_pages_have_no_control_characters():
 @every_notebook
 def test_notebook_was_run_in_order(path):
     counts = [cell.execution_count for cell in code_cells(path)]
-    anew = f"say: make refresh NOTEBOOKS=book/{path.name}"
+    anew = f"say: make refresh NOTEBOOKS=book/{page_name(path)}.ipynb"
     assert counts == list(range(1, len(counts) + 1)), anew
 
 
@@ -210,7 +212,7 @@ def test_notebook_is_as_refresh_leaves_it(path):
     """Its note on `helpers`, the folded code of drawings, citations with their list."""
     notebook = read(path)
     write_derived_cells(notebook, path)
-    assert notebook == read(path), f"run: make refresh NOTEBOOKS=book/{path.name}"
+    assert notebook == read(path), f"run: make refresh NOTEBOOKS=book/{page_name(path)}.ipynb"
 
 
 @pytest.mark.parametrize(

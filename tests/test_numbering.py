@@ -109,3 +109,11 @@ def test_code_and_formulas_hold_no_links(tmp_path, text):
 def test_mistake_on_a_page_is_reported_with_its_line(tmp_path):
     (tmp_path / "where.md").write_text("# Where\n\n[x](#none)\n", encoding="utf-8")
     assert find_mistakes(tmp_path) == ["where.md, line 3: dead link: no anchor none in where.md"]
+
+
+def test_exercises_beside_a_chapter_continue_its_numbers(tmp_path):
+    (tmp_path / "exercises").mkdir()
+    write_notebook(tmp_path, "02_two.ipynb", EXERCISE.format("a", "2.1"))
+    write_notebook(tmp_path / "exercises", "two.ipynb", EXERCISE.format("b", "9.9"))
+    renumber(tmp_path)
+    assert read_texts(tmp_path / "exercises", "two.ipynb") == [EXERCISE.format("b", "2.2")]

@@ -7,6 +7,8 @@ import json
 import re
 from pathlib import Path
 
+from tools.numbering import list_notebooks
+
 BOOK = Path(__file__).parents[1] / "book"
 API = (BOOK / "api.md").read_text(encoding="utf-8")
 MODULES = re.findall(r"automodule:: (helpers\.\w+|answers)", API)
@@ -17,7 +19,7 @@ def names_used():
 
     The instructors' page is the reference of what it uses: students need no `course`.
     """
-    for path in sorted(set(BOOK.glob("*.ipynb")) - {BOOK / "instructors.ipynb"}):
+    for path in sorted(set(list_notebooks()) - {BOOK / "instructors.ipynb"}):
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
         code = "\n".join("".join(c["source"]) for c in cells if c["cell_type"] == "code")
         modules = {}

@@ -22,7 +22,7 @@ from sphinx.util import logging
 
 LOGGER = logging.getLogger(__name__)
 BOOK = Path(__file__).parents[1] / "book"
-FOLDERS = ("exercises", "further")  # notebooks beside the chapters
+FOLDERS = ("exercises", "further")  # of notebooks beside the chapters
 
 ANCHOR = re.compile(r'<a id="([\w.-]+)"></a>')
 HEADING = re.compile(r"(?m)^(#+) +(.+)$")
@@ -111,14 +111,19 @@ def read_cells(path: Path) -> list[Cell]:
 
 
 def list_notebooks(folder: Path = BOOK) -> list[Path]:
-    """Return the notebooks of the book's folder and of the folders beside the chapters."""
-    beside = [path for name in FOLDERS for path in folder.glob(f"{name}/*.ipynb")]
-    return sorted([*folder.glob("*.ipynb"), *beside])
+    """Return the book's notebooks: the chapters and pages, then those in FOLDERS."""
+    return [path for name in ("", *FOLDERS) for path in sorted((folder / name).glob("*.ipynb"))]
+
+
+def page_name(path: Path) -> str:
+    """Return a notebook's name on the pages, such as further/limits."""
+    folder = f"{path.parent.name}/" if path.parent.name in FOLDERS else ""
+    return folder + path.stem
 
 
 def read_book(folder: Path = BOOK) -> dict[Path, list[Cell]]:
     """Return the cells of every notebook and page, without the sheets in `answers`."""
-    paths = sorted([*list_notebooks(folder), *folder.glob("*.md")])
+    paths = [*list_notebooks(folder), *sorted(folder.glob("*.md"))]
     return {path.resolve(): read_cells(path) for path in paths}
 
 
@@ -136,19 +141,30 @@ def find_items(kind: Kind, cells: list[Cell]) -> list[tuple[Cell, re.Match]]:
     ]
 
 
-def compute_number(path: Path, position: int) -> str:
-    """Return the number of the item at a position from 1, such as 2.1 in chapter 2."""
-    chapter = re.match(r"0*(\d+)_", path.name)
-    return f"{chapter[1]}.{position}" if chapter else str(position)
+def number_items(kind: Kind, path: Path, book: dict[Path, list[Cell]]) -> list[str]:
+    """Return the right numbers of a page's items of a kind, such as 2.1 in chapter 2.
+
+    The exercises of a page in `exercises` continue those of the chapter of the same name.
+    """
+    source, before = path, 0
+    if kind.name == "exercise" and path.parent.name == "exercises":
+        source = next((file for file in book if re.fullmatch(rf"\d+_{path.name}", file.name)), path)
+        before = len(find_items(kind, book[source])) if source != path else 0
+    chapter = re.match(r"0*(\d+)_", source.name)
+    prefix = f"{chapter[1]}." if chapter else ""
+    count = len(find_items(kind, book[path]))
+    return [f"{prefix}{before + position}" for position in range(1, count + 1)]
 
 
 def count_items(book: dict[Path, list[Cell]]) -> dict[tuple[Path, str], str]:
     """Return the right number of each item, by its page and anchor."""
     return {
-        (path, match[1]): compute_number(path, position)
+        (path, match[1]): number
         for path, cells in book.items()
         for kind in KINDS
-        for position, (_, match) in enumerate(find_items(kind, cells), start=1)
+        for number, (_, match) in zip(
+            number_items(kind, path, book), find_items(kind, cells), strict=True
+        )
     }
 
 
@@ -205,7 +221,7 @@ def find_mistakes(folder: Path = BOOK) -> list[str]:
     for path, cells in book.items():
         for kind in KINDS:
             mistakes += check_forms(kind, cells)
-            mistakes += check_order(kind, path, cells)
+            mistakes += check_order(kind, cells, number_items(kind, path, book))
         mistakes += check_anchors(cells)
         mistakes += check_solutions(cells)
         for cell in cells:
@@ -232,11 +248,11 @@ def check_forms(kind: Kind, cells: list[Cell]) -> Iterator[str]:
             yield f"{cell.describe_position()}: a caption without a code cell right above it"
 
 
-def check_order(kind: Kind, path: Path, cells: list[Cell]) -> Iterator[str]:
+def check_order(kind: Kind, cells: list[Cell], right_numbers: list[str]) -> Iterator[str]:
     """Report numbers that occur twice or are out of order."""
     seen: dict[str, str] = {}
-    for position, (cell, match) in enumerate(find_items(kind, cells), start=1):
-        number, right = match[3], compute_number(path, position)
+    for right, (cell, match) in zip(right_numbers, find_items(kind, cells), strict=True):
+        number = match[3]
         place = cell.describe_position(match.start())
         if number in seen:
             problem = f"{kind.name} {number} occurs twice, first in {seen[number]}"

@@ -14,7 +14,7 @@ import nbformat
 from nbclient import NotebookClient
 
 from tools.citations import write_citations
-from tools.numbering import FOLDERS, find_mistakes, renumber
+from tools.numbering import find_mistakes, page_name, renumber
 from tools.setup_note import write_setup_note
 
 KERNEL = {
@@ -43,10 +43,10 @@ def draws_only(cell: nbformat.NotebookNode, below: nbformat.NotebookNode) -> boo
 
 def write_derived_cells(notebook: nbformat.NotebookNode, path: Path) -> None:
     """Write the note, folds and citations of a notebook, which follow from its cells."""
-    folder = f"{path.parent.name}/" if path.parent.name in FOLDERS else ""
-    write_setup_note(notebook, folder + path.stem)
+    page = page_name(path)
+    write_setup_note(notebook, page)
     hide_drawing_code(notebook)
-    write_citations(notebook, "../" * bool(folder))
+    write_citations(notebook, "../" * page.count("/"))
 
 
 def refresh_notebook(path: Path) -> None:

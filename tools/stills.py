@@ -21,6 +21,7 @@ LIGHT_THEME = ' data-theme="light"'  # marks a card that is built without a brow
 PAPER = Path(__file__).with_name("paper.js")
 EXPLORER_START = re.compile(r'<div class="arm-explorer[^>]*>')
 FIGURE_KIND = re.compile(r'data-figure="(\w+)"')
+BOOK_PAGE = re.compile(r'href="((?:check_your_homework|explorer)\.html)')  # links of a form
 STYLE = re.compile(r"<style>(.*?)</style>", re.S)
 JSON_DATA = re.compile(r'<script type="application/json">(.*)</script>', re.S)
 
@@ -76,7 +77,8 @@ class PageScripts:
     def add_form(self, html: str) -> str:
         """Return the end of a judge's HTML with the answer form before it."""
         self.form_count += 1
-        return self.build_form("", JSON_DATA.search(html)[1], self.form_count) + html
+        form = self.build_form("", JSON_DATA.search(html)[1], self.form_count)
+        return BOOK_PAGE.sub(rf'href="{self.root}\1', form) + html
 
 
 def load_script(script: Path) -> BuildHtml:

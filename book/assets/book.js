@@ -91,6 +91,14 @@ window.addEventListener("resize", () => {
   resizeTimer = setTimeout(observeBoxes, 100);
 });
 
+// The address of a part that has left the page leads to its new place.
+function followMovedPart() {
+  const link = document.querySelector(".moved :target a") ?? document.querySelector("a.moved");
+  if (link) location.replace(link.href);
+}
+document.addEventListener("DOMContentLoaded", followMovedPart);
+addEventListener("hashchange", followMovedPart);
+
 document.addEventListener("DOMContentLoaded", () => {
   const each = (selector, change) => document.querySelectorAll(selector).forEach(change);
   const { dataset } = document.documentElement;

@@ -1,0 +1,36 @@
+"""Test which cells fold to the line of what they compare."""
+
+from docutils import nodes
+
+from tools.checks import fold, read_labels, stays_open
+
+
+def make_cell(*outputs, classes=()):
+    block = [nodes.literal_block("", text, classes=["output", "stream"]) for text in outputs]
+    code = nodes.container("", nodes.literal_block("", "check(...)"), classes=["cell_input"])
+    output = nodes.container("", *block, classes=["cell_output"])
+    return nodes.container("", code, output, classes=["cell", *classes])
+
+
+def test_labels_are_what_was_compared():
+    cell = make_cell("✔ the tip (m) (within 1e-12)\n✔ all eight\n✔ all eight\n")
+    assert read_labels(cell) == ["the tip (m)", "all eight"]
+
+
+def test_cell_with_another_output_stays_open():
+    assert read_labels(make_cell("4 branches\n✔ the tip\n")) == []
+    assert read_labels(make_cell("")) == []
+
+
+def test_tag_and_solutions_keep_code_open():
+    assert stays_open(make_cell("✔ a", classes=["tag_show-code"]))
+    cell = make_cell("✔ a")
+    nodes.admonition("", cell, classes=["solution"])
+    assert stays_open(cell)
+    assert not stays_open(make_cell("✔ a"))
+
+
+def test_folded_cell_names_three_checks_and_counts_the_others():
+    cell = make_cell("✔ a\n")
+    fold(cell, ["a < b", "b", "c", "d"])
+    assert "<summary>✔ a &lt; b; b; c; and 1 more</summary>" in cell[0].astext()
