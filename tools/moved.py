@@ -52,6 +52,8 @@ def find_targets(
             if anchor in ids.get(page, ()):
                 continue
             pages = [name for name in beside if anchor in ids[name]]
+            own = f"exercises/{page.partition('_')[2]}"  # of chapter 05_inverse_kinematics
+            pages = [own] if own in pages else pages
             found = f"{pages[0]}#{anchor}" if len(pages) == 1 else ""
             target = moved.get(f"{page}#{anchor}") or found or moved.get(page, "")
             targets.setdefault(page, {})[anchor] = target
@@ -87,6 +89,8 @@ def format_lines(env: BuildEnvironment, page: str, targets: Targets) -> str:
     """Return the lines of the parts that have left a page, as HTML."""
     items = []
     for anchor, target in targets.items():
+        if not target:  # the build has warned of it
+            continue
         name, _, part = target.partition("#")
         address = relative_uri(f"{page}.html", f"{name}.html") + (part and f"#{part}")
         title = escape(env.titles[name].astext())
