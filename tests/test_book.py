@@ -65,6 +65,10 @@ class Page(HTMLParser):
         parts = (attrs.get("class") or "").split()
         self.span_classes = parts if tag == "span" else self.span_classes
 
+    def handle_endtag(self, tag):
+        if tag == "ul":
+            self.left = None
+
 
 @cache
 def page(path: Path) -> Page:
@@ -163,7 +167,7 @@ def test_address_of_the_fifth_edition_leads_somewhere(name):
     assert not set(OLD_IDS[name]) - page(here).ids
     for anchor in set(OLD_IDS[name]) & set(page(here).moved):
         url = page(here).moved[anchor]
-        target = here.parent / local_path(url)
+        target = here.parent / local_path(url) if local_path(url) else here
         part = unquote(urldefrag(url)[1])
         assert target.exists(), url
         assert not part or part in page(target).ids - set(page(target).moved), url
