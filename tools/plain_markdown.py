@@ -10,6 +10,10 @@ show them as they are. This extension recognises these forms on the document tre
 - ``\\tag{2.1}`` in a display formula is its number.
 - ``- <a id="term-x"></a>**x**: Text`` is a term of the glossary.
 - ``<div class="judge" data-ask="table">`` up to ``</div>`` is the place of a judge.
+- ``<div class="answer" data-answer="53" data-within="1" data-unit="mm">`` up to ``</div>`` is a
+  field for the numbers that an exercise asks for; the text between them says which. Numbers of an answer
+  are separated by blanks, answers that are right too by ``|``.
+- ``> **Hint**`` begins a hint, which folds.
 
 `tools/numbering.py` checks these forms in the sources and writes their numbers.
 """
@@ -27,6 +31,7 @@ from sphinx.transforms import SphinxTransform
 from helpers.explorer import judge
 
 OPEN_ANCHOR = re.compile(r'<a id="([\w.-]+)">')
+OPEN_ANSWER = re.compile(r'<div class="answer"([^>]*)>\s*')
 OPEN_JUDGE = re.compile(r'<div class="judge"([^>]*)>\s*')
 DATA = re.compile(r'data-([\w-]+)="([^"]*)"')
 EXERCISE = re.compile(r"(Exercise [\d.]+): (.*)", re.S)
@@ -68,6 +73,7 @@ class DressBlocks(SphinxTransform):
     def apply(self, **_: object) -> None:
         for node_type, dress in (
             (nodes.raw, self.place_judge),
+            (nodes.raw, place_answer_field),
             (nodes.raw, drop_still),
             (nodes.block_quote, dress_box),
             (nodes.section, dress_exercise),
@@ -89,12 +95,34 @@ class DressBlocks(SphinxTransform):
         for name, module in list(sys.modules.items()):
             if name.startswith("helpers."):  # the stub holds the numbers of the arms
                 self.env.note_dependency(module.__file__)
-        parent = opening.parent
-        following = parent[parent.index(opening) + 1 :]
-        content = list(takewhile(lambda node: node.astext().strip() != "</div>", following))
-        for node in [*content, following[len(content)]]:
-            parent.remove(node)
+        content = remove_up_to_end(opening)
         opening.replace_self(judge_nodes(dict(DATA.findall(tag[1])), content))
+
+
+def remove_up_to_end(opening: nodes.raw) -> list[nodes.Node]:
+    """Remove the nodes between a ``<div>`` and its ``</div>``, and return them."""
+    parent = opening.parent
+    following = parent[parent.index(opening) + 1 :]
+    content = list(takewhile(lambda node: node.astext().strip() != "</div>", following))
+    for node in [*content, following[len(content)]]:
+        parent.remove(node)
+    return content
+
+
+def place_answer_field(opening: nodes.raw) -> None:
+    """Put a field for an answer, which answer.js reads, in place of ``<div class="answer">``."""
+    tag = OPEN_ANSWER.fullmatch(opening.astext())
+    if tag is None:
+        return
+    (question,) = remove_up_to_end(opening)
+    html = (
+        f'<form class="answer"{tag[1]}><label>',
+        '<input autocomplete="off" spellcheck="false"></label>'
+        "<button>Check</button><output></output></form>",
+    )
+    start, end = (nodes.raw("", part, format="html") for part in html)
+    label = nodes.inline("", "", *question.children)
+    opening.replace_self([start, label, end])
 
 
 def drop_still(html: nodes.raw) -> None:
@@ -137,9 +165,11 @@ def dress_box(quote: nodes.block_quote) -> None:
     title = leading_bold_text(quote[0])
     if not title or title != quote[0].astext():
         return
-    kind = "slip" if title.startswith("Slip ") else "important"
+    kinds = ["slip" if title.startswith("Slip ") else "important"]
+    if title == "Hint":
+        kinds = ["clue", "dropdown"]  # `hint` is the line below a wide box
     heading = nodes.title("", "", *quote[0].next_node(nodes.strong).children)
-    box = nodes.admonition("", heading, *quote[1:], ids=quote["ids"], classes=[kind])
+    box = nodes.admonition("", heading, *quote[1:], ids=quote["ids"], classes=kinds)
     quote.replace_self(box)
 
 

@@ -93,7 +93,8 @@ window.addEventListener("resize", () => {
 
 // The address of a part that has left the page leads to its new place.
 function followMovedPart() {
-  const link = document.querySelector(".moved :target a") ?? document.querySelector("a.moved");
+  const line = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const link = line?.matches(".moved > li") ? line.querySelector("a") : document.querySelector("a.moved");
   if (link) location.replace(link.href);
 }
 document.addEventListener("DOMContentLoaded", followMovedPart);

@@ -1,0 +1,103 @@
+"""Test the fields below exercises: what they read, and that each accepts its solution."""
+
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+import nbformat
+import pytest
+import quickjs
+
+from tools.numbering import list_notebooks, page_name
+from tools.plain_markdown import DATA, OPEN_ANSWER
+
+SCRIPT = Path(__file__).parents[1] / "book/assets/answer.js"
+NUMBER = re.compile(r"(?<![\w.])-?\d+\.?\d*(?:e-?\d+)?")
+EXERCISE = re.compile(r"(?m)^### Exercise ([\d.]+)")
+
+
+@cache
+def load_script():
+    context = quickjs.Context()
+    context.eval(SCRIPT.read_text(encoding="utf-8"))
+    return context
+
+
+def judge(text, **question):
+    return json.loads(
+        load_script().eval(
+            f"JSON.stringify(judgeAnswer({json.dumps(text)}, {json.dumps(question)}))"
+        )
+    )
+
+
+def list_fields():
+    """Yield each field's data with the text and outputs of the solution below it."""
+    for path in list_notebooks():
+        number, field, in_solution = "", None, False
+        for cell in nbformat.read(path, as_version=4).cells:
+            if cell.cell_type == "markdown" and re.search(r"(?m)^#", cell.source):
+                in_solution = "#### Solution" in cell.source
+                if field and not in_solution:
+                    yield field
+                    field = None
+            if match := EXERCISE.search(cell.source):
+                number = match[1]
+            if tag := OPEN_ANSWER.search(cell.source):
+                field = {
+                    "id": f"{page_name(path)} {number}",
+                    "data": dict(DATA.findall(tag[1])),
+                    "solution": "",
+                }
+            if field and in_solution:
+                outputs = [str(o.get("text") or o.get("data", {})) for o in cell.get("outputs", [])]
+                field["solution"] += "\n".join(["", cell.source, *outputs])
+
+
+FIELDS = [*list_fields()]
+
+
+@pytest.mark.parametrize("field", FIELDS, ids=[field["id"] for field in FIELDS])
+def test_field_accepts_the_numbers_of_its_solution(field):
+    """Each number of the answer stands in the solution's text or outputs, to the tolerance."""
+    data = field["data"]
+    solution = field["solution"].replace("\N{MINUS SIGN}", "-")
+    printed = [float(number) for number in NUMBER.findall(solution)]
+    for answer in data["answer"].split("|"):
+        for value in map(float, answer.split()):
+            nearest = min(printed, key=lambda number: abs(number - value))
+            assert abs(nearest - value) <= float(data["within"]), (value, nearest)
+        assert judge(answer, **data)["right"]
+        wrong = " ".join(
+            str(float(value) + 3 * float(data["within"]) + 1) for value in answer.split()
+        )
+        assert not judge(wrong, **data)["right"]
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        ("1.571, -0.8", True),
+        ("(pi/2; -0.8)", True),
+        ("0.5*pi −0.8", True),
+        ("q = 1.571, -0.8", False),
+        ("1.571", False),
+        ("1,571 -0.8", False),
+        ("1.571 0.8", False),
+        ("-0.8 1.571", False),
+        ("2 3", True),
+    ],
+)
+def test_field_reads_numbers_in_order(text, right):
+    assert judge(text, answer="1.5708 -0.8 | 2 3", within="0.001")["right"] is right
+
+
+def test_field_reads_the_unit_that_it_names_and_no_other():
+    question = {"answer": "53", "within": "1", "unit": "mm"}
+    assert judge("53 mm", **question)["right"]
+    verdict = judge("0.053 m", **question)
+    assert verdict == {
+        "right": False,
+        "message": 'I read numbers only, not "m". Expected: 1 number in mm.',
+    }
