@@ -6,6 +6,8 @@ about or along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries ar
 ``a_3``, which have values, exact angles such as ``pi/2``, or numbers.
 """
 
+from __future__ import annotations
+
 import math
 import os
 import warnings
@@ -274,7 +276,7 @@ class Arm:
         convention: str | None = None,
         values: Mapping[str, float] | None = None,
         name: str = "my table",
-    ) -> "Arm":
+    ) -> Arm:
         """Read a table as text, rows, parallel lists, ``Link(...)`` lines or 4 x 4 matrices.
 
         Options that are not given are guessed, and the arm's `source` says how the table was read.
@@ -333,7 +335,7 @@ class Arm:
         base: str | None = None,
         tip: str | None = None,
         **tolerances: float,
-    ) -> "Arm":
+    ) -> Arm:
         """Read a robot description (URDF), as `helpers.urdf.from_urdf` does.
 
         Args:
@@ -349,7 +351,7 @@ class Arm:
 
     # Changed copies
 
-    def with_values(self, **values: float) -> "Arm":
+    def with_values(self, **values: float) -> Arm:
         """Return the arm with other values for some of its symbols.
 
         Args:
@@ -369,7 +371,7 @@ class Arm:
             raise ArmError(f"{self.name} has no symbol {', '.join(unknown)}; it has {known}")
         return replace(self, values={**self.values, **values})
 
-    def with_row(self, number: int, **changes: Any) -> "Arm":
+    def with_row(self, number: int, **changes: Any) -> Arm:
         """Return the arm with one row changed.
 
         Args:
@@ -407,7 +409,7 @@ class Arm:
             bodies[number - 1] = replace(bodies[number - 1], mass=changes["mass"])
         return replace(self, rows=rows, bodies=bodies)
 
-    def with_bodies(self, bodies: Iterable[Body], name: str | None = None) -> "Arm":
+    def with_bodies(self, bodies: Iterable[Body], name: str | None = None) -> Arm:
         """Return the arm with other bodies.
 
         Args:
@@ -422,7 +424,7 @@ class Arm:
         bodies = tuple_of_items(bodies, f"{self.name}: bodies", "one Body for each row")
         return replace(self, name=self.name if name is None else name, bodies=bodies)
 
-    def with_base(self, pose: ArrayLike) -> "Arm":
+    def with_base(self, pose: ArrayLike) -> Arm:
         """Return the arm on a base: the pose of its frame 0 in the world.
 
         The base becomes a fixed row before the others, unless it only turns about z and shifts
@@ -456,7 +458,7 @@ class Arm:
         bodies = [Body(0, (0, 0, 0))] * len(first) if self.bodies else []
         return replace(self, rows=(*first, moved, *self.rows[1:]), bodies=(*bodies, *self.bodies))
 
-    def with_tool(self, pose: ArrayLike) -> "Arm":
+    def with_tool(self, pose: ArrayLike) -> Arm:
         """Return the arm with a tool: the pose of the tool's tip in the arm's last frame.
 
         The tool becomes one or two fixed rows behind the others, without mass.
@@ -485,7 +487,7 @@ class Arm:
         bodies = [Body(0, (0, 0, 0))] * len(tool) if self.bodies else []
         return replace(self, rows=(*self.rows, *tool), bodies=(*self.bodies, *bodies))
 
-    def lock(self, joint: int, at: Entry = 0) -> "Arm":
+    def lock(self, joint: int, at: Entry = 0) -> Arm:
         """Return the arm with one joint locked at a value.
 
         Its row becomes a fixed row.

@@ -4,6 +4,8 @@ A pose has six numbers and a row four. So every pose is one row and a rotation a
 along z: Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) Rot_z(theta') Trans_z(d').
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

@@ -7,6 +7,8 @@ table.
 Source: Craig, Introduction to Robotics, section 3.4; Spong, Hutchinson and Vidyasagar, section 3.2.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import replace
 

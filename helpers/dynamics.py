@@ -5,6 +5,8 @@ axes. Gravity enters as an upward acceleration of the base.
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 6.6.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

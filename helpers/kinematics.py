@@ -5,6 +5,8 @@ recorded once for each arm (see `helpers.program`). A single pose then takes mic
 batch runs in contiguous rows, in chunks that stay in the processor's cache.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Convert poses to rigid transforms."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

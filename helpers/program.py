@@ -7,6 +7,8 @@ products. A single pose runs through it in floats. A batch runs in contiguous ro
 call for each step.
 """
 
+from __future__ import annotations
+
 import math
 import operator
 import threading
@@ -54,14 +56,14 @@ class Term:
 
     def _record_step(
         self, operation: str, first: float, second: int, is_negative: bool = False
-    ) -> "Term":
+    ) -> Term:
         position = self.tape.setdefault((operation, first, second), len(self.tape))
         return Term(self.tape, position, is_negative)
 
-    def _record_constant(self, value: float) -> "Term":
+    def _record_constant(self, value: float) -> Term:
         return self._record_step("constant", abs(value), 0, is_negative=value < 0)
 
-    def __neg__(self) -> "Term":
+    def __neg__(self) -> Term:
         return Term(self.tape, self.position, not self.is_negative)
 
     def __mul__(self, other: Value) -> Value:

@@ -1,5 +1,7 @@
 """Show matrices and frames as a page does, to read and to compare with one's own."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 import numpy as np

@@ -3,6 +3,8 @@
 All simple mistakes are made, one and two at a time, and those are kept that no pose shows.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations

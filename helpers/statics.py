@@ -6,6 +6,8 @@ axes at the tip.
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, sections 4.10 and 6.2.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 

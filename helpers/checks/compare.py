@@ -3,6 +3,8 @@
 Each comparison turns the answer into plain data, asks the judge and returns its `Verdict`.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any

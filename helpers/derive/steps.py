@@ -1,5 +1,7 @@
 """Place frames on joint axes row by row; a row's four numbers take frame i-1 to frame i."""
 
+from __future__ import annotations
+
 import math
 import warnings
 from collections.abc import Sequence

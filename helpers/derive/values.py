@@ -1,5 +1,7 @@
 """Define the input of `derive`, joint axes, and its result, a table with its derivation."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field, replace
 from typing import Literal, NamedTuple
 

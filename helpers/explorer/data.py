@@ -1,5 +1,7 @@
 """Convert arms to plain data for the browser, and back."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any

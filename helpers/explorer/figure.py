@@ -1,5 +1,7 @@
 """Small live figures of arms, which the chapters show beside a sentence."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from typing import Any
 

@@ -1,5 +1,7 @@
 """Draw still pictures of arms, which notebooks show where no kernel runs."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

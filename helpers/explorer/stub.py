@@ -3,6 +3,8 @@
 When the book is built, the same script writes their still form into this HTML (tools/stills.py).
 """
 
+from __future__ import annotations
+
 import json
 from html import escape
 

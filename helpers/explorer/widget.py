@@ -1,5 +1,7 @@
 """The explorer as a notebook widget, which shares its joint vector with the page."""
 
+from __future__ import annotations
+
 import hashlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path

@@ -1,5 +1,7 @@
 """All solutions of any arm whose structure has a closed form."""
 
+from __future__ import annotations
+
 from dataclasses import replace
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Solve inverse kinematics of any arm numerically, by damped least squares in batches."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple

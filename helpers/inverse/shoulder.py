@@ -5,6 +5,8 @@ target, which leaves a problem in the plane's own coordinates. Source: Spong, Hu
 Vidyasagar, section 5.3.
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

@@ -1,5 +1,7 @@
 """Hold all solution branches of a batch of targets, and choose among them."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace

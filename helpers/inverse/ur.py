@@ -26,6 +26,8 @@ Other twists of a right angle change signs, which `_read_shape` returns.
 Source: Hawkins (2013), derived anew from the axes so that any signs of the twists will do.
 """
 
+from __future__ import annotations
+
 from typing import Any, NamedTuple
 
 import numpy as np

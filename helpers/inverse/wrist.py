@@ -3,6 +3,8 @@
 Source: Pieper (1968); Spong, Hutchinson and Vidyasagar, section 5.3 (kinematic decoupling).
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache

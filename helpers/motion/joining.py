@@ -1,5 +1,7 @@
 """Join traces into one."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 from itertools import accumulate, pairwise
 

@@ -1,5 +1,7 @@
 """Define paths of the tip: its wanted position and velocity at any time."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 

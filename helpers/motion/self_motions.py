@@ -1,5 +1,7 @@
 """Compute self-motions, in which the joints move and the tip stands still."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

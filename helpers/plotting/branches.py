@@ -1,5 +1,7 @@
 """Draw the triangles of inverse kinematics, and regions of start values by their result."""
 
+from __future__ import annotations
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, PathPatch

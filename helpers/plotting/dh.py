@@ -1,5 +1,7 @@
 """Draw the four Denavit-Hartenberg parameters."""
 
+from __future__ import annotations
+
 from typing import Any
 
 import numpy as np

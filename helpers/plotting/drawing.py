@@ -4,6 +4,8 @@ A `view` is a plane such as "xz", whose first axis points right and whose second
 azimuth and elevation of the viewer in degrees. The axes of a drawing are in m.
 """
 
+from __future__ import annotations
+
 from collections import defaultdict
 from collections.abc import Iterable
 from typing import Any

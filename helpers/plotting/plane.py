@@ -1,5 +1,7 @@
 """Draw arms that move in a plane."""
 
+from __future__ import annotations
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray

@@ -1,5 +1,7 @@
 """Draw joint torques along a path and the forces at the pen's tip."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from typing import Any
 
