@@ -1,7 +1,7 @@
 """Compare solution branches of random arms with EAIK, for the structures that EAIK solves.
 
 EAIK's flag `is_LS` is not used: solutions of EAIK that miss the pose are left out. The arms have no
-antiparallel neighbours, with which EAIK lacks branches. The weekly job of CI installs EAIK.
+antiparallel neighbours, with which EAIK lacks branches.
 """
 
 import numpy as np
