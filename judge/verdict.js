@@ -2,7 +2,7 @@
 
 import { adviseOnCauses } from "./advice.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { refuseContraryWords } from "./reading/contradictions.js";
+import { stopAtWords } from "./reading/words.js";
 import { formatMessage, tryOrNull } from "./sentences.js";
 
 /** The mark that is shown beside each grade. */
@@ -102,8 +102,7 @@ export const completeVerdicts =
     const first = judge(mine, ...rest);
     const verdict = findRightArm(first, judge, mine, rest) ?? first;
     const options = rest[judge.length - 1] ?? {};
-    if (typeof mine === "string" && verdict.grade !== WRONG)
-      refuseContraryWords(mine, verdict, options);
+    if (typeof mine === "string" && verdict.grade !== WRONG) stopAtWords(mine, verdict, options);
     const advice = [...(verdict.advice ?? []), ...adviseOnCauses(verdict.causes, options)];
     const unused = first.unusedLines ?? first.typed?.unusedLines ?? mine?.unusedLines ?? [];
     return noteUnusedLines({ ...verdict, advice, tokens: findTokens(first, mine) }, unused);

@@ -34,7 +34,6 @@ import {
   refuseQuotients,
 } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
-import { refuseRemark } from "./remarks.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { findComputation, findRejection } from "./surroundings.js";
@@ -123,7 +122,6 @@ function findIn(pasted, text, question) {
   // A text without a word can only be the answer, even if it counts: 1 2 3.
   if (isUnlikely(block, names) && /\p{L}/u.test(text))
     throw makeRefusal(text, question, blockFinders);
-  refuseRemark(linesOf(pasted.text), tokens, what);
   const unusedLines = listUnusedLines(
     text,
     { ...block, ...findLinesOfEntries(block, tokens) },

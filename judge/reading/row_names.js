@@ -38,15 +38,8 @@ export const namesOtherTopic = ({ name, cells, isAssigned }) =>
 
 const OLD = "old|previous|earlier|first (?:try|attempt|run)";
 const CALLED_OLD = new RegExp(String.raw`\b(?:${OLD}|wrong|before I)\b`, "i");
-const BEGINS_AS_OLD = new RegExp(String.raw`^\W*(?:${OLD}|before)\b`, "i");
 // With two words behind it at most, as in "my old answer (wrong)".
 const OLD_HEADING = new RegExp(String.raw`^\W*(?:my )?(?:${OLD})(?:\W+\w+){0,2}\W*$`, "i");
-
-/**
- * Return whether a line calls its numbers old at its beginning, as "before: 0.5" does.
- * @param {string} line
- */
-export const beginsAsOld = (line) => BEGINS_AS_OLD.test(line);
 
 const textOf = (cells) => cells.map(({ text }) => text).join(" ");
 

@@ -2,7 +2,6 @@
 // an entry, or a tool. The judge does not apply such a change, so there is no verdict.
 
 import { plain } from "./formula.js";
-import { isRemark } from "./remarks.js";
 import { refuseLine } from "./table_symbols.js";
 import { LENGTH_UNIT } from "./units.js";
 
@@ -53,7 +52,7 @@ export function refuseChanges(table, masked, text) {
 
 /** @param {string} line @param {boolean} isRow @param {TypedTable} table */
 function isChange(line, isRow, { rows }) {
-  if (isRemark(line, isRow) || [FLIP, MOVED].some((pattern) => pattern.test(line))) return true;
+  if ([FLIP, MOVED].some((pattern) => pattern.test(line))) return true;
   if (assignsField(line)) return true;
   const [, behindTool = ""] = TOOL.exec(line) ?? [];
   if (TRANSFORM.test(behindTool)) return true;
@@ -71,10 +70,7 @@ function isChange(line, isRow, { rows }) {
  * @param {string} text
  */
 export const changesRow = (text) =>
-  isRemark(text, true) ||
-  DOUBT_IN_ROW.test(text) ||
-  OFFSET_IN_ROW.test(text) ||
-  SHIFTED_IN_ROW.test(plain(text));
+  DOUBT_IN_ROW.test(text) || OFFSET_IN_ROW.test(text) || SHIFTED_IN_ROW.test(plain(text));
 
 // Return whether a line assigns a number other than 0 to an entry or a field.
 const assignsField = (line) =>
