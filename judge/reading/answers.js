@@ -18,7 +18,6 @@ import {
   withoutMargins,
   withoutStruckText,
 } from "./decorations.js";
-import { refuseContraryRows, refuseUnequalLists } from "./contradictions.js";
 import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
@@ -132,12 +131,10 @@ function findIn(pasted, text, question) {
 
 // Refuse entries with two possible meanings, and answers that contradict themselves.
 function refuseUnclear(text, { block, want, rows, tokens, what }) {
-  refuseUnequalLists(text, block);
   refuseDashes(text, block.sources);
   refusePowers(text, block.sources, what);
   refuseQuotients(text, block.sources, what);
   if (want.by !== "row") refuseContraryNames(text, tokens, rows);
-  else if (!block.hasRowNames) refuseContraryRows(block, what);
 }
 
 // Make an error for an entry without a number, such as "q_6 = ?".

@@ -10,7 +10,6 @@ import {
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { findAnswer, NoFitError } from "./answers.js";
-import { refuseContraryDefinitions } from "./contradictions.js";
 import { withoutOtherComments } from "./odd_texts.js";
 import { OTHER_LIST } from "./owners.js";
 import { endInDegrees, findOtherUnit, fitsJoint, readUnitBehind, readUnits } from "./units.js";
@@ -160,7 +159,6 @@ function readText(text, { known, ...question }) {
   const used = new Set();
   for (const tree of trees) symbols(tree, used);
   const meanings = known(used);
-  refuseContraryDefinitions(text, meanings, known);
   const findValue = (name) => meanings.get(name);
   const values = trees.map((tree) => value(tree, findValue));
   const entries = texts.map((cell, i) => readCell(cell, formulaSlack(trees[i], findValue)));

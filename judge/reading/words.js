@@ -1,19 +1,18 @@
-// Knows the few words that say how the numbers of an answer are meant: an order, a frame or
-// "not". On the lines of the answer, or on the lines next to them, such words stop a verdict that
-// took the numbers otherwise. "Not" counts on a line with numbers of the answer only. All other words
-// change nothing.
+// Knows the few words that say how the numbers of an answer are meant: an order, a frame or "not".
+// On the lines of the answer, or on the lines next to them, such words stop a verdict that took the
+// numbers otherwise. "Not" counts only on a line with numbers. All other words change nothing.
 
 import { linesOf } from "./characters.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
-/** @typedef {import("../verdict.js").Verdict} Verdict */
 /**
- * Known words. `topic` is the only topic in which they have this meaning, `isBeside` is true if they
- * also count on the next line, and `isApplied` returns whether the options say the same.
+ * Known words. `topic` is the only topic in which they have this meaning. `isBeside` is true if
+ * they also count on the next line, and `isApplied` returns whether the answer was taken so.
  * @typedef {{ pattern: RegExp, topic?: string, isBeside?: boolean,
- *   isApplied?: (options: Record<string, any>, words: string) => boolean }}
- *   KnownWords
+ *   isApplied?: (options: Record<string, any>, words: string) => boolean }} KnownWords
  */
+
+const word = (words) => new RegExp(String.raw`(?<![\p{L}\d_\\])(?:${words})(?![\p{L}\d_])`, "iu");
 
 const TIP = "(?:tool|tip|wrist|hand|end[- ]?effector|flange|gripper|last joint)";
 const LINEAR = String.raw`(?:J_?\{?[vp]\}?|v|(?:linear|translation(?:al)?)(?: part| rows)?)`;
@@ -21,13 +20,16 @@ const ANGULAR =
   String.raw`(?:J_?\{?(?:w|ω|\\?omega)\}?|w|ω|\\?omega|` +
   String.raw`(?:angular|rotation(?:al)?)(?: part| rows)?)`;
 const ABOVE = String.raw`(?:\s+(?:above|over|on top of|before)|\s*[;,])\s+(?:the )?`;
-const word = (words) => new RegExp(String.raw`(?<![\p{L}\d_\\])(?:${words})(?![\p{L}\d_])`, "iu");
-
-const COMMENT = /(?:#(?!\d)|%|\/\/).*/;
-const isAscending = (words) =>
-  [...words.matchAll(/\d+/g)].every(
-    ([joint], k, all) => !k || Number(joint) > Number(all[k - 1][0]),
-  );
+const JOINTS_IN_ORDER =
+  /\b(?:columns?|order|spalten)\b[^\n\d]{0,20}[qθ]_?\d(?:[\s,;|&]+[qθ]_?\d)+/iu;
+// "in the tool frame" and "(tool frame, 4 digits)", but not "the velocity of the tool frame"
+const TOOL_FRAME = new RegExp(
+  String.raw`^(?!.*(?:base|world|space|frame 0))` +
+    String.raw`.*((?:(?<!\p{L})(?:in|into|to|w\.?r\.?t\.?) (?:the )?|[(,] ?)` +
+    String.raw`(?:tool|tip|end[- ]?effector|ee|body|hand|flange)(?:'s)? ` +
+    String.raw`(?:frame|axes|coordinates)(?!\p{L}))`,
+  "iu",
+);
 
 /** @type {KnownWords[]} */
 const KNOWN_WORDS = [
@@ -43,44 +45,54 @@ const KNOWN_WORDS = [
     ),
     isBeside: true,
   },
-  ...[
-    {
-      pattern: /\b(?:columns?|order|spalten)\b[^\n\d]{0,20}[qθ]_?\d(?:[\s,;|&]+[qθ]_?\d)+/iu,
-      isApplied: (_, words) => isAscending(words),
-    },
-    {
-      // "in the tool frame" and "(tool frame, 4 digits)", but not "the velocity of the tool frame"
-      pattern: new RegExp(
-        String.raw`^(?!.*(?:base|world|space|frame 0)).*((?:(?<!\p{L})(?:in|into|to|w\.?r\.?t\.?) (?:the )?|[(,] ?)` +
-          String.raw`(?:tool|tip|end[- ]?effector|ee|body|hand|flange)(?:'s)? (?:frame|axes|coordinates)(?!\p{L}))`,
-        "iu",
-      ),
-      isApplied: ({ frame }) => Boolean(frame),
-    },
-    {
-      pattern: word(
-        `${ANGULAR}${ABOVE}${LINEAR}|(?:angular|rotation(?:al)?)(?: part| rows)? first`,
-      ),
-      isApplied: ({ angularFirst }) => Boolean(angularFirst),
-    },
-  ].map((words) => ({ ...words, topic: "Jacobian", isBeside: true })),
+  {
+    pattern: JOINTS_IN_ORDER,
+    topic: "Jacobian",
+    isBeside: true,
+    isApplied: (_, words) => isAscending(words),
+  },
+  {
+    pattern: TOOL_FRAME,
+    topic: "Jacobian",
+    isBeside: true,
+    isApplied: ({ frame }) => Boolean(frame),
+  },
+  {
+    pattern: word(`${ANGULAR}${ABOVE}${LINEAR}|(?:angular|rotation(?:al)?)(?: part| rows)? first`),
+    topic: "Jacobian",
+    isBeside: true,
+    isApplied: ({ angularFirst }) => Boolean(angularFirst),
+  },
 ];
+
+const isAscending = (words) => {
+  const joints = (words.match(/\d+/g) ?? []).map(Number);
+  return joints.every((joint, k) => k === 0 || joint > joints[k - 1]);
+};
+
+const COMMENT = /(?:#(?!\d)|%|\/\/).*/;
 
 /**
  * Raise an error if known words beside the numbers of a verdict say that they are meant otherwise.
- * @param {string} text as it was pasted @param {Verdict} verdict @param {Record<string, any>} options
+ * @param {string} text as it was pasted @param {import("../verdict.js").Verdict} verdict
+ * @param {Record<string, any>} options
  */
 export function stopAtWords(text, { topic, tokens, typed }, options) {
   const entries = (tokens ?? typed?.tokens ?? []).filter(({ owner }) => owner === "entry");
   const used = new Set(entries.map(({ line }) => line));
+  const known = KNOWN_WORDS.filter((one) => (one.topic ?? topic) === topic);
   const lines = linesOf(text);
-  for (const k of listLinesBeside(lines, [...used]))
-    for (const { pattern, topic: only = topic, isBeside, isApplied } of KNOWN_WORDS) {
-      const line = isBeside ? lines[k] : lines[k].replace(COMMENT, "");
-      const [whole, words = whole] = (only === topic && pattern.exec(line)) || [];
-      if (!words || !(isBeside || used.has(k)) || isApplied?.(options, words)) continue;
-      throw new ArmError(formatMessage("words", { words: quoteText(words), line: k + 1 }));
-    }
+  for (const k of listLinesBeside(lines, [...used])) {
+    const words = known.map((one) => findWords(one, lines[k], used.has(k), options)).find(Boolean);
+    if (words) throw new ArmError(formatMessage("words", { words: quoteText(words), line: k + 1 }));
+  }
+}
+
+/** @param {KnownWords} known @param {string} line @param {boolean} isOwn */
+function findWords({ pattern, isBeside, isApplied }, line, isOwn, options) {
+  if (!isBeside && !isOwn) return null;
+  const [whole, words = whole] = pattern.exec(isBeside ? line : line.replace(COMMENT, "")) ?? [];
+  return words && !isApplied?.(options, words) ? words : null;
 }
 
 // List the lines from the one above an answer's first line to the one below its last line. Lines
