@@ -35,7 +35,7 @@ import {
 import { refuseUnread, tokensOf } from "./owners.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
-import { findComputation, findRejection } from "./surroundings.js";
+import { findComputation } from "./surroundings.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
 import { listUnusedLines } from "./unused_lines.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
@@ -111,8 +111,6 @@ function findIn(pasted, text, question) {
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
   refuseUnclear(text, { block, want, rows, tokens, what });
-  const rejection = findRejection(text, block.sources);
-  if (rejection) throw new ArmError(formatMessage("rejected", { what, text: rejection }));
   const computation = findComputation(text, block.sources);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
