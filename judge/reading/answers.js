@@ -23,7 +23,6 @@ import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
 import { findLabel } from "./labels.js";
 import { isTransposed, orderByLabels, orderByListedNames, transpose } from "./ordering.js";
-import { refuseContraryNames } from "./named_apart.js";
 import {
   hasHalfNumbers,
   refuseDashes,
@@ -110,7 +109,7 @@ function findIn(pasted, text, question) {
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
-  refuseUnclear(text, { block, want, rows, tokens, what });
+  refuseUnclear(text, { block, what });
   const computation = findComputation(text, block.sources);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
@@ -128,11 +127,10 @@ function findIn(pasted, text, question) {
 }
 
 // Refuse entries with two possible meanings, and answers that contradict themselves.
-function refuseUnclear(text, { block, want, rows, tokens, what }) {
+function refuseUnclear(text, { block, what }) {
   refuseDashes(text, block.sources);
   refusePowers(text, block.sources, what);
   refuseQuotients(text, block.sources, what);
-  if (want.by !== "row") refuseContraryNames(text, tokens, rows);
 }
 
 // Make an error for an entry without a number, such as "q_6 = ?".
