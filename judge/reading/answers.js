@@ -23,14 +23,7 @@ import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
 import { findLabel } from "./labels.js";
 import { isTransposed, orderByLabels, orderByListedNames, transpose } from "./ordering.js";
-import {
-  hasHalfNumbers,
-  refuseDashes,
-  refuseLongText,
-  refuseOdd,
-  refusePowers,
-  refuseQuotients,
-} from "./odd_texts.js";
+import { hasHalfNumbers, refuseLongText, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
@@ -109,7 +102,6 @@ function findIn(pasted, text, question) {
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
-  refuseUnclear(text, { block, what });
   const computation = findComputation(text, block.sources);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
@@ -124,13 +116,6 @@ function findIn(pasted, text, question) {
     pasted,
   );
   return { ...block, rows, taken, unusedLines, tokens };
-}
-
-// Refuse entries with two possible meanings, and answers that contradict themselves.
-function refuseUnclear(text, { block, what }) {
-  refuseDashes(text, block.sources);
-  refusePowers(text, block.sources, what);
-  refuseQuotients(text, block.sources, what);
 }
 
 // Make an error for an entry without a number, such as "q_6 = ?".

@@ -2,7 +2,7 @@
 // abridged print "0.1 ... 0.9".
 
 import { linesOf } from "./characters.js";
-import { ArmError, formatMessage, quoteText } from "../sentences.js";
+import { ArmError, formatMessage } from "../sentences.js";
 
 /** @type {[string, RegExp][]} */
 const ODD = [
@@ -43,22 +43,6 @@ export function refuseLongText(text, size, { what, wanted }) {
     throw new ArmError(formatMessage("many lines", { what, count: lines, wanted }));
 }
 
-const LEADING_DASH = /(?:^|[\n\v\f\r])[ \t]{0,40}$/;
-
-/**
- * Raise an error if a dash and a blank begin the line of each row, as in "- 0.5". The dash may be a
- * minus or the bullet of a list.
- * @param {string} text @param {import("./lines.js").Row[]} rows
- */
-export function refuseDashes(text, rows) {
-  const leads = ({ from, to }) =>
-    /^[-\u2212\u2013][ \t]/.test(text.slice(from, to)) &&
-    LEADING_DASH.test(text.slice(Math.max(0, from - 50), from));
-  if (!rows.every(({ cells }) => leads(cells[0]))) return;
-  const line = quoteText(text.slice(rows[0].cells[0].from, rows[0].cells[0].to));
-  throw new ArmError(formatMessage("dashes", { line }));
-}
-
 /**
  * Return whether the numbers of a block are the halves of decimal numbers, as 0, 05, -97 and 53 of
  * "0,05 -97,53". Commas separate them without a blank, but there are blanks elsewhere in a row.
@@ -71,32 +55,6 @@ export const hasHalfNumbers = (text, { splitsCommas, sources }) =>
     const isSum = cells.some(({ from, to }) => /\d\s+[-+\u2212]?\d/.test(text.slice(from, to)));
     return isSum || gaps.some((gap) => !gap.trim());
   });
-
-const QUOTIENT = /\d[.,]\d+ ?°?[ \t]+\/[ \t]+[-+\u2212]?\d*[.,]\d+/;
-
-/**
- * Raise an error for an entry such as "0.5 / 28.6" with blanks around the slash. It may be a
- * quotient or two values.
- * @param {string} text @param {import("./lines.js").Row[]} rows @param {string} what the answer
- */
-export function refuseQuotients(text, rows, what) {
-  const typed = rows.flatMap(({ cells }) => cells.map(({ from, to }) => text.slice(from, to)));
-  const quotient = typed.find((cell) => QUOTIENT.test(cell));
-  if (quotient)
-    throw new ArmError(formatMessage("quotient", { what, text: quoteText(quotient.trim()) }));
-}
-
-const POWER = /^[-+\u2212]?(?!10\D)(?:\d+(?:[.,]\d*)?|[.,]\d+)[⁰¹²³⁴-⁹]+$/u;
-
-/**
- * Raise an error for an entry such as 0.5². The 2 may be an exponent or the mark of a footnote.
- * @param {string} text @param {import("./lines.js").Row[]} rows @param {string} what the answer
- */
-export function refusePowers(text, rows, what) {
-  const typed = rows.flatMap(({ cells }) => cells.map(({ from, to }) => text.slice(from, to)));
-  const power = typed.map((cell) => cell.trim()).find((cell) => POWER.test(cell));
-  if (power) throw new ArmError(formatMessage("power", { what, text: quoteText(power) }));
-}
 
 const COMMENT = /(?:#|%|\/\/).*/g;
 

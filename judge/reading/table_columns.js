@@ -214,7 +214,7 @@ export function dropContraryOrders(tables, text) {
   if (kept.length) return kept;
   const [{ tokens }] = tables;
   const quoted = quoteText(stated.line.trim());
-  throw new ArmError(formatMessage("contrary words", { quoted }), [], tokens, text);
+  throw new ArmError(formatMessage("contrary order", { quoted }), [], tokens, text);
 }
 
 const isOrder = (names) => names.split(" ").sort().join() === ENTRIES.join();
