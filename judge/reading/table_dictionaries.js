@@ -4,7 +4,6 @@
 import { listLines } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { makeEntry, makeUntyped } from "./table_named_entries.js";
-import { findUnusedText } from "./table_named_unread.js";
 import { ENTRIES } from "./table_rows.js";
 import { LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -19,9 +18,8 @@ const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ/])([A-Za-zαθ]+${INDEX}
 
 /**
  * A name with its entry, as "a_1 = 0.5". `index` is the number of the name, `column` the entry that
- * the name stands for, and `use` the span of name and entry.
- * @typedef {{ column: string, name: string, index: string | undefined, entry: Entry, use: Span
- *   }} Pair
+ * the name stands for.
+ * @typedef {{ column: string, name: string, index: string | undefined, entry: Entry }} Pair
  */
 /**
  * A dictionary or a line. `body` is its text inside the braces, which begins at `start`.
@@ -62,8 +60,6 @@ export function readDictionaries(text, brackets) {
     ),
     headers: columns.map((name) => columnsByRow[0].get(name)?.name ?? name),
     parts: kept.flatMap(({ parts }) => parts),
-    findUnread: () =>
-      findUnusedText(text, isNumbered ? [] : kept.map(isBraced ? makeRow : makeLineRow), brackets),
   };
   return isCraig ? { ...table, convention: "craig" } : table;
 }
@@ -129,23 +125,6 @@ function listRows(rows) {
 const OFFSET = "offset";
 const countColumns = (pairs) => new Set(pairs.map(({ column }) => column)).size;
 
-/** @param {PairRow} row */
-const makeRow = ({ pairs, body }) => ({
-  part: { from: body.from, to: body.to },
-  body: { from: body.start, to: body.start + body.body.length },
-  uses: pairs.map(({ use }) => use),
-  isWhole: ENTRIES.every((name) => pairs.some(({ column }) => column === name)),
-});
-
-// Make a row of a line of pairs. The words before the first pair are the row's label.
-/** @param {PairRow} row */
-function makeLineRow(row) {
-  const [{ use }] = row.pairs;
-  const label = row.body.body.slice(0, use.from - row.body.start);
-  const { body, ...rest } = makeRow(row);
-  return { ...rest, body: label.includes("=") ? body : { ...body, from: use.from } };
-}
-
 // Map the columns of a row to its pairs. Refuse two different values of a column. An offset beside
 // d belongs to the joint variable.
 /** @param {Pair[]} pairs @param {number} row */
@@ -200,8 +179,7 @@ function listPairs({ body, start }) {
     const entry = makeEntry(value, start + from);
     const column = findEntry(name.replace(/\d+/, ""));
     if (!ENTRIES.includes(column) || !entry.text) return [];
-    const use = { from: start + at, to: start + from + value.length };
-    return [{ column, name: index ? column : name, index, entry, use }];
+    return [{ column, name: index ? column : name, index, entry }];
   });
 }
 

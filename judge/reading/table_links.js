@@ -2,7 +2,6 @@
 
 import { number, plain } from "./formula.js";
 import { listEntries, makeEntry, makeUntyped } from "./table_named_entries.js";
-import { findUnusedText } from "./table_named_unread.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
@@ -34,7 +33,6 @@ export function readLinks(text, brackets) {
     }),
     headers: ENTRIES,
     parts: links.map(({ part }) => part),
-    findUnread: () => findUnusedText(text, links, brackets),
     assumptions: [formatMessage("taken: links")],
   };
   return links.some(({ call }) => MODIFIED.test(call)) ? { ...table, convention: "craig" } : table;
@@ -81,32 +79,24 @@ function readLink(name, { body, start, from, to }) {
     slides: isPrismatic || Boolean(values.theta && !values.d),
     call,
     part: { from: from - name.length, to },
-    body: { from: start, to: start + body.length },
-    uses: inputs.map(({ use }) => use),
-    isWhole: false, // a call may leave out its joint variable
   };
 }
 
-/**
- * Make an input of a call. `use` is the span of its name and value.
- * @param {string} name @param {Entry} entry @param {Span} use
- */
-const makeInput = (name, entry, use) => ({ name, entry, use });
+/** Make an input of a call. @param {string} name @param {Entry} entry */
+const makeInput = (name, entry) => ({ name, entry });
 
 // List the values of Link([...]). Values beyond the last position get an empty name.
 function listVector(body, start) {
   const [, vector] = /^\s*\[([^\]]*)/.exec(body) ?? [];
   const entries = vector ? listEntries(vector, start + body.indexOf(vector)) : [];
-  return entries.length
-    ? entries.map((entry, k) => makeInput(POSITIONS[k] ?? "", entry, entry.spans[0]))
-    : null;
+  return entries.length ? entries.map((entry, k) => makeInput(POSITIONS[k] ?? "", entry)) : null;
 }
 
 // List the values of Link('d', 0.3, 'a', 0) and RevoluteDH(d=0.3).
 function listNamedValues(body, start) {
   const pairs = [...body.matchAll(NAMED)].map(({ 0: all, 1: name, 2: value, index }) => {
-    const [from, to] = [start + index, start + index + all.length];
-    return makeInput(name, makeEntry(value, to - value.length), { from, to });
+    const to = start + index + all.length;
+    return makeInput(name, makeEntry(value, to - value.length));
   });
   return pairs.length > 0 ? pairs : null;
 }
@@ -120,5 +110,5 @@ function listUnnamedValues(name, body, start) {
     throw new ArmError(
       formatMessage("link order", { given: quoteText(`${name}(${body})`), call: name.trim() }),
     );
-  return entries.map((entry, k) => makeInput(names[k], entry, entry.spans[0]));
+  return entries.map((entry, k) => makeInput(names[k], entry));
 }

@@ -13,10 +13,9 @@
  * @typedef {{ text: string, spans: Span[] }} Entry
  */
 /**
- * The rows and headers of a table. `parts` are the spans of its rows in the text. `findUnread`
- * finds text of the table that no entry used.
+ * The rows and headers of a table. `parts` are the spans of its rows in the text.
  * @typedef {{ rows: Entry[][], headers: string[], parts: Span[], assumptions?: string[],
- *   convention?: string, findUnread: () => Span | null }} EntryRows
+ *   convention?: string }} EntryRows
  */
 
 const NEAR = 40; // characters before a bracket that may hold its name

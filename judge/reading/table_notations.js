@@ -6,7 +6,6 @@ import { findEntry, nameColumns } from "./table_columns.js";
 import { readDictionaries } from "./table_dictionaries.js";
 import { readLinks } from "./table_links.js";
 import { listBrackets, listEntries, makeUntyped } from "./table_named_entries.js";
-import { findUnusedList } from "./table_named_unread.js";
 import { ENTRIES, isVariable } from "./table_rows.js";
 import { refuseLongText } from "./odd_texts.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -19,7 +18,8 @@ const MOST_ROWS = 32;
 /** @typedef {import("./table_named_entries.js").EntryRows} EntryRows */
 /**
  * A table whose entries have names. `sources` are the spans of its entries, `parts` the spans of
- * its rows or lists, and `context` is the text around them. `unread` is unread text of the table.
+ * its rows or lists, `context` is the text around them, and
+ * `unread` is text between the rows with a number that no row used.
  * @typedef {{ cells: string[][], headers: string[], assumptions: string[], convention?: string,
  *   sources: Source[], parts: Span[], context: string, unusedLines: string[], unread: Span | null
  *   }} NamedTable
@@ -37,7 +37,7 @@ export function readNamedTable(typedText) {
   const table =
     readLinks(text, brackets) ?? readDictionaries(text, brackets) ?? readLists(text, brackets);
   if (!table) return null;
-  const { rows, headers, parts, assumptions = [], convention, findUnread } = table;
+  const { rows, headers, parts, assumptions = [], convention } = table;
   refuseManyRows(rows.length);
   const columns = nameColumns(headers);
   const sources = rows.flatMap((entries, row) =>
@@ -47,8 +47,30 @@ export function readNamedTable(typedText) {
     }),
   );
   const cells = rows.map((entries) => entries.map((entry) => entry.text));
-  const named = { cells, headers, assumptions, sources, parts, unread: findUnread() };
+  const named = { cells, headers, assumptions, sources, parts, unread: findUnreadGap(text, parts) };
   return { ...named, convention, ...listUnused(text, parts, sources) };
+}
+
+// Names with their indices, labels such as "joint 2" and comments, whose numbers are no entries.
+const NAMES =
+  /(?<!\S)(?:#|%|\/\/).*|(?:joint|link|row):? ?\d+|^\s*\d+[.:)]|[\p{L}_]\w*(?:[[({]\d+[\])}])?/gimu;
+
+/**
+ * Find text between the rows of a table, or on their lines, with a number that no row used.
+ * @param {string} text @param {Span[]} parts @returns {Span | null}
+ */
+function findUnreadGap(text, parts) {
+  const sorted = [...parts].sort((one, other) => one.from - other.from);
+  const start = text.lastIndexOf("\n", sorted[0].from) + 1;
+  const end = `${text}\n`.indexOf("\n", sorted.at(-1).to);
+  const ends = [start, ...sorted.map(({ to }) => to)];
+  const gaps = [...sorted.map(({ from }) => from), end].map((to, k) => ({ from: ends[k], to }));
+  const hasNumber = ({ from, to }) => /\d/.test(text.slice(from, to).replace(NAMES, ""));
+  const gap = gaps.find(hasNumber);
+  if (!gap) return null;
+  const words = text.slice(gap.from, gap.to).replace(/^[\s,;)]+|[\s,;]+$/g, "");
+  const from = text.indexOf(words, gap.from);
+  return { from, to: from + words.length };
 }
 
 /**
@@ -96,12 +118,6 @@ function readLists(text, brackets) {
     rows: Array.from({ length: counts[0] }, (_, k) => [...columns.values()].map((list) => list[k])),
     headers: [...columns.keys()],
     parts: lists.map(({ part }) => part),
-    findUnread: () =>
-      findUnusedList(
-        text,
-        lists.map(({ part }) => part),
-        counts[0],
-      ),
   };
   return !columns.has("theta") ? addTheta(table, columns.get("d")) : table;
 }
