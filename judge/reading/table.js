@@ -8,7 +8,6 @@ import { hasDecimals, simple, symbolsIn } from "./formula.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
-import { refuseChanges } from "./table_changes.js";
 import { joinCellLines } from "./table_cell_lines.js";
 import {
   dropContraryOrders,
@@ -40,7 +39,7 @@ import {
   placeBlockNumbers,
   placeMatrixNumbers,
 } from "./table_owners.js";
-import { isVariable, readRow, trimEntry } from "./table_rows.js";
+import { readRow, trimEntry } from "./table_rows.js";
 import { maskUnfinishedRows } from "./table_unfinished.js";
 import { findUnreadCell } from "./table_unread.js";
 import { findOtherUnit, LENGTH_UNIT } from "./units.js";
@@ -131,8 +130,6 @@ function useDefinitions(table, definitions, undefinedNames, text) {
   const symbols = new Set(typedCells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));
   const names = undefinedNames.filter((name) => symbols.has(simple(name)));
   refuseUnreadValues(names, maskSpans(text, [...cellSpans, ...definitions]), tokens, text);
-  const lengths = used.filter(({ name }) => !isVariable(name)); // "offset of q2: 90" is a change
-  refuseChanges(table, maskSpans(text, [...cellSpans, ...lengths]), text);
   return {
     ...table,
     unusedLines: dropDefinitions(unusedLines, used),

@@ -55,11 +55,24 @@ export function readNamedTable(typedText) {
 const NAMES =
   /(?<!\S)(?:#|%|\/\/).*|(?:joint|link|row):? ?\d+|^\s*\d+[.:)]|[\p{L}_]\w*(?:[[({]\d+[\])}])?/gimu;
 
+// An assignment to an entry that changes the rows: L(2).offset = pi/6, r.tool = ..., a(2) = 0.45.
+const ASSIGNED = new RegExp(
+  String.raw`(?:\.(?:a|d|alpha|theta|offset|tool|base)|(?<![\w.])(?:a|r|d|alpha|theta|offset)` +
+    String.raw` ?[[(]\d{1,2}[\])]) ?=(?!=)[^\n]*[1-9π]`,
+  "g",
+);
+
 /**
- * Find text between the rows of a table, or on their lines, with a number that no row used.
+ * Find text between the rows of a table, or on their lines, with a number that no row used,
+ * or an assignment to an entry of a row.
  * @param {string} text @param {Span[]} parts @returns {Span | null}
  */
 function findUnreadGap(text, parts) {
+  const isOutside = ({ from }) => parts.every((part) => from < part.from || from >= part.to);
+  const assigned = [...text.matchAll(ASSIGNED)]
+    .map(({ 0: words, index }) => ({ from: index, to: index + words.length }))
+    .find(isOutside);
+  if (assigned) return assigned;
   const sorted = [...parts].sort((one, other) => one.from - other.from);
   const start = text.lastIndexOf("\n", sorted[0].from) + 1;
   const end = `${text}\n`.indexOf("\n", sorted.at(-1).to);

@@ -5,7 +5,6 @@ import { isNumber } from "./formula.js";
 import { Tokens } from "./owners.js";
 import { listLines, SpannedText } from "./spans.js";
 import { findEntry } from "./table_columns.js";
-import { changesRow } from "./table_changes.js";
 import { ENTRIES } from "./table_rows.js";
 
 /** @typedef {import("./owners.js").Token} Token */
@@ -48,11 +47,10 @@ export function dropOtherColumns(text) {
       const columns = headers.flatMap((header, i) =>
         isKept(i) ? [] : [{ header, cells: cells.flatMap((row, j) => (isRow(j) ? row[i] : [])) }],
       );
-      // A note such as "q2 + 90" or "sum" changes its row, so its column must stay.
       const texts = columns.map((column) =>
         column.cells.slice(1).map(({ text: cell }) => cell.trim()),
       );
-      if (texts.flat().some(changesRow) || texts.some(hasStrayNumber)) break;
+      if (texts.some(hasStrayNumber)) break;
       const others = columns.filter((_, i) => texts[i].some(isNumberOrVector));
       return { rest: new SpannedText(text).assemble(parts), others };
     }
