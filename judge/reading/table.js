@@ -25,23 +25,12 @@ import {
   listUsedDefinitions,
   refuseTwoLengths,
 } from "./table_definitions.js";
-import {
-  dropUnclearUnits,
-  maskSpans,
-  refuseMixedUnits,
-  refuseUnreadValues,
-} from "./table_symbols.js";
 import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows, refuseSize } from "./table_notations.js";
-import {
-  listCellSpans,
-  listNamedNumbers,
-  placeBlockNumbers,
-  placeMatrixNumbers,
-} from "./table_owners.js";
+import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
 import { readRow, trimEntry } from "./table_rows.js";
 import { maskUnfinishedRows } from "./table_unfinished.js";
-import { findUnreadCell } from "./table_unread.js";
+import { findUnreadCell, refuseMixedUnits } from "./table_unread.js";
 import { findOtherUnit, LENGTH_UNIT } from "./units.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
@@ -74,7 +63,6 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  * @property {boolean} [isOrderGuessed] whether the order of the columns is a guess
  * @property {string[]} [order] the entry in each column; missing for link matrices
  * @property {string[]} [typedCells] all cells of the rows, without notes and footnote marks
- * @property {import("./spans.js").Span[]} [cellSpans] the positions of the cells in the text
  * @property {string[]} [unusedLines] the lines and numbers of the text that were not used
  * @property {import("./owners.js").Token[]} [tokens]
  */
@@ -107,29 +95,21 @@ export function readTables(pastedText, options = {}, values = []) {
   const defined = new Map(lengths.map(([name, x]) => [simple(name), x]));
   const request = { options, known: new Map([...known, ...defined]) };
   const tables = readWithLengths(typedText, request);
-  const undefinedNames = values.map(([name]) => name).filter((name) => !defined.has(simple(name)));
-  const checked = dropContraryOrders(tables, typedText).map((table) =>
-    useDefinitions(table, definitions, undefinedNames, typedText),
+  return dropContraryOrders(tables, typedText).map((table) =>
+    useDefinitions(table, definitions, typedText),
   );
-  const { typedCells, tokens } = tables[0];
-  return dropUnclearUnits(listUsedDefinitions(definitions, typedCells, tokens), checked, typedText);
 }
 
-// Apply the lengths that a text defines, such as d_1 = 0.5. Refuse a symbol whose length is unclear
-// or unread.
+// Apply the lengths that a text defines, such as d_1 = 0.5.
 /**
  * @param {TypedTable} table @param {import("./table_definitions.js").Definition[]} definitions
- * @param {string[]} undefinedNames symbols of the arm that the text does not define
  */
-function useDefinitions(table, definitions, undefinedNames, text) {
-  const { unusedLines, tokens, typedCells, cellSpans } = table;
+function useDefinitions(table, definitions, text) {
+  const { unusedLines, tokens, typedCells } = table;
   refuseTwoTables(table, text);
   refuseMixedUnits(table, text);
   const used = listUsedDefinitions(definitions, typedCells, tokens);
   refuseTwoLengths(used, tokens, text);
-  const symbols = new Set(typedCells.flatMap((cell) => symbolsIn(cell) ?? []).map(simple));
-  const names = undefinedNames.filter((name) => symbols.has(simple(name)));
-  refuseUnreadValues(names, maskSpans(text, [...cellSpans, ...definitions]), tokens, text);
   return {
     ...table,
     unusedLines: dropDefinitions(unusedLines, used),
@@ -152,8 +132,7 @@ function readWithLengths(typedText, request) {
       const span = plainText.span(unread.from, unread.to);
       refuseUnreadCell(text, tokens, span, formatMessage("your table"));
     }
-    const cellSpans = named.sources.map(({ from, to }) => plainText.span(from, to));
-    return readCells(named, request).map((table) => ({ ...table, tokens, cellSpans }));
+    return readCells(named, request).map((table) => ({ ...table, tokens }));
   }
   const readWithout = (spannedText) =>
     readFirstBlock(text, listTableBlocks(text, known, spannedText), request);
@@ -179,11 +158,9 @@ function readFirstBlock(text, blocks, request) {
     let tokens = [];
     try {
       tokens = requireReadable(block, text, request);
-      const cellSpans = listCellSpans(block);
       const assumptions = hasEmptyCells(block) ? [formatMessage("taken: empty")] : [];
       return readCells({ ...block, assumptions }, request).map((table) => ({
         ...table,
-        cellSpans,
         tokens: table.order
           ? placeBlockNumbers(tokens, block, table, text)
           : placeMatrixNumbers(tokens, text),

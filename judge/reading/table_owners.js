@@ -61,19 +61,6 @@ function listColumns(headers, order) {
   return entries?.join() === order.join() ? names : order;
 }
 
-/**
- * List the spans of a block's cells. Cells of a column that does not belong to the table are left
- * out, since their text may change the table.
- * @param {import("./table_blocks.js").TableBlock} table
- */
-export function listCellSpans({ block: { sources, rows }, headers, isTurned }) {
-  const names = isTurned ? null : nameTableColumns(headers);
-  const isRead = (_, k, { length }) => !names || names[k - length + names.length] !== undefined;
-  return [...sources.map(({ cells }) => cells), ...rows]
-    .flatMap((cells) => cells.filter(isRead))
-    .flatMap((cell) => cell.stretches ?? [cell]);
-}
-
 const getJointEntry = ({ rows }, row) => (rows[row].kind === "prismatic" ? "d" : "theta");
 
 const setAside = ({ text, from, to, line }, reason) => ({

@@ -1,9 +1,12 @@
 // Finds a cell of a table that was not read, on the line of a row or on a line that looks like a
 // further row.
 
-import { isDate } from "./owners.js";
+import { isDate, refuseUnreadCell } from "./owners.js";
 import { listLines } from "./spans.js";
 import { MOST_RADIANS } from "./table_conversion.js";
+import { ENTRIES } from "./table_rows.js";
+import { LENGTH_UNIT } from "./units.js";
+import { formatMessage } from "../sentences.js";
 
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {import("./lines.js").Cell} Cell */
@@ -231,3 +234,20 @@ const isWithin = ({ from, to }, list) => from >= list.from && to <= list.to;
 const namesOtherList = (line, sources) =>
   /^[^=:]*\p{L}[^=:]*[=:]/u.test(line) &&
   (line.split("=").length > 2 || !sources.some(({ name }) => name));
+
+const UNIT_BEHIND = new RegExp(String.raw`^ ?(?:(${LENGTH_UNIT})|rad|deg|°)(?![\p{L}\p{N}])`, "u");
+
+/**
+ * Refuse an angle in mm and a length in degrees.
+ * @param {import("./table.js").TypedTable} table @param {string} text as it was pasted
+ */
+export function refuseMixedUnits({ tokens, isOrderGuessed }, text) {
+  for (const token of isOrderGuessed ? [] : tokens) {
+    const [unit, lengthUnit] = UNIT_BEHIND.exec(text.slice(token.to, token.to + 9)) ?? [];
+    if (unit === undefined || token.owner !== "entry") continue;
+    const isLength = ["a", "d"].includes(ENTRIES[token.column]);
+    if (isLength === (lengthUnit !== undefined)) continue;
+    const cell = { from: token.from, to: token.to + unit.length };
+    refuseUnreadCell(text, tokens, cell, formatMessage("your table"));
+  }
+}
