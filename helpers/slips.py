@@ -18,7 +18,7 @@ from helpers.arm import Arm
 from helpers.inputs import require_type
 from helpers.kinematics import forward_kinematics
 
-__all__ = ["Census", "TableSlip", "census", "list_slips"]
+__all__ = ["Census", "TableSlip", "census"]
 
 _SAME = 1e-9  # m, or a difference of a rotation's entries
 

@@ -183,7 +183,6 @@ RIGHT = {
     "explorer.ArmFigure": dict(kind="columns"),
     "show.frames": dict(T=FRAMES),
     "slips.census": dict(arm=ELBOW, q=[BEND]),
-    "slips.list_slips": dict(arm=ELBOW),
     "symbolic.joint_symbols": dict(arm=ELBOW),
     "symbolic.link_transforms": dict(arm=ELBOW),
     "symbolic.link_frames": dict(arm=ELBOW),

@@ -168,6 +168,26 @@ def test_only_known_late_imports_would_close_a_circle():
     assert upward == LATE_UPWARD_IMPORTS
 
 
+def test_core_of_the_helpers_imports_nothing_around_it():
+    """The core is the first table of helpers/README.md."""
+    table = (ROOT / "helpers/README.md").read_text("utf-8").partition("| below the core |")[0]
+    core = re.findall(r"^\| `([\w/]+)\.py` \|", table, re.M)
+    assert len(core) > 10
+    lines = sum((ROOT / "helpers" / f"{name}.py").read_text("utf-8").count("\n") for name in core)
+    assert lines < 3700
+    around = ("checks", "explorer", "urdf", "derive", "other_programs", "plotting", "show", "slips")
+    at_start, _ = read_python_imports()
+    reached = {
+        (name, folder)
+        for name in core
+        for folder in around
+        for target in at_start
+        if re.match(rf"helpers\.{folder}(\.|$)", target)
+        and is_reachable(at_start, f"helpers.{name.replace('/', '.')}", target)
+    }
+    assert reached == set()
+
+
 def test_judge_folders_import_only_folders_below():
     for name, targets in read_javascript_imports().items():
         if name.startswith("judge/"):

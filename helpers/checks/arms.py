@@ -7,8 +7,8 @@ from functools import lru_cache
 from typing import Any
 
 from helpers.arm import Arm, Body, Row
+from helpers.checks.variants import LumpedModel, Namesake, find_variants
 from helpers.inputs import require_type
-from helpers.variants import LumpedModel, Namesake, find_variants
 
 Data = dict[str, Any]
 

@@ -12,10 +12,9 @@ from helpers.motion.rates import (
 )
 from helpers.motion.report import TraceReport
 from helpers.motion.self_motions import self_motion, self_motion_directions
-from helpers.motion.tracing import METHODS, Trace, UnreachableError, trace
+from helpers.motion.tracing import Trace, UnreachableError, trace
 
 __all__ = [
-    "METHODS",
     "Path",
     "Rates",
     "SingularError",
