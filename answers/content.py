@@ -1,4 +1,4 @@
-"""Compute the answers of a sheet, in symbols, and in numbers at the arm's home pose."""
+"""Compute the answers of a sheet, in symbols, and in numbers at the arm's home configuration."""
 
 import re
 from dataclasses import dataclass
@@ -38,7 +38,7 @@ class Answer:
     Attributes:
         name: its name in programs, such as ``T_03``, ``J`` or ``det_J``.
         value: its entries in short symbols; a vector has one column, a number one entry.
-        home_values: its entries at the arm's home pose, in numbers.
+        home_values: its entries at the arm's home configuration, in numbers.
         definitions: formulas of its short symbols, such as cos(q_2 + q_3) for c_23, each before
             the definitions that use it.
     """
@@ -55,7 +55,7 @@ class Answer:
 
 
 class AnswerSheet:
-    """All answers for an arm, with numbers at its home pose.
+    """All answers for an arm, with numbers at its home configuration.
 
     Formulas that would be too long (`helpers.polynomials.is_long`) are written in named steps,
     without the determinant.
@@ -210,7 +210,7 @@ class AnswerSheet:
 
 
 def compute_home_values(arm: Arm) -> dict[str, Array]:
-    """Return the numbers of all answers at the home pose, by name."""
+    """Return the numbers of all answers at the home configuration, by name."""
     q = np.array(arm.home)
     frames, J = kinematics.link_frames(arm, q), kinematics.jacobian(arm, q)
     values = {f"A_{i}": np.linalg.inv(a) @ b for i, (a, b) in enumerate(pairwise(frames), 1)}

@@ -161,7 +161,7 @@ def _list_home_values(
 
 
 def _format_introduction(sheet: AnswerSheet, other_sheets: list[AnswerSheet]) -> str:
-    """Write the table, the values of its symbols, the home pose and the short names."""
+    """Write the table, the values of its symbols, the home configuration and the short names."""
     arm = sheet.arm
     pairs = zip(arm.variables, arm.home, strict=True)
     home = ", ".join(
@@ -222,13 +222,13 @@ def _format_joint_note(arm: Arm) -> str:
 def _ask_determinant(sheet: AnswerSheet, det: Answer) -> str:
     """Write the question about det J, with the number of factors of the answer."""
     rows = "" if sheet.arm.dof == 6 else " of the first three rows"
-    asked = f"At which poses does the arm lose a freedom? Where $\\det J${rows} is 0."
+    asked = f"At which configurations does the arm lose a freedom? Where $\\det J${rows} is 0."
     turning = {*det.definitions, *map(sp.Symbol, sheet.arm.variables)}
     factors = [f for f in sp.Mul.make_args(det.value[0]) if f.free_symbols & turning]
     if not det.value[0]:
         return f"{asked} This one is 0 everywhere."
     if len(factors) > 1:
-        return f"{asked} It falls into {len(factors)} factors that depend on the pose."
+        return f"{asked} It falls into {len(factors)} factors that depend on the configuration."
     return f"{asked} For this arm it does not fall into factors." if det.value[0].is_Add else asked
 
 
@@ -236,8 +236,8 @@ _STEPS_NOTE = (
     "Written out, the formulas of this arm would be too long. Each frame is therefore given in the"
     " entries of the frame before: $x_{3y}$ is the $y$ entry of the axis $x_3$, $o_{3y}$ that of"
     " the origin $o_3$, and $p_{3y}$ that of link 3's centre of mass. Copied programs hold every"
-    " step. The determinant is left out; `kinematics.manipulability` finds singular poses in"
-    " numbers."
+    " step. The determinant is left out; `kinematics.manipulability` finds singular"
+    " configurations in numbers."
 )
 _STATIC = Path(__file__).parent / "static"
 # Disabled buttons keep the space for those of the script, so that the page does not move.

@@ -111,7 +111,7 @@ def write_sympy(sheet: AnswerSheet, answer: Answer) -> str:
 
 
 def write_numpy(sheet: AnswerSheet, answer: Answer) -> str:
-    """Write an answer for NumPy with the joint values of the home pose."""
+    """Write an answer for NumPy with the joint values of the home configuration."""
     lines = [
         "import numpy as np",
         "",
@@ -123,7 +123,7 @@ def write_numpy(sheet: AnswerSheet, answer: Answer) -> str:
 
 
 def write_matlab(sheet: AnswerSheet, answer: Answer) -> str:
-    """Write an answer for MATLAB or Octave with the joint values of the home pose."""
+    """Write an answer for MATLAB or Octave with the joint values of the home configuration."""
     lines = [*_MATLAB.format_values(sheet, answer), *_MATLAB.format_definitions(answer)]
     return "\n".join([*lines, _MATLAB.format_assignment(answer)])
 

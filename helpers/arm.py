@@ -583,7 +583,9 @@ class Arm:
         Raises:
             ArmError: q has another length, or holds NaN or infinity.
         """
-        shape = f"numbers (..., {self.dof})" if many else f"one pose, numbers ({self.dof},)"
+        shape = (
+            f"numbers (..., {self.dof})" if many else f"one configuration, numbers ({self.dof},)"
+        )
         expected = f"{shape}, one value for each of {', '.join(self.variables)}"
         values = finite_array(q, f"{self.name}: {name}", expected, (self.dof,), many)
         if values.size and np.abs(values).max() > MANY_TURNS:

@@ -1,8 +1,8 @@
-"""Compute frames, forward kinematics and Jacobians in numbers, for one pose or a batch of poses.
+"""Compute frames, forward kinematics and Jacobians in numbers, for one configuration or a batch.
 
-All functions run recursions over the links that are written for one pose, on components, and
-recorded once for each arm (see `helpers.program`). A single pose then takes microseconds, and a
-batch runs in contiguous rows, in chunks that stay in the processor's cache.
+All functions run recursions over the links that are written for one configuration, on components,
+and recorded once for each arm (see `helpers.program`). A single configuration then takes
+microseconds, and a batch runs in contiguous rows, in chunks that stay in the processor's cache.
 """
 
 from __future__ import annotations
@@ -164,9 +164,10 @@ _JACOBIAN_ROWS = {"all": [0, 1, 2, 3, 4, 5], "linear": [0, 1, 2], "angular": [3,
 def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     """Compute Yoshikawa's measure, the product of the Jacobian's singular values.
 
-    The measure is 0 at a singular pose. With as many rows as joints it is the absolute value of
-    det J; with fewer joints than rows it is the volume sqrt(det J^T J) of the velocities that the
-    joints can give. The unit of "all" mixes m and rad, so compare it only between poses of one arm.
+    The measure is 0 at a singular configuration. With as many rows as joints it is the absolute
+    value of det J; with fewer joints than rows it is the volume sqrt(det J^T J) of the velocities
+    that the joints can give. The unit of "all" mixes m and rad, so compare it only between
+    configurations of one arm.
 
     Args:
         arm: The arm.
@@ -289,7 +290,7 @@ def skeleton(arm: Arm, T: Array) -> Array:
 
     Args:
         arm: The arm.
-        T: Link frames at one pose, shape (rows + 1, 4, 4).
+        T: Link frames at one configuration, shape (rows + 1, 4, 4).
 
     Returns:
         The points o_0, o_0 + d_1 z_0, o_1, o_1 + d_2 z_1, ..., shape (2 rows + 1, 3), in m.

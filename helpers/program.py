@@ -1,10 +1,10 @@
-"""Record a recursion over an arm's links and run it on poses.
+"""Record a recursion over an arm's links and run it on configurations.
 
-A recursion is written for one pose, on components. `record_program` runs it on `Term`s, which write
-each operation on a tape. Factors 0 and 1 are dropped, signs move outwards, equal steps are merged,
-and steps that no result needs are left out. The program is a list of sums, differences and
-products. A single pose runs through it in floats. A batch runs in contiguous rows, with one NumPy
-call for each step.
+A recursion is written for one configuration, on components. `record_program` runs it on `Term`s,
+which write each operation on a tape. Factors 0 and 1 are dropped, signs move outwards, equal steps
+are merged, and steps that no result needs are left out. The program is a list of sums, differences
+and products. A single configuration runs through it in floats. A batch runs in contiguous rows,
+with one NumPy call for each step.
 """
 
 from __future__ import annotations
@@ -263,7 +263,7 @@ def run_recursion(
         arm: The arm; its program of the recursion is recorded at the first call.
         q: Joint values, shape (..., dof).
         recursion: A function of the arm, the motions of its rows and the constants.
-        shape: Shape of the result at one pose.
+        shape: Shape of the result at one configuration.
         constants: Further inputs of the recursion, such as gravity.
 
     Returns:

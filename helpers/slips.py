@@ -40,13 +40,13 @@ class TableSlip(NamedTuple):
 
 @dataclass(frozen=True)
 class Census:
-    """Tables with one or two slips, and those that poses do not distinguish from the right table.
+    """Tables with one or two slips, and those that some configurations do not reveal.
 
     Attributes:
         single_slips: Number of tables with one slip.
         slip_pairs: Number of tables with two slips.
-        unseen_by_tip: The slips of tables that give the right tip position in all poses.
-        unseen_by_pose: The slips of tables that give the right tip pose in all poses.
+        unseen_by_tip: The slips of tables that give the right tip position in all configurations.
+        unseen_by_pose: The slips of tables that give the right tip pose in all configurations.
     """
 
     single_slips: int

@@ -160,7 +160,7 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
     Use it for centres of mass from a paper whose frames are not those of the table.
 
     Args:
-        frames_to: Frames in which the points are asked for, at one pose, shape (n, 4, 4).
+        frames_to: Frames in which the points are asked for, at one configuration, shape (n, 4, 4).
         frames_from: Frames in which the points are given, at the same pose, shape (n, 4, 4).
         centres: The points, shape (n, 3), in m.
 

@@ -79,7 +79,7 @@ SHARED = dict(
     many=True, masses=[1.0, 2.0], method="euler", name="mine", named={"A_1": np.eye(4)},
     negative=False, normal=[1, 0, 0], number=3, offset=0.1, other_arms=(ELBOW,), part="linear",
     path=PATH, phase=0.0,
-    program="sympy", planes=("xz", "yz"), points=np.zeros((2, 3)), poses=[PANDA.home] * 2,
+    program="sympy", planes=("xz", "yz"), points=np.zeros((2, 3)), configurations=[PANDA.home] * 2,
     position=PATH.position,
     q=PANDA.home, q_ddot=[0.0] * 7, q_dot=[0.0] * 7, radius=0.1, reference=PANDA, restarts=0, row=1,
     answer_number=1, rows=[Row(a=0.1), Row()], run=RUN, scale=0.1, seed=1, size=1,

@@ -1,5 +1,5 @@
-"""A branch that is called valid is right, at every pose: 22 500 poses at and around all boundaries,
-against link matrices and differences of its own."""
+"""A branch that is called valid is right, at every configuration: 22 500 at and around all
+boundaries, against link matrices and differences of its own."""
 
 import numpy as np
 import pytest

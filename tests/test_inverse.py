@@ -61,7 +61,7 @@ def tip_errors(arm, found, targets):
 def solve_and_check(solver, arm, q, off=1e-5):
     """Solve the poses of q, and assert that all branches reach them and that q is one of them.
 
-    Near a singular pose q may differ from its branch if the tip hardly moves between both.
+    Near a singular configuration q may differ from its branch if the tip hardly moves between both.
     """
     T = forward_kinematics(arm, q)
     targets = T[:, :3, 3] if arm.dof == 3 else T

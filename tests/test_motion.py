@@ -1,4 +1,4 @@
-"""Test traced paths: orders of the methods, remedies at singular poses, and reports."""
+"""Test traced paths: orders of the methods, remedies at singular configurations, and reports."""
 
 from contextlib import nullcontext
 from dataclasses import replace
@@ -206,7 +206,7 @@ def test_report_matches_hand_calculation():
 
 
 def test_report_shows_singular_pose():
-    """Reports near singular poses are tested by chapter 3."""
+    """Reports near singular configurations are tested by chapter 3."""
     home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
     assert home.largest_condition > 1e12
     assert "above 1e12" in str(home)

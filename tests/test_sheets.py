@@ -221,7 +221,7 @@ def test_latex_block_explains_abbreviations():
 
 @every_arm
 def test_page_numbers_match_numeric_view(sheet):
-    """Rounded to four digits, at the home pose."""
+    """Rounded to four digits, at the home configuration."""
     for item in sheet.answers:
         shown = displays.format_numbers(item, item.home_values)
         assert f"In numbers:\n\n$$\n{shown}\n$$" in page(sheet)

@@ -1,9 +1,9 @@
 """Derive a Denavit-Hartenberg table from joint axes, row by row, as one does by hand.
 
-Draw the arm in some pose, and give each joint's axis, the base and the tip. `derive` then places
-the frames: z_{i-1} on axis i, x_i along the common normal from z_{i-1} to z_i, o_i where that
-normal meets z_i. The four numbers of a row take frame i-1 to frame i. Choices that the convention
-leaves open are always made in the same way. The drawn pose is q = 0.
+Draw the arm in some configuration, and give each joint's axis, the base and the tip. `derive` then
+places the frames: z_{i-1} on axis i, x_i along the common normal from z_{i-1} to z_i, o_i where
+that normal meets z_i. The four numbers of a row take frame i-1 to frame i. Choices that the
+convention leaves open are always made in the same way. The drawn configuration is q = 0.
 
 Source: Spong,
 Hutchinson and Vidyasagar, Robot Modeling and Control, section 3.2.2; Craig, Introduction to

@@ -20,7 +20,7 @@ POINT = "a point (x, y, z) in m"
 
 @dataclass(frozen=True)
 class Axis:
-    """A joint's axis in the drawn pose.
+    """A joint's axis in the drawn configuration.
 
     Args:
         point: A point on the axis, in m. A sliding joint needs none: its axis is then drawn through
@@ -115,7 +115,7 @@ class Derivation:
     Attributes:
         arm: The arm, with its table in the standard convention.
         steps: One `DerivationStep` for each row.
-        lines: The joint axes in the drawn pose, in base axes.
+        lines: The joint axes in the drawn configuration, in base axes.
     """
 
     arm: Arm
@@ -124,7 +124,7 @@ class Derivation:
 
     @property
     def frames(self) -> Array:
-        """Frames 0 .. n in the drawn pose, in base axes, shape (rows + 1, 4, 4)."""
+        """Frames 0 .. n in the drawn configuration, in base axes, shape (rows + 1, 4, 4)."""
         return np.array([self.steps[0].before, *(step.frame for step in self.steps)])
 
     def with_bodies(

@@ -1,7 +1,7 @@
 """Find the structure of an arm that gives its inverse kinematics a closed form.
 
-The joint axes are taken as lines in space at a generic pose. Which of them meet in a point and
-which are parallel does not depend on how the Denavit-Hartenberg table is written, nor on a tool
+The joint axes are taken as lines in space at a generic configuration. Which of them meet in a point
+and which are parallel does not depend on how the Denavit-Hartenberg table is written, nor on a tool
 or fixed rows. Source: Pieper (1968) for three axes that meet, Raghavan and Roth (1993) for the
 count of solutions.
 """
@@ -38,7 +38,7 @@ class Structure:
         kind: WRIST, FIRST_THREE_MEET, PARALLEL, PLANAR_3R, SCARA, PLANAR_2R or POSITION.
         axes: one `JointAxis` for each joint, at the pose `reference`.
         size: the length of the arm from axis to axis, in m.
-        reference: the generic pose, (dof,).
+        reference: the generic configuration, (dof,).
         tip: the tip's pose there, (4, 4).
         centre: the point where three axes meet, (3, 1, 1), for WRIST and FIRST_THREE_MEET.
         first: the index of the first of three parallel axes, from 0, for PARALLEL.
@@ -73,7 +73,7 @@ def find_structure(arm: Arm) -> Structure:
     Raises:
         ArmError: the arm has no structure that gives all solutions in closed form.
     """
-    axes, size, reference, tip = axes_at_generic_pose(arm)
+    axes, size, reference, tip = axes_at_generic_configuration(arm)
     turns = tuple(axis.turns for axis in axes)
     arguments = (axes, size, reference, tip)
     if len(axes) == 6:
@@ -112,7 +112,7 @@ def find_structure(arm: Arm) -> Structure:
     )
 
 
-def axes_at_generic_pose(arm: Arm) -> tuple[tuple[JointAxis, ...], float, Array, Array]:
+def axes_at_generic_configuration(arm: Arm) -> tuple[tuple[JointAxis, ...], float, Array, Array]:
     """Return the axes as lines, the arm's size in m, the pose (dof,) and the tip's pose (4, 4).
 
     The pose is a generic one: at q = 0 axes that differ are often one line. Each axis has the foot

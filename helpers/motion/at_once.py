@@ -9,8 +9,8 @@ steps together, which is multiple shooting for an initial value; source: Bellen 
 Journal of Computational and Applied Mathematics 25, for difference equations in general. The later
 sweeps move the joints so little that they keep the inverse Jacobians of an earlier one.
 
-Doubtful cases, such as a nearly singular pose, are left to the loop in `tracing`, which has the
-messages for them.
+Doubtful cases, such as a nearly singular configuration, are left to the loop in `tracing`, which
+has the messages for them.
 """
 
 import numpy as np

@@ -103,7 +103,7 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
     if len(null) > 2 or (len(null) == 2 and not len(lost)):
         raise ArmError(
             f"J has {len(null)} null directions and loses {len(lost)} at q = {np.asarray(q)}; "
-            "expected one null direction, or two at a pose of lost rank"
+            "expected one null direction, or two at a configuration of lost rank"
         )
     if len(null) == 2:
         forms = np.array([[lost @ _compute_bilinear_form(J, u, v) for u in null] for v in null])

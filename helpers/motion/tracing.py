@@ -31,7 +31,9 @@ Array = NDArray[np.floating]
 
 _ITERATIONS = 30
 _TOLERANCE = 1e-9  # in m and rad: damped rates cannot reach the last digits
-_REASONS = "the path leads out of reach or through a singular pose, or its steps are too long"
+_REASONS = (
+    "the path leads out of reach or through a singular configuration, or its steps are too long"
+)
 
 
 class UnreachableError(ArmError):

@@ -12,7 +12,7 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError, finite_array, finite_number, require_type
 from helpers.kinematics import link_frames
 from helpers.plotting.drawing import draw_angle
-from helpers.plotting.plane import compute_pose_frames, plot_arm
+from helpers.plotting.plane import compute_frames, plot_arm
 from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED, SLATE
 
 Array = NDArray[np.float64]
@@ -65,7 +65,7 @@ def draw_ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     x_1 points right and z up. `arm` has the rows of the homework's table; q has shape (6,).
     """
     _require_rows(arm, 6, "an arm of the UR family")
-    T = compute_pose_frames(arm, q)
+    T = compute_frames(arm, q)
     points = np.stack([T[:, :3, 3] @ T[1, :3, 0], T[:, 2, 3]], axis=1)[[1, 2, 3, 5]]
     shoulder, elbow, end, wrist = points
     ax.plot(*np.stack([(0, 0), shoulder], axis=1), color=GREY, lw=4, alpha=0.5)

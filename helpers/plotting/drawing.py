@@ -30,7 +30,7 @@ from helpers.inputs import (
     whole_number,
 )
 from helpers.kinematics import skeleton
-from helpers.plotting.plane import compute_pose_frames
+from helpers.plotting.plane import compute_frames
 from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 
 Array = NDArray[np.float64]
@@ -68,7 +68,7 @@ def draw_arm(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1.0)
         view: A plane, or azimuth and elevation in degrees.
         size: Factor on the size of the joints.
     """
-    T, eye = compute_pose_frames(arm, q), get_view_axes(view)
+    T, eye = compute_frames(arm, q), get_view_axes(view)
     points = skeleton(arm, T)
     radius = (
         0.028
@@ -145,7 +145,7 @@ def draw_lengths(
             step "d_4" is along z_3, "a_4" along x_4.
     """
     require_type(aside, dict, "aside")
-    points = skeleton(arm, compute_pose_frames(arm, q))
+    points = skeleton(arm, compute_frames(arm, q))
     steps = {f"{kind}_{i}": (i, kind) for i in range(1, len(arm.rows) + 1) for kind in "da"}
     for name, shift in aside.items():
         if name not in steps:
@@ -293,7 +293,7 @@ def draw_frames(
         which: Numbers of the frames to draw, from 0; all if None.
         names: The axes to draw: "xz", "x" or "z".
     """
-    T = compute_pose_frames(arm, q)
+    T = compute_frames(arm, q)
     finite_number(length, "length", "a finite length > 0 in m", above=0)
     require_choice(names, "names", ("xz", "x", "z"))
     shared = defaultdict(list)
@@ -400,32 +400,33 @@ def _list_arm_corners(derivation: Derivation) -> Array:
 def draw_postures(
     axes: Iterable[Axes],
     arm: Arm,
-    poses: ArrayLike,
+    configurations: ArrayLike,
     titles: Iterable[str],
     view: View,
     *,
     tool: float = 0.0,
 ) -> None:
-    """Draw an arm in several poses at the same scale, each on its own axes.
+    """Draw an arm in several configurations at the same scale, each on its own axes.
 
     Args:
-        axes: Axes to draw on, one for each pose.
+        axes: Axes to draw on, one for each configuration.
         arm: The arm.
-        poses: Joint vectors, shape (k, dof).
-        titles: Title of each pose.
+        configurations: Joint vectors, shape (k, dof).
+        titles: Title of each configuration.
         view: A plane, or azimuth and elevation in degrees.
         tool: Length of the arrows x and z at the tip, m; 0 draws a star instead.
     """
     require_type(arm, Arm, "arm")
-    poses = finite_array(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
-    T = [compute_pose_frames(arm, q) for q in poses]
+    expected = f"joint vectors (k, {arm.dof})"
+    configurations = finite_array(configurations, "configurations", expected, (None, arm.dof))
+    T = [compute_frames(arm, q) for q in configurations]
     lines = [project_points(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
     low, high = np.vstack(lines).min(axis=0), np.vstack(lines).max(axis=0)
     finite_number(tool, "tool", "a finite length of 0 or more in m", least=0)
     rim = 0.12 * float((high - low).max()) + tool
     half = max(np.ptp(line[:, 0]) for line in lines) / 2 + rim
     origins = [i - 1 for i in arm.joints]
-    for ax, q, pose, line, title in zip(axes, poses, T, lines, titles, strict=True):
+    for ax, q, pose, line, title in zip(axes, configurations, T, lines, titles, strict=True):
         _draw_ground(ax, line[0], rim - tool)
         ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
         ax.plot(

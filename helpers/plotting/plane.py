@@ -12,8 +12,8 @@ from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.style import GREY, SLATE
 
 
-def compute_pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
-    """Return the link frames to draw at a pose, q of shape (dof,)."""
+def compute_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
+    """Return the link frames to draw at a configuration, q of shape (dof,)."""
     require_type(arm, Arm, "arm")
     return link_frames(arm, arm.joint_vector(q, many=False))
 
@@ -26,7 +26,7 @@ def plot_arm(
     On 3-D axes (``projection="3d"``) the arm is drawn in space.
     """
     shown = [0, 1, 2] if getattr(ax, "name", "") == "3d" else [*parse_plane(plane)]
-    T = compute_pose_frames(arm, q)
+    T = compute_frames(arm, q)
     points = skeleton(arm, T)[:, shown]
     origins = T[[k - 1 for k in arm.joints], :3, 3][:, shown]
     ax.plot(
