@@ -34,7 +34,8 @@ function judgeAnswer(text, { answer, within, unit = "" }) {
   const fewest = wrongEntries.reduce((best, entries) => (entries.length < best.length ? entries : best));
   if (!fewest.length) return { right: true, message: "✔ Right." };
   const which = numbers.length === 1 ? "Not right" : `Not right: number ${fewest.join(", ")}`;
-  return { right: false, message: `✘ ${which}. Within ${within}${unit && ` ${unit}`} counts as right.` };
+  const slack = Number(within) ? ` Within ${within}${unit && ` ${unit}`} counts as right.` : "";
+  return { right: false, message: `✘ ${which}.${slack}` };
 }
 
 globalThis.document?.addEventListener("DOMContentLoaded", () => {
