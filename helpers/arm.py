@@ -135,19 +135,6 @@ class Arm:
         )
         home = tuple(real_number(x, f"{self.name}: home") for x in home)
         self._set_fields(home=JointValues(home or (0.0,) * self.dof))
-        self._check_bodies()
-        self._check_symbols()
-        for formula in self._list_entries():
-            self._check_finite(formula)
-        self._check_masses()
-        self.joint_vector(self.home)
-        self._check_circle()
-
-    def _set_fields(self, **fields: object) -> None:
-        for name, value in fields.items():
-            object.__setattr__(self, name, value)
-
-    def _check_bodies(self) -> None:
         if not all(isinstance(body, Body) for body in self.bodies):
             raise ArmError(
                 f"{self.name}: bodies are {self.bodies!r}; expected one Body for each row"
@@ -157,26 +144,25 @@ class Arm:
                 f"{self.name}: {len(self.bodies)} bodies for {len(self.rows)} rows;"
                 " expected one each"
             )
-
-    def _check_circle(self) -> None:
-        if self.circle is None:
-            return
-        require_type(self.circle, CircleTask, f"{self.name}: circle")
-        if (self.circle.locked_joint or 0) > self.dof:
-            raise ArmError(
-                f"{self.name}: the circle locks joint {self.circle.locked_joint};"
-                f" expected one of the {self.dof} joints that move"
-            )
-
-    def _check_masses(self) -> None:
-        for number, body in enumerate(self.bodies, 1):
-            if self.number(body.mass) < 0:
+        self._check_entries()
+        self.joint_vector(self.home)
+        if self.circle is not None:
+            require_type(self.circle, CircleTask, f"{self.name}: circle")
+            if (self.circle.locked_joint or 0) > self.dof:
                 raise ArmError(
-                    f"{self.name}: the mass of link {number} is {body.mass}; expected 0 kg or more"
+                    f"{self.name}: the circle locks joint {self.circle.locked_joint};"
+                    f" expected one of the {self.dof} joints that move"
                 )
 
-    def _check_symbols(self) -> None:
-        used = {name for formula in self._list_entries() for name in symbol_names(formula)}
+    def _set_fields(self, **fields: object) -> None:
+        for name, value in fields.items():
+            object.__setattr__(self, name, value)
+
+    def _check_entries(self) -> None:
+        """Raise ArmError unless all entries have finite values, and masses none below 0."""
+        entries = [entry for row in self.rows for entry in row.entries]
+        entries += [entry for body in self.bodies for entry in (body.mass, *body.com)]
+        used = {name for entry in entries for name in symbol_names(entry)}
         if variables := sorted(used & set(self.variables)):
             raise ArmError(
                 f"{self.name}: {variables[0]} is the variable of a joint; leave it out,"
@@ -190,22 +176,20 @@ class Arm:
         for name, value in self.values.items():
             if not math.isfinite(value):
                 raise ArmError(f"{self.name}: {name} is {value}; expected a finite number")
-
-    def _check_finite(self, formula: Entry) -> None:
-        """Raise ArmError for a formula that divides by zero or is larger than `LARGEST`."""
-        try:
-            fits = abs(self.number(formula)) <= LARGEST
-        except ArmError:
-            fits = False
-        if not fits:
-            raise ArmError(
-                f"{self.name}: {formula} divides by zero or is too large; give it other values"
-            )
-
-    def _list_entries(self) -> list[Entry]:
-        """Return all entries of the rows and bodies."""
-        table = [e for row in self.rows for e in row.entries]
-        return table + [e for body in self.bodies for e in (body.mass, *body.com)]
+        for entry in entries:
+            try:
+                fits = abs(self.number(entry)) <= LARGEST
+            except ArmError:
+                fits = False
+            if not fits:
+                raise ArmError(
+                    f"{self.name}: {entry} divides by zero or is too large; give it other values"
+                )
+        for number, body in enumerate(self.bodies, 1):
+            if self.number(body.mass) < 0:
+                raise ArmError(
+                    f"{self.name}: the mass of link {number} is {body.mass}; expected 0 kg or more"
+                )
 
     # Facts
 

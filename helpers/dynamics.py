@@ -65,8 +65,42 @@ def inverse_dynamics(
     tensors = check_tensors(inertias, (len(arm.rows), 3, 3), "inertias")
     q, q_dot, q_ddot = np.broadcast_arrays(q, q_dot, q_ddot)
     frames = np.moveaxis(link_frames(arm, q), -3, 0)
-    wrenches = _link_wrenches(arm, frames, (q_dot, q_ddot), up, tensors)
-    return _joint_torques(arm, frames, wrenches)
+
+    # From the base to the tip: angular velocity omega and acceleration alpha of each link, the
+    # acceleration a of its origin, and the force and moment about the base's origin that it takes.
+    zero = np.zeros((*q.shape[:-1], 3))
+    omega, alpha, a, wrenches, joint = zero, zero, zero + up, [], 0
+    for k, (row, body) in enumerate(zip(arm.numeric, arm.bodies, strict=True)):
+        z, step = frames[k][..., :3, 2], frames[k + 1][..., :3, 3] - frames[k][..., :3, 3]
+        slide = zero
+        if row.kind != "fixed":
+            rate, acceleration = (x[..., joint, None] * z for x in (q_dot, q_ddot))
+            joint += 1
+        if row.kind == "revolute":
+            alpha = alpha + acceleration + np.cross(omega, rate)
+            omega = omega + rate
+        elif row.kind == "prismatic":
+            slide = acceleration + 2 * np.cross(omega, rate)
+        a = a + slide + _relative_acceleration(omega, alpha, step)
+        R, origin = frames[k + 1][..., :3, :3], frames[k + 1][..., :3, 3]
+        lever = R @ np.array([arm.number(c) for c in body.com])
+        force = arm.number(body.mass) * (a + _relative_acceleration(omega, alpha, lever))
+        tensor = R @ tensors[k] @ np.swapaxes(R, -1, -2)
+        spin = _apply_tensors(tensor, alpha) + np.cross(omega, _apply_tensors(tensor, omega))
+        wrenches.append((force, np.cross(origin + lever, force) + spin))
+
+    # From the tip to the base: each joint carries the sum of the wrenches beyond it.
+    force = moment = zero
+    torques = np.empty(q.shape)
+    for k in range(len(arm.rows) - 1, -1, -1):
+        force, moment = force + wrenches[k][0], moment + wrenches[k][1]
+        z, origin, kind = frames[k][..., :3, 2], frames[k][..., :3, 3], arm.numeric[k].kind
+        joint -= kind != "fixed"
+        if kind == "revolute":
+            torques[..., joint] = np.sum(z * (moment - np.cross(origin, force)), axis=-1)
+        elif kind == "prismatic":
+            torques[..., joint] = np.sum(z * force, axis=-1)
+    return torques
 
 
 def mass_matrix(arm: Arm, q: ArrayLike, *, inertias: ArrayLike | None = None) -> Array:
@@ -94,59 +128,6 @@ def mass_matrix(arm: Arm, q: ArrayLike, *, inertias: ArrayLike | None = None) ->
         for unit in np.eye(arm.dof)
     ]
     return np.stack(columns, axis=-1)
-
-
-def _link_wrenches(
-    arm: Arm, frames: Array, motion: tuple[Array, Array], up: Array, tensors: Array
-) -> list[tuple[Array, Array]]:
-    """Compute the force and the moment that each link's motion takes, from the base to the tip.
-
-    Args:
-        arm: The arm.
-        frames: Link frames, shape (rows + 1, ..., 4, 4).
-        motion: q_dot and q_ddot, each of shape (..., dof).
-        up: -gravity, shape (3,).
-        tensors: Inertia tensors, shape (rows, 3, 3).
-
-    Returns:
-        For each row the force and its moment about the base's origin, each of shape (..., 3).
-    """
-    zero = np.zeros((*motion[0].shape[:-1], 3))
-    omega, alpha, a, wrenches, joint = zero, zero, zero + up, [], 0
-    for k, (row, body) in enumerate(zip(arm.numeric, arm.bodies, strict=True)):
-        z, step = frames[k][..., :3, 2], frames[k + 1][..., :3, 3] - frames[k][..., :3, 3]
-        slide = zero
-        if row.kind != "fixed":
-            rate, acceleration = (x[..., joint, None] * z for x in motion)
-            joint += 1
-        if row.kind == "revolute":
-            alpha = alpha + acceleration + np.cross(omega, rate)
-            omega = omega + rate
-        elif row.kind == "prismatic":
-            slide = acceleration + 2 * np.cross(omega, rate)
-        a = a + slide + _relative_acceleration(omega, alpha, step)
-        R, origin = frames[k + 1][..., :3, :3], frames[k + 1][..., :3, 3]
-        lever = R @ np.array([arm.number(c) for c in body.com])
-        force = arm.number(body.mass) * (a + _relative_acceleration(omega, alpha, lever))
-        tensor = R @ tensors[k] @ np.swapaxes(R, -1, -2)
-        spin = _apply_tensors(tensor, alpha) + np.cross(omega, _apply_tensors(tensor, omega))
-        wrenches.append((force, np.cross(origin + lever, force) + spin))
-    return wrenches
-
-
-def _joint_torques(arm: Arm, frames: Array, wrenches: list[tuple[Array, Array]]) -> Array:
-    """Sum the wrenches from the tip to the base, and project them on each joint's axis."""
-    force = moment = np.zeros((*frames.shape[1:-2], 3))
-    torques, joint = np.empty((*frames.shape[1:-2], arm.dof)), arm.dof
-    for k in range(len(arm.rows) - 1, -1, -1):
-        force, moment = force + wrenches[k][0], moment + wrenches[k][1]
-        z, origin, kind = frames[k][..., :3, 2], frames[k][..., :3, 3], arm.numeric[k].kind
-        joint -= kind != "fixed"
-        if kind == "revolute":
-            torques[..., joint] = np.sum(z * (moment - np.cross(origin, force)), axis=-1)
-        elif kind == "prismatic":
-            torques[..., joint] = np.sum(z * force, axis=-1)
-    return torques
 
 
 def _relative_acceleration(omega: Array, alpha: Array, r: Array) -> Array:

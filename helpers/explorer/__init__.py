@@ -7,7 +7,7 @@ except ModuleNotFoundError as error:
     if error.name not in ("anywidget", "traitlets"):
         raise
     raise ModuleNotFoundError(
-        'the explorer needs anywidget; say: pip install "manipulator-homework-helpers[explorer]"'
+        "the explorer needs anywidget; say: pip install anywidget"
     ) from None
 
 __all__ = ["ArmExplorer", "ArmFigure"]
