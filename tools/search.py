@@ -25,6 +25,7 @@ SYMPTOMS = "symptoms"  # id of the table whose rows are entries
 SHEETS = "answers/"
 LIST_PAGES = ("api", "references")
 BOXES = ("exercise", "slip")  # classes of the boxes that are entries
+OTHER_NAMES = re.compile(r"Also: ([^.]+)\.$")  # of a term, in the glossary
 REFERENCE = re.compile(r"\0(.+?)\0")  # a reference that is resolved when all pages have been read
 SKIPPED = (
     *(nodes.raw, nodes.comment, nodes.image, nodes.literal_block, nodes.footnote, nodes.math_block),
@@ -136,7 +137,9 @@ def iterate_terms(doctree: nodes.document) -> Iterator[Entry]:
     for item in doctree.findall(nodes.definition_list_item):
         term = next((term for term in item.findall(nodes.term) if term["ids"]), None)
         if term:
-            yield make_entry(term, term["ids"][0], [item.children[-1]])
+            entry = make_entry(term, term["ids"][0], [item.children[-1]])
+            also = OTHER_NAMES.search(entry["text"])
+            yield {**entry, "also": also[1]} if also else entry
 
 
 def iterate_symptoms(doctree: nodes.document) -> Iterator[Entry]:

@@ -59,6 +59,9 @@ def _convert_tex(tex: str, display: bool, wrap: str) -> Element:
     formula = ElementTree.fromstring(markup.replace("&nbsp;", "\N{NO-BREAK SPACE}"))
     for cell in formula.iter("mtd"):
         cell.attrib.pop("style", None)  # its room in points, which no page can make less
+    for letter in formula.iter("mi"):
+        if letter.text == "θ":
+            letter.set("mathvariant", "normal")  # the page has an italic θ of another face
     _remove_index_spaces(formula)
     _keep_brackets_low(formula)
     _space_function_names(formula)

@@ -142,11 +142,12 @@ document.addEventListener("DOMContentLoaded", () => {
     if (target.closest("a") && list.matches(":popover-open")) list.hidePopover();
   }));
 
-  each(".ahead details", (contents) => contents.addEventListener("click", ({ target }) => target.closest("a") && (contents.open = false)));
+  each(".ahead details", (contents) => contents.addEventListener("click", ({ target }) => target.closest("a") && !isWide.matches && (contents.open = false)));
   watchSections();
   layOutFarSections();
 });
 
+const isWide = matchMedia("(min-width: 76rem)"); // the sections stand beside the text
 const whenIdle = window.requestIdleCallback ?? ((act) => setTimeout(act, 50));
 
 // Lay out the far sections one after another while the browser is idle, from the reader's first
@@ -170,25 +171,21 @@ function layOutFarSections() {
 // Mark the current section in the list of the page's sections, keep it in view there, and mark the
 // sections that were read.
 function watchSections() {
-  const list = document.querySelector("#contents");
-  const links = new Map([...list.querySelectorAll(".sections a")].map((link) => [decodeURIComponent(link.hash.slice(1)), link]));
-  const marks = new ReadMarks(list, [...links.keys()].filter((id) => links.get(id).checkVisibility()));
-  const since = new Map(); // when the reader came to each current section
+  const lists = [...document.querySelectorAll("#contents, .ahead")];
+  const links = Map.groupBy(document.querySelectorAll("#contents .sections a, .ahead li a"), (link) => decodeURIComponent(link.hash.slice(1)));
+  const marks = new ReadMarks(lists, [...links.keys()].filter(Boolean));
   const observer = new IntersectionObserver((changes) => {
-    for (const { isIntersecting, target: { id } } of changes) {
-      const link = links.get(id);
-      link.classList.toggle("here", isIntersecting);
-      if (isIntersecting) {
-        since.set(id, performance.now());
-        keepInView(list, link);
-      } else if (performance.now() - (since.get(id) ?? Infinity) > READING_TIME) marks.add(id);
+    for (const { isIntersecting, boundingClientRect: { bottom }, rootBounds, target: { id } } of changes) {
+      for (const link of links.get(id)) {
+        link.classList.toggle("here", isIntersecting);
+        if (isIntersecting) keepInView(link.closest("nav"), link);
+      }
+      if (!isIntersecting && bottom < rootBounds?.top) marks.add(id); // its end was passed
     }
   }, { rootMargin: "-20% 0px -70%" });
   for (const section of document.querySelectorAll("article section[id]"))
     if (links.has(section.id)) observer.observe(section);
 }
-
-const READING_TIME = 5000; // ms in a section after which it counts as read
 
 // Scroll a list so that a link of it is visible, unless the pointer is on it.
 function keepInView(list, link) {
@@ -200,8 +197,8 @@ function keepInView(list, link) {
 // The sections that a reader has read, kept in the browser: by page the ids of its sections, or true
 // for the whole page.
 class ReadMarks {
-  constructor(list, sections) {
-    Object.assign(this, { list, sections, page: document.documentElement.dataset.page });
+  constructor(lists, sections) {
+    Object.assign(this, { lists, sections, page: document.documentElement.dataset.page });
     this.show();
   }
 
@@ -227,7 +224,7 @@ class ReadMarks {
   show() {
     const read = this.load(), here = read[this.page] ?? [];
     const root = new URL("..", folder).href;
-    for (const link of this.list.querySelectorAll("a")) {
+    for (const link of this.lists.flatMap((list) => [...list.querySelectorAll("li a")])) {
       const id = decodeURIComponent(link.hash.slice(1));
       const page = link.href.split("#")[0].slice(root.length).replace(/\.html$/, "");
       const isRead = id ? here === true || here.includes(id) : read[page] === true;
@@ -235,14 +232,14 @@ class ReadMarks {
       if (isRead) link.setAttribute("aria-description", "read");
       else link.removeAttribute("aria-description");
     }
-    this.list.querySelector(".forget")?.remove();
+    document.querySelector(".forget")?.remove();
     if (!Object.keys(read).length) return;
     const forget = Object.assign(document.createElement("button"), { className: "forget", textContent: "Forget what I have read" });
     forget.onclick = () => {
       delete localStorage.read;
       this.show();
     };
-    this.list.append(forget);
+    this.lists[0].append(forget);
   }
 }
 

@@ -61,7 +61,8 @@ function stem(word) {
 function split(text) {
   const plain = text.normalize("NFKC").toLowerCase()
     .replace(/[α-ωϑϕ∂]/g, (letter) => GREEK[letter] ?? letter)
-    .replace(/(\d)\s*[×x*]\s*(?=\d)/g, "$1x");
+    .replace(/(\d)\s*[×x*]\s*(?=\d)/g, "$1x")
+    .replace(/(?<![\p{L}\d])(?:(\d)_?t_?(\d)|t_?(\d)[\^_]?(\d))(?!\d)/gu, "t$1$2$3$4"); // 0T_7, T_0^7, T07
   return (plain.match(/\d+\.\d+|[\p{L}\p{N}_]+/gu) ?? []).flatMap(splitName);
 }
 
@@ -77,7 +78,11 @@ const BOOST = 3;
 const PHRASE_BOOST = 1.6; // where the words stand together in the text
 
 // Chapters explain; other pages apply or list what they explain.
-const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.1, list: 0.03 };
+const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.03, list: 0.03 };
+const EXERCISE_WEIGHT = 0.4; // an exercise applies what a section explains
+const COVERAGE_POWER = 3; // an entry with all words comes before one with some
+const DEFINITION_BOOST = 1000; // a term that is the whole query leads to its definition
+const GLOSSARY = "glossary";
 const PAGE_WEIGHTS = { where: 0.2, intro: 0.4, glossary: 0.2 };
 
 // Words of a complaint, which leads to the table of symptoms.
@@ -85,7 +90,7 @@ const COMPLAINTS = /^(why|my|not|no|wrong|fail\w*|miss\w*|cannot|can.t|doesn.t|b
 
 const index = new MiniSearch({
   idField: "id",
-  fields: ["title", "of", "text"],
+  fields: ["title", "also", "of", "text"],
   tokenize: split,
   processTerm: (word) => (STOP_WORDS.has(word) ? null : stem(word)),
   searchOptions: { tokenize: (word) => [word], processTerm: (word) => word }, // a query has stems already
@@ -125,23 +130,26 @@ function findEntries(typed) {
       ...synonyms.get(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 1 / BOOST })),
     ],
   }));
-  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, of: 4 } });
+  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 6, of: 4 } });
   const phrase = joinStems(words);
   const isComplaint = typed.toLowerCase().split(/[^\p{L}’']+/u).some((word) => COMPLAINTS.test(word));
   const rate = ({ id, score, queryTerms }) => {
-    const { title, text, page, kind, symptom } = ENTRIES[id];
+    const { title, also = "", text, page, kind, symptom } = ENTRIES[id];
     const matched = words.filter((word) => [word, ...synonyms.get(word)].some((term) => queryTerms.includes(term)));
     const coverage = matched.length / words.length;
     const together = joinStems(stemsOf(title)).includes(phrase) ? BOOST : words.length > 1 && joinStems(stemsOf(text)).includes(phrase) ? PHRASE_BOOST : 1;
     const weight = symptom ? (isComplaint ? BOOST : KIND_WEIGHTS[kind]) : KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1);
     if (kind === "list" && words.some((word) => word.includes("_"))) return score; // a function by its name
-    return score * coverage * together * weight;
+    const isDefinition = page === GLOSSARY && !isChapterName(phrase) && [title, ...also.split(",")].some((name) => joinStems(stemsOf(name)) === phrase);
+    return score * coverage ** COVERAGE_POWER * together * weight * (isDefinition ? DEFINITION_BOOST : 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1);
   };
   return hits
     .map((hit) => ({ ...ENTRIES[hit.id], terms: hit.terms, score: rate(hit) }))
     .sort((one, other) => other.score - one.score);
 }
 
+// Whether words begin the title of a chapter, which then comes before a definition.
+const isChapterName = (phrase) => ENTRIES.some(({ title, of, kind }) => kind === "chapter" && title === of && joinStems(stemsOf(title)).startsWith(phrase));
 const joinStems = (stems) => ` ${stems.join(" ")} `;
 const stemsOf = (text) => split(text).filter((word) => !STOP_WORDS.has(word)).map(stem);
 
