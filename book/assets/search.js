@@ -130,7 +130,7 @@ function findEntries(typed) {
       ...synonyms.get(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 1 / BOOST })),
     ],
   }));
-  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 6, of: 4 } });
+  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 2, of: 4 } });
   const phrase = joinStems(words);
   const isComplaint = typed.toLowerCase().split(/[^\p{L}’']+/u).some((word) => COMPLAINTS.test(word));
   const rate = ({ id, score, queryTerms }) => {

@@ -19,7 +19,7 @@ from tests.browser.reader import (
     keep_first_typeface,
     load_with_storage,
 )
-from tests.searches import SEARCHES, STUDENT_SEARCHES
+from tests.searches import SEARCHES, STUDENT_SEARCHES, TERM_SEARCHES
 from tests.test_book import HTML
 
 
@@ -221,8 +221,8 @@ def test_searches_bring_the_right_page_first(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "search.html").as_uri() + "?q=parallel")
     page.wait_for_selector("#search-results mark")  # of the address
-    places = page.evaluate(LIST_FIRST_RESULTS, [*SEARCHES, *STUDENT_SEARCHES])
-    for searches in (SEARCHES, STUDENT_SEARCHES):
+    places = page.evaluate(LIST_FIRST_RESULTS, [*SEARCHES, *STUDENT_SEARCHES, *TERM_SEARCHES])
+    for searches in (SEARCHES, STUDENT_SEARCHES, TERM_SEARCHES):
         missed = {
             typed: places[typed]
             for typed, expected in searches.items()
