@@ -33,7 +33,7 @@ for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawEl
 # Adds up the layout shifts of the text and its figures without any input. The list of pages beside the text is left out,
 # since it unfolds during reading.
 ADD_UP_LAYOUT_SHIFTS = """window.layoutShift = 0;
-const beside = ({ node }) => node?.parentElement?.closest(".contents");
+const beside = ({ node }) => node?.parentElement?.closest(".contents, .ahead");
 new PerformanceObserver((list) => list.getEntries().forEach(({ value, sources }) => {
     if (!sources.every(beside)) layoutShift += value;
 })).observe({ type: "layout-shift", buffered: true });"""

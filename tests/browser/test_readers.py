@@ -190,7 +190,9 @@ def test_scrollbar_is_true_after_the_first_move(browser):
     page.evaluate("scrollTo(0, 3000)")
     page.wait_for_function("document.documentElement.dataset.fresh === undefined")
     height = page.evaluate("document.body.scrollHeight")
-    page.evaluate(f"({FIT_ALL_BOXES}); scrollTo(0, 1e6)")
+    page.evaluate(FIT_ALL_BOXES)
+    page.evaluate(TWO_FRAMES)
+    page.evaluate("scrollTo(0, 1e6)")
     page.evaluate(TWO_FRAMES)
     assert abs(page.evaluate("document.body.scrollHeight") - height) < 0.02 * height
     assert page.evaluate("window.layoutShift") < 0.001
