@@ -4,7 +4,7 @@
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
 import { linesOf } from "./characters.js";
-import { hasDecimals, simple, symbolsIn } from "./formula.js";
+import { hasDecimals, simple } from "./formula.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
@@ -41,6 +41,8 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  * @typedef {object} TypedRow
  * @property {string} kind "revolute", "prismatic", or "unknown" if the row has no joint variable
  * @property {Record<string, number>} numbers the entries, in the units that were typed
+ * @property {{ a: number, d: number }} [symbolMetres] the parts of a and d that come from symbols,
+ *   in m; missing for a link matrix
  * @property {Record<string, string>} texts the entries as they were typed
  * @property {boolean} backwards whether the joint variable has a minus
  * @property {{ name: string, number: number } | null} [joint] the joint variable, if its name has a
@@ -237,12 +239,8 @@ function readCells(block, { options, known }) {
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
-  // The values of symbols are in m, even if the text states mm.
-  const isKnown = (name) => known.has(simple(name));
-  const hasSymbols = typedCells.some((cell) => symbolsIn(cell)?.some(isKnown));
-  const textUnits = hasSymbols ? {} : readStatedLengths(block.context);
   const stated = {
-    ...textUnits,
+    ...readStatedLengths(block.context),
     ...readStatedAngles(block.context),
     ...dropMissing(readHeaders(headers)),
   };
@@ -272,7 +270,7 @@ function findConvention({ convention, context }) {
 // The text beside a table states "Lengths in cm" or "(cm, deg)". A unit behind a number does not
 // count: it belongs to the number alone.
 const LENGTHS_IN = new RegExp(
-  String.raw`\b(?:lengths?|distances?|dimensions)(?: (?:are|all|given|measured))*` +
+  String.raw`\b(?:lengths?|distances?|dimensions)(?: (?:are|all|given|measured|taken))*` +
     String.raw`(?: in|:| \() ?(${LENGTH_UNIT}|milli|centi|met)(?:met)?(?:ers?|res?)?\b`,
   "gi",
 );
@@ -281,8 +279,11 @@ const UNITS_ALONE = new RegExp(
     String.raw`(?:, ?| and )(?:deg|rad|°)`,
   "gim",
 );
-const ANGLES_IN =
-  /\bangles?(?: (?:are|all|given|measured))*(?: in|:| \() ?(?:(rad)(?:ians?)?|deg(?:rees)?|°)/i;
+const ANGLES_IN = new RegExp(
+  String.raw`\bangles?(?: (?:are|all|given|measured|taken))*(?: in|:| \() ?` +
+    "(?:(rad)(?:ians?)?|deg(?:rees)?|°)",
+  "i",
+);
 const UNIT_NAMES = { milli: "mm", centi: "cm", met: "m" };
 
 // Read the unit of angles that a text beside a table states.

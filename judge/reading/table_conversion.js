@@ -54,7 +54,21 @@ export function convertTable(table, kinds) {
 // Return whether lengths without a stated unit are so large that they must be millimetres.
 const isInMillimetres = ({ lengths, rows }) =>
   lengths === null &&
-  rows.some(({ numbers }) => LENGTHS.some((name) => Math.abs(numbers[name]) >= LEAST_MILLIMETRES));
+  rows.some((row) => LENGTHS.some((name) => Math.abs(typedLength(row, name)) >= LEAST_MILLIMETRES));
+
+// Return the part of a length that comes from typed numbers, in the unit of the table.
+/** @param {import("./table.js").TypedRow} row @param {string} name "a" or "d" */
+const typedLength = ({ numbers, symbolMetres }, name) =>
+  numbers[name] - (symbolMetres?.[name] ?? 0);
+
+/**
+ * Return a length of a row in m.
+ * @param {import("./table.js").TypedRow} row @param {string} name "a" or "d"
+ * @param {number} unit of the table, in m
+ */
+export const lengthInMetres = (row, name, unit) =>
+  toMetres(typedLength(row, name), row.metres.has(name) ? 1 : unit) +
+  (row.symbolMetres?.[name] ?? 0);
 
 // List the angles, with 0 in place of an angle that was typed with pi or a unit.
 const listBareAngles = ({ rows }) =>
@@ -87,9 +101,10 @@ const isRightAngle = (x) => [Math.PI / 2, Math.PI].some((angle) => Math.abs(x - 
 
 function convertRows(table, kinds, length, angle) {
   const rowKinds = listKinds(table, kinds);
-  return table.rows.map(({ numbers, radians, metres }, k) => {
+  return table.rows.map((row, k) => {
+    const { numbers, radians } = row;
     const [alpha, theta] = ANGLES.map((name) => numbers[name] * (radians.has(name) ? 1 : angle));
-    const [a, d] = LENGTHS.map((name) => toMetres(numbers[name], metres.has(name) ? 1 : length));
+    const [a, d] = LENGTHS.map((name) => lengthInMetres(row, name, length));
     return { kind: rowKinds[k], a, alpha, d, theta };
   });
 }
@@ -139,8 +154,8 @@ export function describeReading(table, { assumptions, length, angle }) {
   const { rows, order = [], convention } = table;
   const columns = order.map((name) => COLUMN_SYMBOLS[name]).join(" ");
   const unit = nameLengthUnit(length);
-  const hasBareLength = rows.some(({ numbers, metres }) =>
-    LENGTHS.some((name) => numbers[name] !== 0 && !metres.has(name)),
+  const hasBareLength = rows.some((row) =>
+    LENGTHS.some((name) => typedLength(row, name) !== 0 && !row.metres.has(name)),
   );
   const hasBareAngle = listBareAngles(table).some(Boolean);
   const parts = [

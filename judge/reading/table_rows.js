@@ -57,10 +57,17 @@ export function readRow(i, entries, known) {
   const numbers = mapEntries((name) => evaluateAt(name, 0));
   const backwards =
     mover !== null && findDirection(evaluateAt(mover, 1) - numbers[mover], i, mover) < 0;
+  const findMetres = (name) =>
+    findSymbolPart((scale) =>
+      value(trees[name], (symbol) =>
+        free[name].includes(symbol) ? 0 : scale * known.get(simple(symbol)),
+      ),
+    );
   const hasOwnUnit = (name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]));
   return {
     kind: mover === null ? "unknown" : KIND[mover],
     numbers,
+    symbolMetres: { a: findMetres("a"), d: findMetres("d") },
     texts,
     backwards,
     joint,
@@ -68,6 +75,20 @@ export function readRow(i, entries, known) {
     metres: new Set(ENTRIES.filter((name) => IN_METRES.test(texts[name]))),
     trees,
   };
+}
+
+const LONGEST = 10; // m; a longer symbol was converted by the student, as 1000*d_7
+
+/**
+ * Return the part of a length that comes from symbols, in m. The numbers in "d_7 + 100" have the
+ * table's unit, but a symbol has its value. Return 0 if the length is no sum of symbols and
+ * numbers.
+ * @param {(scale: number) => number} evaluate the length with scaled values of its symbols
+ */
+function findSymbolPart(evaluate) {
+  const [none, once, twice] = [0, 1, 2].map(evaluate);
+  const isSum = Math.abs(twice - 2 * once + none) <= 1e-9 * Math.max(1, Math.abs(twice));
+  return isSum && Math.abs(once - none) < LONGEST ? once - none : 0;
 }
 
 const LENGTHS = new Set(["a", "d"]);

@@ -8,7 +8,7 @@ import { DEG } from "../geometry/angles.js";
 import { compareAxes, describeAxes } from "../geometry/axes.js";
 import { isAngleColumn, snapAngle, snapRows, jointColumn } from "../geometry/rows.js";
 import { readTables } from "../reading/table.js";
-import { convertTable } from "../reading/table_conversion.js";
+import { convertTable, lengthInMetres } from "../reading/table_conversion.js";
 import { NoLink } from "../reading/table_matrices.js";
 import { addOtherNumbers, dropOtherColumns } from "../reading/table_other_columns.js";
 import { ENTRIES } from "../reading/table_rows.js";
@@ -198,12 +198,13 @@ function countMistakes({ causes, findings }) {
 function formatReadTable(typed, { lengthScale, angleScale }, findings) {
   const positions = findings.map(({ where }) => where);
   const trees = typed.rows.map((row) => ENTRIES.map((column) => row.trees?.[column]));
-  const cells = typed.rows.map(({ kind, numbers, radians, backwards }, k) =>
+  const cells = typed.rows.map((row, k) =>
     ENTRIES.map((column) => {
+      const { kind, numbers, radians, backwards } = row;
       const scale = DEG * (radians.has(column) ? 1 : angleScale);
       const text = isAngleColumn(column)
         ? `${formatNumber(numbers[column] * scale, 6)}°`
-        : formatNumber(numbers[column] * lengthScale, 6);
+        : formatNumber(lengthInMetres(row, column, lengthScale), 6);
       if (column !== jointColumn(kind)) return text;
       const variable = `${backwards ? "-" : ""}q_${k + 1}`;
       return numbers[column]
