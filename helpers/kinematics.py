@@ -212,8 +212,10 @@ def lost_directions(
         array([[0., 1.]])
     """
     if isinstance(arm, Arm):
-        q = arm.joint_vector(q, many=False)
-        J = jacobian(arm, q)[_JACOBIAN_ROWS[require_choice(part, "part", _JACOBIAN_ROWS)]]
+        configuration = arm.joint_vector([] if q is None else q, many=False)
+        J = jacobian(arm, configuration)[
+            _JACOBIAN_ROWS[require_choice(part, "part", _JACOBIAN_ROWS)]
+        ]
     else:
         expected = "an Arm and q, or one matrix of finite numbers"
         J = finite_array(arm, "arm", expected, (None, None))

@@ -150,7 +150,7 @@ def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm
     for part, point in ((masses[-1], np.array(coms[-1])), (mass, payload_centre)):
         r = point - centre  # parallel axes (Steiner)
         inertia = inertia + part * ((r @ r) * np.eye(3) - np.outer(r, r))
-    body = Body(float(total), tuple(map(float, centre)), inertia)
+    body = Body(float(total), tuple(map(float, centre)), inertia.tolist())
     return replace(arm, bodies=(*arm.bodies[:-1], body))
 
 

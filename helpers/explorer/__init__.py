@@ -6,8 +6,6 @@ try:
 except ModuleNotFoundError as error:
     if error.name not in ("anywidget", "traitlets"):
         raise
-    raise ModuleNotFoundError(
-        "the explorer needs anywidget; say: pip install anywidget"
-    ) from None
+    raise ModuleNotFoundError("the explorer needs anywidget; say: pip install anywidget") from None
 
 __all__ = ["ArmExplorer", "ArmFigure"]

@@ -55,7 +55,7 @@ class NumericSolution:
         off = (
             f"{np.max(self.position_error):.3g} m and {np.max(self.orientation_error):.3g} rad off"
         )
-        most = np.max(self.starts, initial=0)
+        most = int(np.max(self.starts, initial=0))
         tried = f"from {'1 start' if most == 1 else f'{most} starts'}"
         tried += " within the limits" if self.limits else ""
         advice = f"try restarts={5 * max(most, 4)}" + ", or limits=False" * self.limits
@@ -148,9 +148,16 @@ def solve(
         better = descent.worst < best.worst[missed]
         for old, new in zip(best, descent, strict=True):
             old[missed[better]] = new[better]
-    results = (best.q, best.worst <= tolerance, best.position, best.orientation, best.steps, starts)
-    arrays = (x.reshape((*shape, *x.shape[1:])) for x in results)
-    return NumericSolution(*arrays, limits=bool(limits and np.isfinite(arm.limits).any()))
+    has_limits = bool(limits and np.isfinite(arm.limits).any())
+    return NumericSolution(
+        best.q.reshape(*shape, arm.dof),
+        (best.worst <= tolerance).reshape(shape),
+        best.position.reshape(shape),
+        best.orientation.reshape(shape),
+        best.steps.reshape(shape),
+        starts.reshape(shape),
+        has_limits,
+    )
 
 
 def _turn_into_limits(arm: Arm, q: Array) -> Array:
