@@ -161,14 +161,19 @@ function findFirstFit(blockFinders, question) {
 const NO_NAME = /(?!)/;
 
 // Return whether a block is hardly the answer: it only counts and is not assigned to the answer's
-// name, may be the halves of decimal numbers, or is called another quantity or an old answer.
+// name, may be the halves of decimal numbers outside of brackets, or is called another quantity or
+// an old answer.
 const isUnlikely = (block, names = NO_NAME) =>
-  (block.splitsCommas && textsOf(block.rows.flat()).every((text) => WHOLE.test(text))) ||
+  (block.splitsCommas && !isInBrackets(block) && hasOnlyWholeNumbers(block)) ||
   (countsAlone(block) && !(block.sources[0].isAssigned && names.test(bareName(block.name)))) ||
   isOtherQuantity(block, names) ||
   block.sources.every(isCalledOld);
 
 const WHOLE = /^[-+]?\d+(?: deg)?$/;
+const hasOnlyWholeNumbers = ({ rows }) => textsOf(rows.flat()).every((text) => WHOLE.test(text));
+
+// Return whether each row of a block stands in brackets, where a comma separates.
+const isInBrackets = ({ sources }) => sources.every(({ depth }) => depth > 0);
 
 // Return whether a block holds three or more joint numbers in order, such as 1, 2, 4.
 const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
