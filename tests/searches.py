@@ -65,7 +65,7 @@ STUDENT_SEARCHES = {
     "dh parameters": r"01_dh_tables: ",
     "how to assign frames for dh": r"01_dh_tables: .*[Ff]rames",
     "panda dh table": r"01_dh_tables: The Panda",
-    "standard vs modified dh": r"further/your_table: The modified|01_dh_tables: The maker.s table|conventions: Tables",
+    "standard vs modified dh": r"further/your_table: Standard and modified|conventions: Tables",
     "which way does z axis point": r"01_dh_tables: ",
     "forward kinematics": r"01_dh_tables: |glossary: forward",
     "transformation matrix from base to end effector": r"01_dh_tables: ",
