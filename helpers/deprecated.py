@@ -1,6 +1,6 @@
-"""Names of the fourth edition that still work, with a DeprecationWarning, in the fifth.
+"""Names of the edition before that still work, with a DeprecationWarning, for one more.
 
-This file is removed with the sixth edition. A module of a renamed function ends in
+A module of a renamed function ends in
 ``__getattr__ = deprecated_names(__name__, old="new")``.
 """
 
@@ -36,14 +36,3 @@ def warn_renamed(old: str, new: str) -> None:
         DeprecationWarning,
         stacklevel=3,
     )
-
-
-def deprecated_attribute(old: str, new: str) -> property:
-    """Return a property that gives a renamed attribute by its old name."""
-
-    def get_renamed(owner: Any) -> Any:
-        kind = type(owner).__name__
-        warn_renamed(f"{kind}.{old}", f"{kind}.{new}")
-        return getattr(owner, new)
-
-    return property(get_renamed)
