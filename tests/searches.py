@@ -1,7 +1,8 @@
 """List searches of readers, and what must come first for each.
 
 A result is a regular expression for ``page: section``: this page must come first, with this section
-among the three that are shown of it. The first two lists were written before the code that they test.
+among the three that are shown of it. The first two lists were written before the code that they
+test.
 """
 
 SEARCHES = {
@@ -15,7 +16,8 @@ SEARCHES = {
     "Panda DH table": r"01_.*: The Panda|answers/panda.*: Table",
     "UR10e DH table": r"01_.*: The UR10e|answers/ur10e.*: Table",
     "modified DH": r"01_.*: The maker.*modified|glossary: modified DH|conventions: ",
-    "Craig convention": r"conventions: |further/other_jacobians: From a table in Craig|glossary: modified DH|01_.*: The maker.*modified",
+    "Craig convention": r"conventions: |further/other_jacobians: From a table in Craig"
+    r"|glossary: modified DH|01_.*: The maker.*modified",
     "how to place the frames": r"01_.*: Placing the frames",
     "is my table wrong": r"01_.*: Is my table wrong|check_your_homework: Your table",
     "Stanford arm table": r"01_.*: The Stanford|answers/stanford.*: Table",

@@ -11,8 +11,8 @@ show them as they are. This extension recognises these forms on the document tre
 - ``- <a id="term-x"></a>**x**: Text`` is a term of the glossary.
 - ``<div class="judge" data-ask="table">`` up to ``</div>`` is the place of a judge.
 - ``<div class="answer" data-answer="53" data-within="1" data-unit="mm">`` up to ``</div>`` is a
-  field for the numbers that an exercise asks for; the text between them says which. Numbers of an answer
-  are separated by blanks, answers that are right too by ``|``.
+  field for the numbers that an exercise asks for; the text between them says which. Numbers of an
+  answer are separated by blanks, answers that are right too by ``|``.
 - ``> **Hint**`` begins a hint, which folds.
 
 `tools/numbering.py` checks these forms in the sources and writes their numbers.

@@ -112,7 +112,9 @@ def test_link_restores_typed_answer(page):
     verdict(page, "joint i turns about the axis of the frame before it")
     expect(page.locator(".arm-judge td.off")).to_have_count(15)  # of 18: last two axes coincide
     ask(page, ELBOW)
-    verdict(page, "The Jacobian of Elbow arm is right at this configuration, to the digits you gave.")
+    verdict(
+        page, "The Jacobian of Elbow arm is right at this configuration, to the digits you gave."
+    )
     expect(page.locator(".arm-judge td.off")).to_have_count(0)
     ask(page, ELBOW.replace("0.2866", "0.3866"))
     verdict(page, "olumn 3 (joint 3): check vz.")
