@@ -52,6 +52,9 @@ const SPELLINGS = new Map([
   ...mapEach("π𝜋", " pi "),
   ...mapEach("°◦∘", " deg"),
   ["√", " sqrt "],
+  ["½", "(1/2)"],
+  ["¼", "(1/4)"],
+  ["¾", "(3/4)"],
 ]);
 /** @type {[RegExp, string][]} */
 const LATEX = [
@@ -80,7 +83,11 @@ const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 // Return whether a text is a single number in plain characters.
 export const isNumber = (text) => NUMBER.test(text);
 
-const NAME_ALONE = /^[A-Za-z]\w*$/;
+const NAME_ALONE = /^(?!\w*P[Ii])[A-Za-z]\w*$/;
+// Modules before a name: np.pi, sympy.cos.
+const MODULE = /(?<![\w.\\])(?:[A-Za-z_]\w*\.)+(?=[A-Za-z])/g;
+// The names of pi in C, JavaScript and Mathematica: M_PI, M_PI_2, Math.PI, Pi.
+const PI_NAME = /(?<![A-Za-z\d_])(?:M_)?P[Ii](?:_([24]))?(?![A-Za-z\d_])/g;
 
 // Return whether a text holds a number with decimals.
 export const hasDecimals = (text) => /\d[.,]\d/.test(text);
@@ -88,7 +95,7 @@ export const hasDecimals = (text) => /\d[.,]\d/.test(text);
 const MOST_REMEMBERED = 5000;
 const plainTexts = new Map(); // results of `plain`, which meets the same cell in each splitting
 
-// Write a text in plain characters: Unicode and LaTeX spelled out, prefixes such as np. dropped.
+// Write a text in plain characters: Unicode and LaTeX spelled out, modules such as np. dropped.
 export function plain(text) {
   if (isNumber(text) || NAME_ALONE.test(text)) return text; // the commonest texts
   if (!plainTexts.has(text)) {
@@ -108,7 +115,8 @@ function spellOut(text) {
     for (const [pattern, replacement] of INNERMOST) text = text.replace(pattern, replacement);
   }
   text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
-  text = text.replace(/\b(?:np|math|sp)\./g, "");
+  text = text.replace(MODULE, "");
+  text = text.replace(PI_NAME, (_, divisor) => (divisor ? `(pi/${divisor})` : "pi"));
   text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's operators on each entry
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
   text = text.replace(COUNTED, "$1_$2");
