@@ -25,7 +25,7 @@ import { findLabel } from "./labels.js";
 import { isTransposed, orderByLabels, orderByListedNames, transpose } from "./ordering.js";
 import { hasHalfNumbers, refuseLongText, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
-import { findUnreadAnswer, isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
+import { isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { findComputation } from "./surroundings.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
@@ -98,7 +98,6 @@ function findIn(pasted, text, question) {
   if (!answer || hasHalfNumbers(text, answer.block))
     throw makeRefusal(text, question, blockFinders);
   const { block, want } = answer;
-  refuseOtherNames(block, question);
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
@@ -123,14 +122,6 @@ function findIn(pasted, text, question) {
 function makeUnfilledError(text, { what, wants, wanted = describeWant(wants[0]) }) {
   const fields = { what, line: quoteText(text.trim()), wanted };
   return new NoFitError(formatMessage("unfilled", fields));
-}
-
-// Refuse values with other names if other numbers of the text have the answer's name.
-function refuseOtherNames(block, { what, names = NO_NAME }) {
-  const unread = findUnreadAnswer(block, (name) => names.test(bareName(name)));
-  if (!unread) return;
-  const fields = { what, name: unread.name, line: unread.line + 1 };
-  throw new NoFitError(formatMessage("other name", fields));
 }
 
 // Return the first and the last line of a block. A drawn fraction adds the lines above and below.

@@ -1,7 +1,6 @@
 // Finds rows that are not the answer, because the words before them call them masses, a force or an
 // old answer. Compares the names of rows that may belong together.
 
-import { hasDecimals } from "./formula.js";
 import { findLabel } from "./labels.js";
 
 /** @typedef {import("./lines.js").Row} Row */
@@ -49,19 +48,6 @@ const textOf = (cells) => cells.map(({ text }) => text).join(" ");
  */
 export const isCalledOld = ({ name, words, above }) =>
   CALLED_OLD.test(`${textOf(words)} ${name}`) || OLD_HEADING.test(textOf(above));
-
-/**
- * Find a row with the answer's name and decimals, if all rows of a block have different names.
- * Return null if there is no such row.
- * @param {import("./block.js").Block} block @param {(name: string) => boolean} isAnswer
- */
-export function findUnreadAnswer({ name, sources, labels, headers, lines }, isAnswer) {
-  const words = [...headers, ...labels.flat()].map(({ text }) => text);
-  const hasName = (row) => /\p{L}/u.test(row.name);
-  if (!sources.every(hasName) || [name, ...words].some(isAnswer)) return null;
-  const isUnread = (row) => isAnswer(row.name) && row.cells.some(({ text }) => hasDecimals(text));
-  return lines.all.find(isUnread) ?? null;
-}
 
 /**
  * Return whether two single values may be entries of the same column. On the same line, both values
