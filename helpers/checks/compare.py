@@ -191,7 +191,8 @@ def compare_jacobian(
             theta1, c_1, s_23, ... and the arm's symbols; or numbers at `q`: an array, lists, or
             pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
-        q: where to compare, shape (dof,); a pose without symmetry unless given. Numbers need it.
+        q: where to compare numbers, shape (dof,). Formulas in the joints are compared at five
+            general configurations, a function without q at one.
         angular_first: whether your rows are (omega, v) rather than (v, omega).
         frame: the link frame in whose axes your rows are, 0 for the base.
         angles: "deg" where `q` is in degrees.
@@ -207,10 +208,10 @@ def compare_jacobian(
     if not isinstance(angular_first, int | np.bool_):
         raise ArmError(f"angular_first is {shorten(angular_first)}; expected True or False")
     options |= {"angularFirst": bool(angular_first), "frame": _check_frame(frame, arm)}
+    options["generic"] = q is None
     at = to_plain_data(_generic_configuration(arm) if q is None else q)
     given = dict(arm=judge_data(arm), q=at)
     if not callable(answer) or hasattr(answer, "free_symbols"):
-        options["generic"] = q is None
         return make_verdict(
             ask_judge("jacobian", mine=to_plain_data(answer), options=options, **given)
         )

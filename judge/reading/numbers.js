@@ -44,10 +44,12 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 /**
  * Numbers as typed, row by row. `units` has the unit of the last decimal place of each number.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
+ *   formulas: any[], hasJoints: boolean,
  *   entries: Entry[], taken: string[], unusedLines: string[], hasRowNames?: boolean,
  *   statedUnits?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
  *   `trees` are the formulas of a text, `taken` has messages on how it was read, and `unusedLines`
- *   its unused lines. `hasRowNames` is true if its rows were ordered by the names vx to wz.
+ *   its unused lines. `formulas` are the trees of all entries, and `hasJoints` is true if a joint
+ *   value occurs in them. `hasRowNames` is true if its rows were ordered by the names vx to wz.
  *   `statedUnits` are the units for several numbers, and `tokens` all numbers with their owners.
  */
 
@@ -61,6 +63,7 @@ export function lookup(arm, q, values = []) {
   const constants = new Set([...(arm.values ?? []), ...values].map(([name]) => simple(name)));
   const isKnown = (symbol) => constants.has(symbol) || JOINT.test(symbol) || SHORT.test(symbol);
   known.has = (name) => isKnown(simple(name));
+  known.isJoint = (name) => !constants.has(simple(name)) && isKnown(simple(name));
   return known;
 }
 
@@ -98,6 +101,8 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
   const symbolic = names.size > 0;
   return {
     values,
+    formulas: entries.map(({ tree }) => tree),
+    hasJoints: hasJointNames(names, known),
     units: unitsOf(typed),
     shape,
     symbolic,
@@ -174,6 +179,8 @@ function readText(text, { known, ...question }) {
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
   return {
     ...read,
+    formulas: trees,
+    hasJoints: hasJointNames(used, known),
     entries,
     taken,
     unusedLines,
@@ -182,6 +189,8 @@ function readText(text, { known, ...question }) {
     tokens,
   };
 }
+
+const hasJointNames = (names, known) => [...names].some((name) => known.isJoint?.(name));
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
 const NUMPY_NUMBER = /^float64 ?\(([^()]*)\)$/;
@@ -204,7 +213,8 @@ function readCell(typed, slack = 0) {
   return { text: cell, worth: 1, angle: /\b(?:deg|pi)\b/.test(cell), slack };
 }
 
-function unitsOf(entries) {
+// Return the units of the last typed places, with those of formulas.
+export function unitsOf(entries) {
   const [texts, slacks] = [entries.map(({ text }) => text), entries.map(({ slack }) => slack)];
   return units(texts, slacks).map((unit, i) => unit * entries[i].worth);
 }

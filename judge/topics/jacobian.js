@@ -8,23 +8,18 @@ import {
   listJacobianSteps,
 } from "../causes/jacobian.js";
 import { causeName, joinCauseMessages } from "../causes/ranking.js";
-import { agrees, RIGHT, SO_FAR, canBeDistinguished, WRONG } from "../digits.js";
+import { agrees, compareDigits, RIGHT, SO_FAR, canBeDistinguished, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
+import { listGeneralConfigurations } from "../geometry/general_configurations.js";
+import { DEG } from "../geometry/angles.js";
 import { fixedRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
-import { isPlanar, movableLinearRows, movableRows } from "../geometry/task_rows.js";
-import {
-  lengthFactor,
-  lookup,
-  numbers,
-  readConfiguration,
-  refuseOtherLists,
-} from "../reading/numbers.js";
-import { nameLengthUnit } from "../reading/units.js";
+import { lookup, readConfiguration, refuseOtherLists } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { askAboutDegrees } from "./degrees.js";
 import { judgeWholeOrPart } from "./first_joints.js";
+import { judgeAtConfigurations, makeExactEntries, readMatrix } from "./jacobian_matrix.js";
 import { judgeFirstRows, PARTIAL_COUNTS } from "./jacobian_part.js";
 import {
   ALL_ROWS,
@@ -35,30 +30,26 @@ import {
   pickRows,
   selectRows,
 } from "./jacobian_rows.js";
-import {
-  ArmError,
-  describeShape,
-  formatMessage,
-  joinList,
-  tryOrNull,
-  uncapitalize,
-} from "../sentences.js";
+import { formatMessage, formatNumber, joinList, tryOrNull, uncapitalize } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
-const ANSWER_NAMES = /^(?:j|ans$)/i; // variables that may hold the answer
-
 /**
- * Judge a Jacobian of an arm's tip at q.
+ * Judge a Jacobian of an arm's tip. Formulas in the joints are compared at five configurations,
+ * numbers at q.
  * @param {string | any[]} mine text or nested lists
  * @param {Arm} arm
- * @param {any} q joint values, a text or a list
+ * @param {any} q joint values, a text or a list; an empty text if there are none
  * @returns {import("../verdict.js").Verdict}
  */
 export const compareJacobian = completeVerdicts(judgeJacobian);
 
-function judgeJacobian(mine, arm, q, options = {}) {
-  const typedQ = readConfiguration(q, arm, options.angles);
+function judgeJacobian(mine, arm, q, givenOptions = {}) {
+  const isMissing = typeof q === "string" && !q.trim();
+  const options = isMissing ? { ...givenOptions, generic: true } : givenOptions;
+  const typedQ = isMissing
+    ? makeExactEntries(listGeneralConfigurations(arm)[0])
+    : readConfiguration(q, arm, options.angles);
   return judgeWholeOrPart(
     mine,
     () => judgeWholeJacobian(mine, arm, q, typedQ, options),
@@ -75,9 +66,10 @@ function judgeFirstRowsInText(mine, arm, typedQ, options) {
     const typed = tryOrNull(() =>
       readMatrix(dropUnfilledEnd(mine), known, arm, { ...options, typedQ, wants }),
     );
-    const verdict =
-      typed && judgeFirstRows(typed, question, [...typed.taken, ...(typedQ.locked ?? [])]);
-    if (verdict) return verdict;
+    const judge = (at) =>
+      judgeFirstRows(at.typed, at, [...typed.taken, ...(at.typedQ.locked ?? [])]);
+    const verdict = typed && judgeAtConfigurations(typed, question, judge);
+    if (verdict) return { ...verdict, typed };
   }
   return null;
 }
@@ -86,7 +78,10 @@ function judgeWholeJacobian(mine, arm, q, typedQ, options) {
   const known = lookup(arm, typedQ.values, options.values ?? []);
   const typed = readMatrix(mine, known, arm, { ...options, typedQ });
   const question = { ...options, arm, typedQ, frame: options.frame ?? 0 };
-  const first = judgeReadMatrix(typed, question, [...typed.taken, ...(typedQ.locked ?? [])]);
+  const first = judgeAtConfigurations(typed, question, (at) =>
+    judgeReadMatrix(at.typed, at, [...typed.taken, ...(at.typedQ.locked ?? [])]),
+  );
+  if (typed.hasJoints) return { ...first, typed };
   const verdict = askAboutDegrees(first, {
     arm,
     values: typedQ.values,
@@ -99,7 +94,7 @@ function judgeWholeJacobian(mine, arm, q, typedQ, options) {
 }
 
 function judgeReadMatrix(typed, question, taken) {
-  const { arm, typedQ, angularFirst = false } = question;
+  const { arm, typedQ, angularFirst = false, others = [] } = question;
   const [rows, width] = typed.shape;
   const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
   if (width !== typedQ.values.length || !isJudged)
@@ -114,10 +109,12 @@ function judgeReadMatrix(typed, question, taken) {
   }
   if (!angularFirst || rows < 6 || typed.hasRowNames)
     return judgeSelectedRows(typed, question, taken);
-  const verdict = judgeSelectedRows(exchangeTypedHalves(typed), question, [
-    ...taken,
-    formatMessage("taken: angular first"),
-  ]);
+  const exchanged = others.map((one) => ({ ...one, typed: exchangeTypedHalves(one.typed) }));
+  const verdict = judgeSelectedRows(
+    exchangeTypedHalves(typed),
+    { ...question, others: exchanged },
+    [...taken, formatMessage("taken: angular first")],
+  );
   return { ...verdict, wrong: exchangeHalves(verdict.wrong) };
 }
 
@@ -132,68 +129,6 @@ const exchangeTypedHalves = (typed) => ({
   values: exchangeHalves(typed.values),
   units: exchangeHalves(typed.units),
 });
-
-/**
- * Read an answer as a matrix. All entries in a single row or column are read row by row.
- * @param {any} mine
- * @param {any} known values of symbols
- * @param {Arm} arm
- * @param {any} question `generic` if q is unknown, so that only formulas can be judged; `computed`
- *   if the entries are values of a function, which count as formulas; `wants` has the shapes that
- *   are read, if they are not the usual ones
- */
-function readMatrix(mine, known, arm, question) {
-  const { typedQ, which, generic = false, computed = false } = question;
-  const [what, dof] = [`${arm.name}: your Jacobian`, typedQ.values.length];
-  const wants = question.wants ?? [
-    ...listShapes(dof, arm.rows.length),
-    ...listReducedShapes(arm, dof),
-  ];
-  const request = { wants, names: ANSWER_NAMES, given: [typedQ.values], which };
-  const read = convertToMetres(numbers(mine, what, known, undefined, request), arm);
-  const symbolic = read.symbolic || computed;
-  if (generic && !symbolic) throw new ArmError(formatMessage("J needs q"));
-  const extraAxis = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
-  const shape = read.shape.filter((_, i) => i !== extraAxis);
-  if (shape.length !== 2)
-    throw new ArmError(formatMessage("no matrix", { what, given: describeShape(shape) }));
-  const units = computed ? read.units.map(() => 0) : read.units;
-  const count = read.values.length;
-  const isFlat = count === 6 * dof && count === Math.max(...shape);
-  return { ...read, units, symbolic, shape: isFlat ? [6, dof] : shape };
-}
-
-// List the shapes that are judged. The whole Jacobian and its halves come first, then the shapes of
-// known mistakes, then all entries in a single row.
-const listShapes = (dof, all) => [
-  { rows: 6, columns: dof, by: "row" },
-  { rows: 3, columns: dof, by: "row" },
-  { rows: dof, columns: 6 },
-  ...[all, dof - 1].map((columns) => ({ rows: 6, columns, by: "row" })),
-  { rows: 5, columns: all },
-  { rows: 1, columns: 6 * dof },
-  { rows: 6 * dof, columns: 1 },
-];
-
-// List the shapes without the rows that are always 0, such as 2x2 or 3x3 for a planar arm.
-function listReducedShapes(arm, columns) {
-  const counts = [movableRows(arm).length, movableLinearRows(arm).length];
-  return counts.flatMap((rows) => (rows > 1 && rows < 6 ? [{ rows, columns, by: "row" }] : []));
-}
-
-// Convert the linear rows to metres if the text states a different unit of lengths.
-function convertToMetres(typed, arm) {
-  const { shape, statedUnits } = typed;
-  const count = countLinearRows(shape[0], arm) * shape[1];
-  if (!statedUnits?.lengths || !count) return typed;
-  const convert = (list) => list.map((x, i) => (i < count ? x * lengthFactor(typed, i) : x));
-  const unit = nameLengthUnit(statedUnits.lengths);
-  const taken = [...typed.taken, formatMessage("taken: linear rows", { unit })];
-  return { ...typed, values: convert(typed.values), units: convert(typed.units), taken };
-}
-
-// Three rows with a unit of lengths are the linear half, but for a planar arm x, y and an angle.
-const countLinearRows = (rows, arm) => ({ 6: 3, 3: isPlanar(arm) ? 2 : 3, 2: 2 })[rows] ?? 0;
 
 // Report a wrong shape, with its cause if all entries are right.
 function reportWrongShape(typed, { arm, typedQ, frame }, taken) {
@@ -231,7 +166,7 @@ function judgeSelectedRows(typed, request, takenBefore) {
   const taken = [...takenBefore, ...describeSelection(selection, arm)];
   const shared = { taken, wrong: judged.wrong, rowNames };
   if (judged.grade !== WRONG) {
-    const verdict = reportRight(judged, typed, arm, selection.half);
+    const verdict = reportRight(judged, typed, request, selection.half);
     return { ...verdict, ...shared, notes: [...verdict.notes, ...notes] };
   }
   const columns = computeAllColumns(arm, typedQ.values, frame).map(([number, J]) => [
@@ -247,7 +182,7 @@ function judgeSelectedRows(typed, request, takenBefore) {
 // that would not change it.
 /** @param {import("./jacobian_rows.js").RowSelection} selection */
 function judgeSelectedEntries(typed, request, selection) {
-  const { arm, typedQ, frame, tolerance = null, isGradeOnly } = request;
+  const { arm, typedQ, frame, tolerance = null, isGradeOnly, others = [] } = request;
   const steps = listJacobianSteps(arm, typedQ.values, frame);
   const makeWhole = makeJacobian(arm, frame);
   const restrict = (mistake) => ({
@@ -262,27 +197,43 @@ function judgeSelectedEntries(typed, request, selection) {
   const dof = typedQ.values.length;
   const question = { typed, q: typedQ, dof, makeExpected, mistakes, furtherLists };
   const judged = judgeEntries({ ...question, tolerance, isGradeOnly });
-  const mayHide = !typed.symbolic && selection.rows.length === 6;
-  const expected = makeExpected(typedQ.values);
-  const notes = mayHide ? noteHiddenMistakes(steps, mistakes, typedQ.values, expected) : [];
-  return { judged, notes };
+  const fitsOthers = ({ make }) =>
+    others.every((other) => {
+      const values = make(other.typedQ.values);
+      return (
+        compareDigits(
+          other.typed,
+          values,
+          values.map(() => 0),
+        ) !== ""
+      );
+    });
+  const mayHide = !typed.isEverywhere && selection.rows.length === 6;
+  const notes = mayHide ? noteHiddenMistakes(steps, mistakes, request, makeExpected) : [];
+  return { judged: { ...judged, mistakes: judged.mistakes.filter(fitsOthers) }, notes };
 }
 
-// Note how many mistakes in the recipe give the same Jacobian at this configuration.
-function noteHiddenMistakes(steps, mistakes, q, expected) {
+// Note how many mistakes in the recipe give the same Jacobian at this configuration, and name a
+// configuration that shows them.
+function noteHiddenMistakes(steps, mistakes, { arm, typedQ, angles }, makeExpected) {
+  const { values: q } = typedQ;
+  const expected = makeExpected(q);
   const recipe = mistakes.filter((_, k) => !steps[k].change && !("i" in steps[k].cause.fields[0]));
   const zeros = expected.map(() => 0);
   const visible = recipe.filter(({ make }) =>
     canBeDistinguished({ units: zeros }, expected, make(q)),
   );
   const count = recipe.length - visible.length;
-  return count ? [formatMessage("J hidden", { count, all: recipe.length })] : [];
+  const other = describeConfiguration(listGeneralConfigurations(arm)[0], arm, angles);
+  return count ? [formatMessage("J hidden", { count, all: recipe.length, q: other })] : [];
 }
 
 // Report a Jacobian that is right, rounded or right so far. `half` is 0 or 1 if only the linear or
 // the angular half was typed, else null.
-function reportRight({ grade, agreement, wrong }, typed, arm, half) {
-  const where = typed.symbolic ? "" : formatMessage("at this configuration");
+function reportRight({ grade, agreement, wrong }, typed, { arm, typedQ, angles }, half) {
+  const where = typed.isEverywhere
+    ? ""
+    : formatMessage("at configuration", { q: describeConfiguration(typedQ.values, arm, angles) });
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
   const [typedHalf, other] = half ? ["angular", "linear"] : HALVES;
   const keys = { [RIGHT]: half === null ? "J right" : "J half right", [SO_FAR]: "J so far" };
@@ -301,6 +252,15 @@ function reportRight({ grade, agreement, wrong }, typed, arm, half) {
     findings: half === null ? [] : [missing],
     notes: agreement === "cut" ? [formatMessage("cut")] : [],
   });
+}
+
+// Write joint values in the unit of the question, "0.5, -1.2" or "28.65°, -68.75°".
+function describeConfiguration(q, arm, angles) {
+  const turns = revoluteFlags(arm);
+  const inDegrees = (x) => `${formatNumber(x * DEG, 4)}°`;
+  return q
+    .map((x, k) => (angles === "deg" && turns[k] ? inDegrees(x) : formatNumber(x, 4)))
+    .join(", ");
 }
 
 function reportWrong(causes, findWrongColumns, arm) {

@@ -133,7 +133,7 @@ def test_typed_jacobian_is_judged(reader):
     reader.until(f"{told}.includes('olumn 3 (joint 3): check vz.')")
     assert reader.ask("document.querySelectorAll('.arm-judge td.off').length") == 1
     reader.fill(answer, ELBOW)
-    reader.until(f"{told}.includes('is right at this configuration, to the digits you gave.')")
+    reader.until(f"{told}.includes('is right at q = (0.5, 0.7, -0.4), to the digits you gave.')")
 
 
 def test_search_lists_results(reader):

@@ -113,7 +113,7 @@ def test_link_restores_typed_answer(page):
     expect(page.locator(".arm-judge td.off")).to_have_count(15)  # of 18: last two axes coincide
     ask(page, ELBOW)
     verdict(
-        page, "The Jacobian of Elbow arm is right at this configuration, to the digits you gave."
+        page, "The Jacobian of Elbow arm is right at q = (0.5, 0.7, -0.4), to the digits you gave."
     )
     expect(page.locator(".arm-judge td.off")).to_have_count(0)
     ask(page, ELBOW.replace("0.2866", "0.3866"))
@@ -137,7 +137,7 @@ def test_report_of_wrong_answer_is_copied(page):
     verdict(page, "An example, with a mistake in it.")
     expect(button).to_be_hidden()
     ask(page, ELBOW)
-    verdict(page, "is right at this configuration, to the digits you gave")
+    verdict(page, "is right at q = (0.5, 0.7, -0.4), to the digits you gave")
     expect(button).to_be_hidden()
     for answer, words in (
         (
@@ -375,7 +375,7 @@ def test_chapter_form_hides_given_fields(chapter):
         expect(page.locator(f"script[src$='{name}.js']")).to_have_count(0)
     place = scroll_to(page.locator(".arm-judge").nth(1))
     place.get_by_label("Your answer", exact=True).fill("1 2 3")
-    place.locator(".verdict", has_text="Type the configuration").wait_for()
+    place.locator(".verdict", has_text="I find 3 numbers").wait_for()
     place = scroll_to(page.locator(".arm-judge").nth(0))
     expect(place.locator("label:visible")).to_have_text(["Your answer"])
     answer = place.get_by_label("Your answer", exact=True)
@@ -673,7 +673,7 @@ def test_wrong_entry_is_corrected_in_the_text(page):
     marked.locator("pre .off").click()
     page.get_by_label("The number as it should be read").fill("0.2866")
     page.keyboard.press("Enter")
-    verdict(page, "is right at this configuration")
+    verdict(page, "is right at q = (0.5, 0.7, -0.4)")
     answer = page.get_by_label("Your answer", exact=True)
     expect(answer).to_have_value(ELBOW)
     marked.get_by_role("button", name="Undo").click()

@@ -253,9 +253,10 @@ export function judgeQuestion(question, arms) {
     arm = applyOwnJoints(findArm(question, arms), question);
     const missing = findMissingField(question, arm);
     if (missing) return { error: missing, arm };
-    q = hasConfiguration(question)
-      ? readConfiguration(question.q, arm, question.unit).values
-      : undefined;
+    q =
+      question.q.trim() && hasConfiguration(question)
+        ? readConfiguration(question.q, arm, question.unit).values
+        : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
     const { checker, longest = MAX_ANSWER_LENGTH } = QUESTIONS[question.ask];
     if (question.answer.length > longest)
@@ -276,7 +277,8 @@ const makeSentence = (/** @type {string} */ message) =>
 const findTokens = (/** @type {Verdict} */ { tokens, typed }) => tokens ?? typed?.tokens;
 
 const hasConfiguration = ({ ask }) => QUESTIONS[ask].fields.includes("q");
+// A Jacobian of formulas needs no configuration; the judge asks for that of a numeric one.
 const findMissingField = (question, arm) =>
-  hasConfiguration(question) && !question.q.trim()
+  question.ask !== "jacobian" && hasConfiguration(question) && !question.q.trim()
     ? `Type the configuration: ${movingRows(arm).length} joint values.`
     : null;
