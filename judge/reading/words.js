@@ -34,9 +34,7 @@ const TOOL_FRAME = new RegExp(
 /** @type {KnownWords[]} */
 const KNOWN_WORDS = [
   {
-    pattern: word(
-      "not|wrong|incorrect|false|correct(?:ed|ion)|typo|should|must|nicht|falsch|pas|faux",
-    ),
+    pattern: word("not|wrong|incorrect|false|typo|should|must|nicht|falsch|pas|faux"),
   },
   {
     pattern: word(
