@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { Script } from "node:vm";
 
 const ROOT = new URL("..", import.meta.url).pathname;
-const EXPLORER = ["entry", "paste", "corrections", "units", "joint_vectors", "formulas", "drawn_formulas", "tables", "surroundings", "remarks", "contradictions"]; // tests of tests/explorer that read texts
+const EXPLORER = ["entry", "paste", "corrections", "units", "joint_vectors", "formulas", "drawn_formulas", "tables", "surroundings"]; // tests of tests/explorer that read texts
 const [, , QUESTIONS, PATHS, SECONDS = "3"] = process.argv; // processor time for a change, then it is not decided
 const changes = []; // Patches of a single decision each: { where, what, texts }, with the texts that it may change
 const sites = []; // position and changes of each call that the copy contains

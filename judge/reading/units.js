@@ -155,7 +155,7 @@ const UNCONVERTED_UNIT = new RegExp(
     String.raw`(?<=\d[.,]\d{1,20}\s?)${TURNS}(?!\p{L})`,
     String.raw`(?<=[[(]\s?|\bin )${TURNS}(?=\s?[\]):])`,
     String.raw`(?<!\p{L})(?:lbf?[ ·*-]?(?:ft|in)|(?:ft|in)[ ·*-]?lbf?)(?!\p{L})`,
-    String.raw`(?<!\p{L})(?:kg[·*]?cm|kg ?[·*]? ?m(?![²^\d])|kgf ?[·*]?c?m)(?!\p{L})`,
+    String.raw`(?<!\p{L})(?:kg[·*]?cm|kg ?[·*]? ?m(?![²^\d])|kgf ?[·*]?c?m)(?![\p{L}_])`,
     String.raw`(?<!\p{L})(?:inch(?:es)?|feet)(?!\p{L})`,
     String.raw`[([]\s*(?:[×x]\s*${POWER_OF_TEN}|${POWER_OF_TEN}\s*\p{L})[^()\n]{0,9}[)\]]`,
     String.raw`^[ \t\u00a0]*[×x]\s*${POWER_OF_TEN}`, // \s would cross empty lines at each of them

@@ -99,8 +99,6 @@ const COMPUTED = [
   `inv(${MATRIX})`, `pinv(${MATRIX})`, `rad2deg(${LIST})`, `np.degrees(${LIST})`, `sin(${LIST})`, `cos(${LIST})`, `tan(${LIST})`, `abs(${LIST})`,
   `${LIST}*2`, `${LIST}/2`, `${LIST}*pi`, `${LIST} .* 2`, `${LIST}π`, `${LIST} × 2`, String.raw`${LIST} \cdot 2`, `${MATRIX}^-1`, `${MATRIX}^{-1}`,
   `${MATRIX}'`, `${MATRIX}.'`, `${MATRIX}^T`, `${MATRIX}^{T}`, String.raw`${LATEX}^{\mathrm{T}}`, String.raw`${LATEX}^\top`, `${MATRIX}ᵀ`, "np.array([[0.5, 0.25], [1.5, 2.5]]).T", "np.array([[0.5, 0.25], [1.5, 2.5]]).transpose()",
-  `-q = ${LIST}`, `2q = ${LIST}`, `q/2 = ${LIST}`, `q + q = ${LIST}`, `sin(q) = ${LIST}`, `cos q = ${LIST}`, `tan q = ${LIST}`, `inv(J) = ${MATRIX}`, `J^{-1} = ${MATRIX}`,
-  `qdot = ${LIST}`, `q_dot = ${LIST}`, String.raw`\dot{q} = ${LIST}`, `dq = ${LIST}`, `tau_max = ${LIST}`, `tau min = ${LIST}`, `q limits = ${LIST}`,
 ];
 const PLAIN = [
   LIST, MATRIX, LATEX, `q = ${LIST}`, `- ${LIST}`, `* ${LIST}`, `1. ${LIST}`, `**${LIST}**`, `q/rad = ${LIST}`, `q = [0.5; 0.25]'`, `J = A*B = ${MATRIX}`, `q = ${LIST}*pi/180`,
