@@ -178,7 +178,7 @@ function watchSections() {
     for (const { isIntersecting, boundingClientRect: { bottom }, rootBounds, target: { id } } of changes) {
       for (const link of links.get(id)) {
         link.classList.toggle("here", isIntersecting);
-        if (isIntersecting) keepInView(link.closest("nav"), link);
+        if (isIntersecting && link.isConnected) keepInView(link.closest("nav"), link);
       }
       if (!isIntersecting && bottom < rootBounds?.top) marks.add(id); // its end was passed
     }

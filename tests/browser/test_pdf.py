@@ -47,5 +47,5 @@ def test_pdf_has_the_pages_of_the_book():
     assert {*pdf.list_pages(), *pdf.LEFT_OUT} == {
         str(path.relative_to(HTML).with_suffix(""))
         for path in HTML.rglob("*.html")
-        if path.stem not in {"index", "search", "genindex"}
+        if path.stem not in {"index", "search", "genindex", "second_way"}  # an address that moved
     }

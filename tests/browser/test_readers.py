@@ -271,10 +271,10 @@ def test_search_opens_by_key_and_arrows_choose(browser):
 
 
 def test_contents_show_current_and_read_pages(browser):
-    """The first page links to chapter 1, and the list of pages scrolls to the current page."""
+    """The first page links to the primer, and the list of pages scrolls to the current page."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "intro.html").as_uri())
-    expect(page.locator(".turn .after")).to_have_attribute("href", "01_dh_tables.html")
+    expect(page.locator(".turn .after")).to_have_attribute("href", "primer.html")
     page.add_init_script(  # Chromium may lose what a page stores just before it is left
         "localStorage.read = JSON.stringify({'01_dh_tables': true, judging: ['nothing']})"
     )
