@@ -1,11 +1,15 @@
-"""Test that every number in a chapter's prose appears, rounded, in a cell of the chapter.
+"""Test that every number in the book's prose appears, rounded, in a cell.
 
 Otherwise nobody would notice when a number is no longer true. The test reads every number with a
 unit or with more than two digits. It skips block quotes of the reports, names, indices and
-exponents.
+exponents. A number of a notebook appears in the notebook itself. A number of a Markdown page
+appears in a notebook to which its section links, or in any if it links to none. Counts of exercises
+are also read in words.
 """
 
 import re
+from functools import cache
+from pathlib import Path
 
 import nbformat
 import numpy as np
@@ -13,9 +17,22 @@ import pytest
 
 from tools.numbering import list_notebooks
 
-# Pages whose numbers a live figure or a command shows.
-LIVE_PAGES = {"check_your_homework", "explorer", "instructors"}
-NOTEBOOKS = [path for path in list_notebooks() if path.stem not in LIVE_PAGES]
+BOOK = Path(__file__).parents[1] / "book"
+NOTEBOOKS = list_notebooks()
+# Pages whose numbers a program measures in minutes: benchmarks/ and tests/random_answers/.
+MEASURED_PAGES = {"benchmarks", "judging"}
+MARKDOWN = [path for path in sorted(BOOK.glob("*.md")) if path.stem not in MEASURED_PAGES]
+# Numbers that no cell prints.
+SHOWN_ELSEWHERE = {
+    "check_your_homework": {"36.3", "1.0003"},  # of answers to type
+    "explorer": {"43 mm", "10 mm"},  # of the live figure
+    "instructors": {"201"},  # of a command
+    "errata": {
+        *("118 mm", "127.3 mm"),  # in robot_data
+        "999",  # the last of 1000 steps that count from 0
+        *("1.328", "58 cm"),  # of entries 11 and 12, in no cell of their chapters
+    },
+}
 NOT_PROSE = re.compile(
     r"^> >.*$"  # the words of a report
     r"|<[^>]*>|\[[^]]*\]\((?:(?:\.\./)?references\.md)?#\w+\)"  # tags, works
@@ -107,4 +124,59 @@ def test_number_without_cell_is_detected(prose, source, output, missing):
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_prose_numbers_appear_in_a_cell(path):
-    assert find_unbacked_numbers(nbformat.read(path, as_version=4).cells) == []
+    missing = find_unbacked_numbers(_read_cells(path))
+    assert set(missing) == SHOWN_ELSEWHERE.get(path.stem, set())
+
+
+@cache
+def _read_cells(path):
+    return nbformat.read(path, as_version=4).cells
+
+
+@pytest.mark.parametrize("path", MARKDOWN, ids=lambda path: path.stem)
+def test_numbers_of_a_markdown_page_appear_in_a_cell(path):
+    missing = set()
+    for section in re.split(r"^(?=#+ )", path.read_text(encoding="utf-8"), flags=re.M):
+        linked = [BOOK / name for name in re.findall(r"\]\(([\w/]+\.ipynb)", section)]
+        code = [
+            cell
+            for notebook in linked or NOTEBOOKS
+            for cell in _read_cells(notebook)
+            if cell.cell_type == "code"
+        ]
+        missing |= {*find_unbacked_numbers([nbformat.v4.new_markdown_cell(section), *code])}
+    assert missing == SHOWN_ELSEWHERE.get(path.stem, set())
+
+
+COUNT_WORDS = re.findall(r"\w+", "one two three four five six seven eight nine ten eleven twelve")
+COUNT = re.compile(
+    rf"\b({'|'.join(COUNT_WORDS)}) exercises\b(?:[^.]*? are on \[[^]]*\]\(([^)#]+))?", re.I
+)
+
+
+def find_wrong_counts(text, count_exercises):
+    """Return the counts, in words, that differ from the exercises of this page or a linked one."""
+    return [
+        word
+        for word, link in COUNT.findall(text)
+        if COUNT_WORDS.index(word.lower()) + 1 != count_exercises(link)
+    ]
+
+
+def test_wrong_count_in_words_is_detected():
+    counts = {"": 11, "other.ipynb": 2}
+    assert find_wrong_counts("Ten exercises to chapter 5.", counts.get) == ["Ten"]
+    assert find_wrong_counts("Eleven exercises to chapter 5.", counts.get) == []
+    assert find_wrong_counts("Two exercises are on [a page](other.ipynb#a).", counts.get) == []
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_exercises_are_counted_right(path):
+    def join_text(notebook):
+        return "\n".join(c.source for c in _read_cells(notebook) if c.cell_type == "markdown")
+
+    def count_exercises(link):
+        page = (path.parent / link).resolve() if link else path
+        return len(re.findall(r"^### Exercise", join_text(page), re.M))
+
+    assert find_wrong_counts(join_text(path), count_exercises) == []
