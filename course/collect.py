@@ -43,13 +43,13 @@ Labels = tuple[str, ...]  # ids, mail addresses or names of a student
 
 @dataclass(frozen=True)
 class HandInName:
-    """What the outer name of a file or folder says.
+    """The outer name of a hand-in, as the platform or the instructor wrote it.
 
     Attributes:
         key: Text that all files of a hand-in share, such as "lovelaceada_12345".
         labels: Ids, mail addresses or names of the student.
         is_late: Whether Canvas marked it as late.
-        prefix: What a platform puts before the name of a file for this student, or "".
+        prefix: Text that a platform puts before the student's own file name, or "".
     """
 
     key: str
@@ -59,7 +59,7 @@ class HandInName:
 
 
 class Collection(NamedTuple):
-    """The files by student, students in time and late, and what must be looked at by hand."""
+    """The files by student, the late students, and a message for each doubtful file."""
 
     files: dict[str, list[HandedFile]]
     late: set[str]
@@ -204,7 +204,7 @@ def _read_outer_name(
 def find_owners(
     hand_ins: Iterable[HandInName], index: StudentIndex, placed: Mapping[str, str]
 ) -> tuple[dict[HandInName, str], dict[HandInName, str]]:
-    """Return the student of each hand-in, and a reason for each that nobody can be sure of."""
+    """Return the student of each hand-in, and for each doubtful hand-in the reason."""
     owners, doubts = dict[HandInName, str](), dict[HandInName, str]()
     for name in hand_ins:
         candidates = {placed[name.key]} if name.key in placed else index.find_students(name.labels)

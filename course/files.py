@@ -82,22 +82,19 @@ def read_files(folder: Path) -> tuple[HandedFile, ...]:
     return read_members(list_folder(folder))
 
 
-def read_members(
-    members: Iterable[Member],
-    max_files: int = MAX_HAND_IN_FILES,
-    max_bytes: int = MAX_HAND_IN_BYTES,
-) -> tuple[HandedFile, ...]:
+def read_members(members: Iterable[Member]) -> tuple[HandedFile, ...]:
     """Read the files of one hand-in and those in its zips.
 
-    After `max_files` files or `max_bytes` bytes, zips counted, the last item says that more was
-    not read.
+    After `MAX_HAND_IN_FILES` files or `MAX_HAND_IN_BYTES` bytes, zips counted, the last item says
+    that more was not read.
     """
+    files_left, bytes_left = MAX_HAND_IN_FILES, MAX_HAND_IN_BYTES
     files, waiting = list[HandedFile](), [(member, 0) for member in members][::-1]
     while waiting:
         member, depth = waiting.pop()
         file = member.read()
-        max_files, max_bytes = max_files - 1, max_bytes - len(file.content)
-        if max_files < 0 or max_bytes < 0:
+        files_left, bytes_left = files_left - 1, bytes_left - len(file.content)
+        if files_left < 0 or bytes_left < 0:
             trouble = (
                 "not read, nor what follows it: a hand-in may have"
                 f" {MAX_HAND_IN_FILES} files and {MAX_HAND_IN_BYTES:,} bytes"

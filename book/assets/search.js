@@ -148,7 +148,7 @@ function findEntries(typed) {
     .sort((one, other) => other.score - one.score);
 }
 
-// Whether words begin the title of a chapter, which then comes before a definition.
+// Return whether a chapter's title begins with the words; the chapter then comes before a definition.
 const isChapterName = (phrase) => ENTRIES.some(({ title, of, kind }) => kind === "chapter" && title === of && joinStems(stemsOf(title)).startsWith(phrase));
 const joinStems = (stems) => ` ${stems.join(" ")} `;
 const stemsOf = (text) => split(text).filter((word) => !STOP_WORDS.has(word)).map(stem);
