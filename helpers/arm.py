@@ -42,6 +42,7 @@ from helpers.rows import (
     cos_sin,
     fixed,
     prismatic,
+    read_rows,
     real_number,
     revolute,
     warn_of_units,
@@ -254,28 +255,35 @@ class Arm:
         cls,
         source: object,
         *,
-        columns: str | None = None,
+        columns: str | Sequence[str] | None = None,
         lengths: str | None = None,
         angles: str | None = None,
         convention: str | None = None,
         values: Mapping[str, float] | None = None,
         name: str = "my table",
     ) -> Arm:
-        """Read a table as text, rows, parallel lists, ``Link(...)`` lines or 4 x 4 matrices.
+        """Read a table as rows or as text.
 
-        Options that are not given are guessed, and the arm's `source` says how the table was read.
-        A warning says where a guess may be wrong: numbers without column headers and joint
-        variables, angles such as 1.57 that are taken as right angles, a table that may follow
-        Craig's convention. A warning also names joints that have other numbers in the table than
-        here: the arm numbers a joint by its row, and fixed rows count.
+        Rows are in metres and radians, in the standard convention. A row's joint has its variable
+        in theta (revolute) or in d (prismatic): None, or a symbol without a value, alone or with an
+        offset, as ``"q1 - pi/2"``. A row without one is fixed. Symbols with a value stay symbols.
+
+        In a text, options that are not given are guessed, and the arm's `source` says how the table
+        was read. A warning says where a guess may be wrong: numbers without column headers and
+        joint variables, angles such as 1.57 that are taken as right angles, a table that may follow
+        Craig's convention.
+
+        A warning also names joints that have other numbers in the table than here: the arm numbers
+        a joint by its row, and fixed rows count.
 
         Args:
-            source: LaTeX, Markdown, MATLAB, CSV or Python text, or lists; the joint's variable may
-                stand in theta or d.
-            columns: Order of the columns, as ``"theta d a alpha"``.
-            lengths: Unit of lengths: "m", "cm" or "mm".
-            angles: Unit of angles: "rad" or "deg".
-            convention: "standard" or "craig" (modified), whose rows hold a_{i-1} and alpha_{i-1}.
+            source: Lists, an array or a SymPy matrix, shape (rows, 4); or LaTeX, Markdown, MATLAB,
+                CSV or Python as text.
+            columns: Order of the columns; "theta d a alpha" by default for rows.
+            lengths: Unit of lengths in a text: "m", "cm" or "mm".
+            angles: Unit of angles in a text: "rad" or "deg".
+            convention: Convention of a text: "standard", or "craig" (modified), whose rows hold
+                a_{i-1} and alpha_{i-1}.
             values: Numbers for symbols other than those of the joints.
             name: The arm's name.
 
@@ -286,14 +294,31 @@ class Arm:
             ArmError: `source` is no table, or holds a symbol without a value.
 
         Example:
-            >>> arm = Arm.from_table([["q1", 0.3, 0, "pi/2"], ["q2", 0, 0.4, 0], ["q3", 0, 0.2, 0]])
+            >>> arm = Arm.from_table([["q1", 0.3, 0, "pi/2"], [None, 0, 0.4, 0], [0, "q3", 0, 0]])
+            >>> arm
+            <Arm my table: 3 rows, RRP>
             >>> arm.rows[0].entries
             (0, 'pi/2', 0.3, 0)
         """
-        # Imported here because the reader of tables builds on arms, and starts the judge.
+        require_type(name, str, "an arm's name")
+        if not isinstance(source, str):
+            for option, given, unit in (
+                ("lengths", lengths, "m"),
+                ("angles", angles, "rad"),
+                ("convention", convention, "standard"),
+            ):
+                if given not in (None, unit):
+                    raise ArmError(
+                        f"{option} is {shorten(given)}; expected {unit!r}, for rows are in metres"
+                        " and radians in the standard convention"
+                        " (helpers.conventions.standard_from_modified converts Craig's)"
+                    )
+            numbers = Values(values or {}, name)
+            return cls(name, read_rows(source, columns or "theta d a alpha", numbers), numbers)
+
+        # Imported here because the reader of text builds on arms, and starts the judge.
         from helpers.checks.tables import read_table
 
-        require_type(name, str, "an arm's name")
         table = read_table(
             source,
             columns=columns,

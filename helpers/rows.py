@@ -1,6 +1,7 @@
 """Define rows, joints, bodies and the values of symbols, of which an arm consists."""
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from numbers import Real
@@ -9,7 +10,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.expressions import Entry, check_entry
+from helpers.expressions import Entry, check_entry, symbol_names
 from helpers.inputs import (
     LARGEST,
     ArmError,
@@ -211,6 +212,91 @@ def fixed(a: Entry = 0, alpha: Entry = 0, d: Entry = 0, theta: Entry = 0) -> Row
     """
     warn_of_units(a, alpha, d, theta)
     return Row(a, alpha, d, theta, Joint("fixed"))
+
+
+def read_rows(table: Any, columns: str | Sequence[str], values: Mapping[str, float]) -> list[Row]:
+    """Convert a table in metres and radians to rows.
+
+    Args:
+        table: Lists, an array or a SymPy matrix, shape (rows, 4).
+        columns: Order of the columns.
+        values: Numbers of symbols; any other symbol in theta or d is the variable of a joint.
+
+    Raises:
+        ArmError: `table` is no such table, or no row has a joint.
+    """
+    wanted = "a, alpha, d and theta in your order"
+    typed = re.findall(r"\w+", columns) if isinstance(columns, str) else columns
+    words = tuple(map(str, tuple_of_items(typed, "columns", wanted)))
+    if sorted(words) != ["a", "alpha", "d", "theta"]:
+        raise ArmError(f"columns are {shorten(columns)}; expected {wanted}")
+    expected = f"rows of four entries ({' '.join(words)}), or a text"
+    rows = []
+    for number, row in enumerate(_list_items(table, "the table's rows", expected), 1):
+        entries = _list_items(row, f"the entries of row {number}", expected)
+        if len(entries) != 4:
+            raise ArmError(f"row {number} is {shorten(row)}; expected {expected}")
+        rows.append(_read_row(dict(zip(words, entries, strict=True)), number, values))
+    if all(made.joint.kind == "fixed" for made in rows):
+        raise ArmError(
+            "no row has a joint; expected its variable, None or a symbol such as 'q1', in theta"
+            " (revolute) or d (prismatic)"
+        )
+    return rows
+
+
+def _list_items(value: Any, name: str, expected: str) -> tuple:
+    # tolist() makes Python's own numbers of NumPy's, and rows of a SymPy matrix.
+    items = value.tolist() if hasattr(value, "tolist") else value
+    return tuple_of_items(items, name, expected)
+
+
+def _read_row(typed: dict[str, Any], number: int, values: Mapping[str, float]) -> Row:
+    """Convert one row's entries, by column, to a row of the joint whose variable they hold."""
+    entries: dict[str, Entry] = {}
+    moves: list[tuple[str, str]] = []  # the column of a joint's variable, and its name or ""
+    for column, entry in typed.items():
+        where = f"row {number}: {column}"
+        formula = 0 if entry is None else check_entry(entry, where)
+        unknown = sorted(symbol_names(formula, where) - set(values))
+        if entry is not None and not unknown:
+            entries[column] = formula
+        elif column in ("theta", "d"):
+            moves.append((column, unknown[0] if unknown else ""))
+            entries[column] = _split_offset(str(formula), unknown[0], where) if unknown else 0
+        else:
+            raise ArmError(
+                f"{where} is {shorten(entry)}; expected a number, or a formula of symbols in values"
+                " (say columns='a alpha d theta', or your order, if the columns have another)"
+            )
+    if len(moves) > 1:
+        raise ArmError(
+            f"row {number}: theta is {shorten(typed['theta'])} and d is {shorten(typed['d'])};"
+            " expected one joint variable, and a value for every other symbol, as in"
+            " values={'d_1': 0.3}"
+        )
+    row = entries["a"], entries["alpha"], entries["d"], entries["theta"]
+    if not moves:
+        return fixed(*row)
+    [(column, variable)] = moves
+    digits = re.search(r"\d+$", variable)
+    if digits and int(digits[0]) != number:
+        warn_caller(f"your {variable} is q_{number} here, since joints are numbered by their rows")
+    return revolute(*row) if column == "theta" else prismatic(*row)
+
+
+def _split_offset(formula: str, variable: str, where: str) -> Entry:
+    """Return what is added to the joint's variable in a formula such as "q1 - pi/2"."""
+    if formula == variable:
+        return 0
+    if match := re.fullmatch(rf"{variable}\s*([+-])\s*(.+)", formula):
+        return match[2] if match[1] == "+" else f"-{match[2]}"
+    if match := re.fullmatch(rf"(.+?)\s*\+\s*{variable}", formula):
+        return match[1]
+    raise ArmError(
+        f"{where} is {formula!r}; expected the joint's variable {variable} alone or with an offset,"
+        f" such as '{variable} - pi/2', and a value for every other symbol"
+    )
 
 
 def warn_of_units(a: Entry, alpha: Entry, d: Entry, theta: Entry) -> None:

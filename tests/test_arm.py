@@ -1,10 +1,12 @@
 """Test the arm as an immutable value: its checks, changed copies and printed form."""
 
+import math
 import pickle
 from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
+import sympy as sp
 
 from helpers.arm import Arm, ArmError, Joint, fixed, prismatic, revolute
 from helpers.expressions import evaluate_entry
@@ -189,9 +191,78 @@ def test_long_slide_does_not_warn_of_degrees():
 
 def test_numbers_without_headers_warn_of_guessed_order():
     with pytest.warns(UserWarning, match=r"no column headers .*: columns θ d a α; the standard"):
-        Arm.from_table([[0.4, 5, 0.1, 0], [0.4, 0, 0, 0]])
-    Arm.from_table([["q1", 5, 0, 0]])
-    Arm.from_table([[0.4, 5, 0, 0]], columns="theta d a alpha")
+        Arm.from_table("0.4 5 0.1 0\n0.4 0 0 0")
+    Arm.from_table("q1 5 0 0")
+    Arm.from_table("0.4 5 0 0", columns="theta d a alpha")
+
+
+Q1, Q2, Q3, A2 = sp.symbols("q_1 q_2 q_3 a_2")
+ROWS = [  # the elbow arm with its upper arm turned by a right angle, and a slide
+    [["q_1", 0.5, 0, "pi/2"], ["q_2 - pi/2", 0, "a_2", 0], [0, "q3 + 0.1", 0, 0]],
+    ((None, 0.5, 0, math.pi / 2), ("-pi/2 + q_2", 0, "a_2", 0), (0, "0.1 + d3", 0, 0)),
+    sp.Matrix([[Q1, 0.5, 0, sp.pi / 2], [Q2 - sp.pi / 2, 0, A2, 0], [0, Q3 + 0.1, 0, 0]]),
+    np.array([[None, 0.5, 0, np.pi / 2], ["q2-pi/2", 0, "a_2", 0], [0, "q3+0.1", 0, 0]], object),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("table", ROWS, ids=["lists", "tuples", "sympy", "array"])
+def test_rows_become_the_arm_that_they_describe_without_the_judge(table, monkeypatch):
+    monkeypatch.setattr("helpers.checks.engine.ask_judge", None)
+    expected = Arm(
+        "typed",
+        [revolute(d=0.5, alpha="pi/2"), revolute(a="a_2", theta="-pi/2"), prismatic(d=0.1)],
+        {"a_2": 0.4},
+    )
+    arm = Arm.from_table(table, values={"a_2": 0.4})
+    assert arm.variables == ("q_1", "q_2", "q_3")
+    assert arm.values == {"a_2": 0.4}
+    q = [0.3, -0.7, 0.2]
+    np.testing.assert_array_equal(forward_kinematics(arm, q), forward_kinematics(expected, q))
+
+
+def test_rows_are_read_in_the_order_of_columns():
+    arm = Arm.from_table([[0.4, "pi/2", 0.1, "q1"]], columns=("a", "alpha", "d", "theta"))
+    assert arm.rows[0].entries == (0.4, "pi/2", 0.1, 0)
+
+
+def test_angles_of_rows_are_not_rounded_to_right_angles():
+    assert Arm.from_table([[None, 0, 0.4, -1.57]]).rows[0].alpha == -1.57
+
+
+@pytest.mark.parametrize(
+    ("table", "options", "message"),
+    [
+        ([[0, 0.3, 0, 0]], {}, "no row has a joint; expected its variable, None or a symbol"),
+        (np.zeros((3, 4)), {}, "no row has a joint"),
+        ([[0.4, "pi/2", 0.1, "q1"]], {}, "row 1: alpha is 'q1'; .*say columns='a alpha d theta'"),
+        ([["q1", "d_1", 0, 0]], {}, r"theta is 'q1' and d is 'd_1'; .* values=\{'d_1': 0.3\}"),
+        ([["2*q1", 0, 0, 0]], {}, "theta is '2.q1'; expected the joint's variable q1 alone or"),
+        ([["q1", 0, None, 0]], {}, "row 1: a is None; expected a number"),
+        ([["q1", 0, "30 cm", 0]], {}, "row 1: a is '30 cm'; .* in m and rad without their units"),
+        ([["q1", 0, 0]], {}, "row 1 is .*; expected rows of four entries .theta d a alpha., or a"),
+        (np.eye(4)[None], {}, r"row 1: theta is '\[1.0, 0.0, 0.0, 0.0\]'; expected numbers"),
+        ({"theta": ["q1"]}, {}, "the entries of row 1 are 'theta'; expected rows"),
+        (None, {}, "the table's rows are None; expected rows of four entries"),
+        (ROWS[0], {"angles": "deg"}, "angles is 'deg'; expected 'rad', for rows are in metres"),
+        (ROWS[0], {"lengths": "mm"}, "lengths is 'mm'; expected 'm'"),
+        (ROWS[0], {"convention": "craig"}, "convention is 'craig'; .*standard_from_modified"),
+        (ROWS[0], {"columns": "a d theta"}, "columns are 'a d theta'; expected a, alpha, d and"),
+        (ROWS[0], {"columns": 5}, "columns are 5; expected a, alpha, d and theta"),
+        (ROWS[0], {"values": {"d": 1}}, "row 2: a is 'a_2'; expected a number, or a formula of"),
+    ],
+)  # fmt: skip
+def test_rows_that_leave_a_guess_are_refused(table, options, message):
+    with pytest.raises(ArmError, match=message):
+        Arm.from_table(table, **options)
+
+
+def test_rows_that_look_like_degrees_or_count_otherwise_warn():
+    with pytest.warns(UserWarning, match="degrees|numbered") as warned:
+        Arm.from_table([["q1", 0, 0, 90], ["q3", 0, 0.4, 0]])
+    assert [str(w.message) for w in warned] == [
+        "an angle is 90, in radians; for degrees write np.radians(90)",
+        "your q3 is q_2 here, since joints are numbered by their rows",
+    ]
 
 
 def test_lengths_in_millimetres_have_no_round_off():

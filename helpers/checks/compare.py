@@ -119,8 +119,8 @@ def compare_tables(
     map": the verdict shows the map, and ``verdict.joint_map.arm`` is the arm in your joints.
 
     Args:
-        answer: an `Arm`, or rows in a list, text, `Link(...)` lines or 4 x 4 matrices, as
-            ``Arm.from_table`` takes them.
+        answer: an `Arm`, a text, `Link(...)` lines, or rows, parallel lists, a data frame or 4 x 4
+            matrices, which are read as a text.
         reference: the arm it should describe.
         columns, lengths, angles, convention, values: how to read `answer`; guessed unless given,
             and the verdict says what was guessed.

@@ -28,7 +28,7 @@ class TableReading(NamedTuple):
 
 
 def read_table(
-    source: Any,
+    text: str,
     *,
     columns: Any,
     lengths: Any,
@@ -36,14 +36,14 @@ def read_table(
     convention: Any,
     values: Mapping[str, float] | None,
 ) -> TableReading:
-    """Read a table as the rows of an arm.
+    """Read a typed table as the rows of an arm.
 
-    Multiples of a right angle become formulas, such as "pi/2". Raises ArmError if `source` is not
-    a table, or holds a symbol without a value.
+    Multiples of a right angle become formulas, such as "pi/2". Raises ArmError if `text` is not a
+    table, or holds a symbol without a value.
     """
     options: dict[str, Any] = check_reading_options(columns, lengths, angles, convention)
     options["values"] = [list(pair) for pair in numbers_by_name(values or {}, "values").items()]
-    answer = ask_judge("rows", mine=format_table(source), options=options)
+    answer = ask_judge("rows", mine=text, options=options)
     rows = tuple(
         Row(
             r["a"],
