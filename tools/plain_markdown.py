@@ -141,10 +141,10 @@ def judge_nodes(question: dict[str, str], content: list[nodes.Node]) -> list[nod
     """Return the nodes of a judge that asks `question`.
 
     Args:
-        question: the `data-` attributes; `pose` is the joint vector, semicolons end table rows.
+        question: the `data-` attributes; semicolons end table rows.
         content: what a page without JavaScript shows.
     """
-    question = {"q" if name == "pose" else name: text for name, text in question.items()}
+    question = {"q" if name == "configuration" else name: text for name, text in question.items()}
     if "table" in question:
         question["table"] = question["table"].replace("; ", "\n")
     start, end = (nodes.raw("", html, format="html") for html in judge.form_html(question))
