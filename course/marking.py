@@ -196,7 +196,7 @@ def _split_into_blocks(part: Part, values: Array) -> Array:
         return values.reshape(2, 3, -1).transpose(2, 0, 1).reshape(-1, 3)
     if part.kind == "rotation":
         return values.T
-    if part.kind == "column":  # the two halves, at all secret poses
+    if part.kind == "column":  # the two halves, at all secret configurations
         return values.reshape(-1, 2, 3).transpose(1, 0, 2).reshape(2, -1)
     return values.reshape(-1, 1)
 
@@ -228,7 +228,7 @@ def _list_positions(noun: str, is_wrong: NDArray[np.bool_]) -> str:
 
 
 def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
-    """Mark six formulas by their values at the secret poses."""
+    """Mark six formulas by their values at the secret configurations."""
     answer = _fill_blanks(answer)
     if isinstance(answer, list):
         answer = [row[0] if isinstance(row, list) and len(row) == 1 else row for row in answer]
@@ -236,13 +236,15 @@ def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
             raise ArmError("expected six formulas, one for each of v and ω")
         answer = [str(entry) for entry in answer]
     camera = topics.make_camera_arm(question.arm, question.numbers)
-    poses = np.array(question.numbers["poses"])[:, : camera.dof].tolist()
-    values_at_poses = ask_judge(
-        "formulas", mine=answer, arm=judge_data(camera), configurations=poses
+    configurations = np.array(question.numbers["configurations"])[:, : camera.dof].tolist()
+    values_by_configuration = ask_judge(
+        "formulas", mine=answer, arm=judge_data(camera), configurations=configurations
     )
-    if len(values_at_poses) != np.size(part.value) or None in values_at_poses:
-        raise ArmError("expected six formulas, one for each of v and ω, with a value at every pose")
-    values = np.array(values_at_poses, dtype=float).reshape(-1, 6)
+    if len(values_by_configuration) != np.size(part.value) or None in values_by_configuration:
+        raise ArmError(
+            "expected six formulas, one for each of v and ω, with a value at every configuration"
+        )
+    values = np.array(values_by_configuration, dtype=float).reshape(-1, 6)
     return _mark_values(part, TypedNumbers(values, np.zeros_like(values)))
 
 

@@ -34,7 +34,12 @@ class Mistake(NamedTuple):
 
 
 def list_mistakes(
-    kind: str, arm: Arm, *, q: ArrayLike = (), poses: ArrayLike = (), wrench: ArrayLike = ()
+    kind: str,
+    arm: Arm,
+    *,
+    q: ArrayLike = (),
+    configurations: ArrayLike = (),
+    wrench: ArrayLike = (),
 ) -> list[Mistake]:
     """List the mistakes in a question of some kind.
 
@@ -43,11 +48,12 @@ def list_mistakes(
             "torques" (dof).
         arm: The arm of the question.
         q: Joint values, shape (dof,).
-        poses: Several of them, shape (k, dof), in place of `q`; each mistake then has k answers.
+        configurations: Several of them, shape (k, dof), in place of `q`; each mistake then has k
+            answers.
         wrench: Force and moment on the tip, shape (6,), for torques.
     """
     question: dict[str, Any] = {"kind": kind, "arm": judge_data(arm)}
-    for name, value in (("q", q), ("configurations", poses), ("wrench", wrench)):
+    for name, value in (("q", q), ("configurations", configurations), ("wrench", wrench)):
         if np.size(value):
             question[name] = np.asarray(value, dtype=float).tolist()
     answers = ask_judge("mistakes", **question)

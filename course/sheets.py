@@ -114,8 +114,8 @@ def draw_sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None)
         seed: Any text or whole number.
         topics: Topics to ask, those that suit the arm unless given.
 
-    Raises ArmError for an unknown topic, for one that does not suit the arm, and if no pose is
-    found that is away from singular ones and at which every mistake shows.
+    Raises ArmError for an unknown topic, for one that does not suit the arm, and if no
+    configuration is found that is away from singular ones and at which every mistake shows.
     """
     require_type(arm, Arm, "arm")
     if topics is None:

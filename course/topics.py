@@ -35,11 +35,11 @@ Kind = Literal["numbers", "rotation", "table", "jacobian", "column", "torques", 
 _MAX_TRIES = 500
 _EULER_STEPS = 1000  # steps that the sheet asks for, or more
 _KEY_STEPS = 100  # The key's trace is exact at each step.
-_SMALLEST_SINGULAR_VALUE = 0.04  # questions keep this distance from singular poses
+_SMALLEST_SINGULAR_VALUE = 0.04  # questions keep this distance from singular configurations
 _TARGET_DIGITS = 6  # A target is printed to 1e-6 m, which moves a joint by 1e-6 / 0.04 rad.
 _FEWEST_DIGITS, _MOST_DIGITS = 3, 4  # decimals that are asked
 _EULER_DIGITS = 2  # decimals that 1000 Euler steps give
-_SECRET_POSE_COUNT = 4  # Formulas are judged at these poses.
+_SECRET_CONFIGURATION_COUNT = 4  # Formulas are judged at these configurations.
 # Tolerance divided by the largest number, since constants in formulas may have four digits.
 _FORMULA_SHARE = 1e-4
 _LENGTH_RATIO = 1.25  # columns are drawn within this factor of the usual length of their formulas
@@ -54,7 +54,7 @@ class Part:
         description: The quantity that is asked, with its unit.
         kind: The kind of answer, which determines how it is judged.
         value: Right answer: an array; an `Arm` for a table; for a column its values at the secret
-            poses, shape (k, 6); the branches, shape (k, dof), for inverse kinematics.
+            configurations, shape (k, 6); the branches, shape (k, dof), for inverse kinematics.
         mistakes: Usual mistakes with their answers.
         baseline: Values that need no work and earn nothing, such as zeros or values of the
             question.
@@ -92,8 +92,8 @@ class Part:
         return 10.0**-self.digits
 
 
-def _draw_pose(arm: Arm, rng: Rng) -> list[float]:
-    """Draw joint values of two decimals, inside their range and away from singular poses."""
+def _draw_configuration(arm: Arm, rng: Rng) -> list[float]:
+    """Draw joint values of two decimals, within limits and away from singular configurations."""
     lower, upper = (np.clip(limit, -2.4, 2.4) for limit in arm.limits)
     somewhere = np.linspace(0.3, 0.9, arm.dof)
     rows = 6 if arm.dof >= 6 else 3  # fewer joints hold the tip's place alone
@@ -103,7 +103,9 @@ def _draw_pose(arm: Arm, rng: Rng) -> list[float]:
         smallest = np.linalg.svd(jacobian(arm, q)[:rows], compute_uv=False)[rank - 1]
         if smallest > _SMALLEST_SINGULAR_VALUE and q.all():  # the sign of 0 shows nowhere
             return list(q.tolist())
-    raise ArmError(f"{arm.name}: no pose away from a singular one was found in {_MAX_TRIES} tries")
+    raise ArmError(
+        f"{arm.name}: no configuration away from a singular one was found in {_MAX_TRIES} tries"
+    )
 
 
 def _draw_table(arm: Arm, rng: Rng) -> Numbers | None:
@@ -165,7 +167,7 @@ def _write_table_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, 
 
 
 def _write_pose_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
-    right, q = _compute_at_pose(numbers, arm, numbers["q"]), format_matrix(numbers["q"])
+    right, q = _compute_at_configuration(numbers, arm, numbers["q"]), format_matrix(numbers["q"])
     text = f"Where is the tip of this arm, and how is it turned, at $q = {q}$?"
     mistakes = list_mistakes("tip", arm, q=numbers["q"])
     positions = [m._replace(values=m.values[:3]) for m in mistakes]
@@ -178,10 +180,12 @@ def _write_pose_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, .
 
 def _draw_jacobian(arm: Arm, rng: Rng) -> Numbers | None:
     return {
-        "q": _draw_pose(arm, rng),
+        "q": _draw_configuration(arm, rng),
         "q_dot": (rng.uniform(-1, 1, arm.dof).round(1) + 0.0).tolist(),
         **_draw_camera(arm, rng),
-        "poses": [_draw_pose(arm, rng) for _ in range(_SECRET_POSE_COUNT)],
+        "configurations": [
+            _draw_configuration(arm, rng) for _ in range(_SECRET_CONFIGURATION_COUNT)
+        ],
     }
 
 
@@ -217,7 +221,7 @@ def make_camera_arm(arm: Arm, numbers: Numbers) -> Arm:
 
 def _write_jacobian_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     q, q_dot, column = np.array(numbers["q"]), np.array(numbers["q_dot"]), int(numbers["column"])
-    right, camera = _compute_at_pose(numbers, arm, q), make_camera_arm(arm, numbers)
+    right, camera = _compute_at_configuration(numbers, arm, q), make_camera_arm(arm, numbers)
     names, moving = ", ".join(f"`{x}`" for x in camera.variables), camera.variables[column - 1]
     x, z = numbers["camera"]
     text = (
@@ -237,15 +241,15 @@ def _write_jacobian_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Par
 
 
 def _make_column_part(camera: Arm, numbers: Numbers, column: int) -> Part:
-    """Return the part that asks for a column in symbols, judged at the secret poses."""
+    """Return the part that asks for a column in symbols, judged at the secret configurations."""
     description = (
         f"column {column} of the camera's Jacobian in symbols, six formulas (v, ω) in base axes"
     )
-    poses = np.array(numbers["poses"])[:, : camera.dof]
-    values = jacobian(camera, poses)[:, :, column - 1]
+    configurations = np.array(numbers["configurations"])[:, : camera.dof]
+    values = jacobian(camera, configurations)[:, :, column - 1]
     mistakes = [
-        m._replace(values=m.values.reshape(len(poses), 6, camera.dof)[:, :, column - 1])
-        for m in list_mistakes("jacobian", camera, poses=poses)
+        m._replace(values=m.values.reshape(len(configurations), 6, camera.dof)[:, :, column - 1])
+        for m in list_mistakes("jacobian", camera, configurations=configurations)
     ]
     entries = symbolic.jacobian(camera)[:, column - 1]
     part = _make_part("J_column", description, "column", values, mistakes)
@@ -264,7 +268,7 @@ def _draw_circle(arm: Arm, rng: Rng) -> Numbers | None:
     A joint that stands still hides the sign of its variable.
     """
     numbers = {
-        "q": _draw_pose(arm, rng),
+        "q": _draw_configuration(arm, rng),
         "radius": int(rng.integers(5, 11)) / 100,
         "plane": str(rng.choice(["xy", "yz", "zx"])),
         "duration": int(rng.integers(2, 7)) * 5,
@@ -312,14 +316,14 @@ def _write_circle_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part,
 
 
 def _draw_torque(arm: Arm, rng: Rng) -> Numbers | None:
-    q, force = _draw_pose(arm, rng), np.zeros(3)
+    q, force = _draw_configuration(arm, rng), np.zeros(3)
     force[rng.integers(3)] = float(rng.choice([-1, 1])) * float(rng.integers(10, 41)) / 2
     return {"q": q, "force": force.tolist()}
 
 
 def _write_torque_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part, ...]]:
     q, force = format_matrix(numbers["q"]), format_matrix(numbers["force"])
-    right = _compute_at_pose(numbers, arm, numbers["q"])
+    right = _compute_at_configuration(numbers, arm, numbers["q"])
     text = (
         f"At $q = {q}$ the world acts on the tip with the force ${force}$ N (base"
         " axes, no moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
@@ -340,7 +344,7 @@ def _write_torque_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part,
 def _draw_target(arm: Arm, rng: Rng) -> Numbers | None:
     """Draw a target that has the usual number of branches, the same for every student."""
     usual = _count_usual_branches(arm) if find_closed_form_solver(arm) else 0
-    q = _draw_pose(arm, rng)
+    q = _draw_configuration(arm, rng)
     numbers = _make_target(arm, q)
     return numbers if not usual or len(_find_branches(arm, numbers)) == usual else None
 
@@ -367,7 +371,10 @@ def _count_usual_branches(arm: Arm) -> int:
 @lru_cache(maxsize=16)
 def _count_branches_of(arm: Arm, _lengths: tuple[tuple[str, float], ...]) -> int:
     rng = np.random.default_rng(0)
-    counts = [len(_find_branches(arm, _make_target(arm, _draw_pose(arm, rng)))) for _ in range(40)]
+    counts = [
+        len(_find_branches(arm, _make_target(arm, _draw_configuration(arm, rng))))
+        for _ in range(40)
+    ]
     return int(np.bincount(counts).argmax())
 
 
@@ -421,7 +428,7 @@ class Topic(NamedTuple):
 TOPIC_BY_NAME = {
     "DH table": Topic(_draw_table, _write_table_question, ("table",)),
     "forward kinematics": Topic(
-        lambda arm, rng: {"q": _draw_pose(arm, rng)}, _write_pose_question, ("p", "R")
+        lambda arm, rng: {"q": _draw_configuration(arm, rng)}, _write_pose_question, ("p", "R")
     ),
     "Jacobian": Topic(_draw_jacobian, _write_jacobian_question, ("J", "xi", "J_column")),
     "circle tracing": Topic(_draw_circle, _write_circle_question, ("centre", "quarter", "half")),
@@ -454,8 +461,8 @@ def draw_numbers(topic: str, arm: Arm, rng: Rng) -> Numbers:
     )
 
 
-def _compute_at_pose(numbers: Numbers, arm: Arm, q: Array) -> dict[str, Array]:
-    """Compute the right numbers at a pose, by the names of the parts."""
+def _compute_at_configuration(numbers: Numbers, arm: Arm, q: Array) -> dict[str, Array]:
+    """Compute the right numbers at a configuration, by the names of the parts."""
     T = forward_kinematics(arm, q)
     values = {"p": T[..., :3, 3], "R": T[..., :3, :3]}
     if "q_dot" in numbers:

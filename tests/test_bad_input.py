@@ -232,7 +232,7 @@ CALLED = {
 VECTORS = ("centre", "direction", "normal", "point", "q", "start", "step", "wrench")
 ANY_LENGTH = {"inverse.follow start", "explorer.ArmExplorer q", "explorer.ArmExplorer wrench"}
 
-# Arguments that take a single pose. A list of poses is rejected, even of length 1.
+# Arguments that take a single configuration. A list of them is rejected, even of length 1.
 ONE = {
     *("motion.trace start", "motion.circle_below start", "motion.self_motion start"),
     *("motion.self_motion direction", "motion.self_motion_directions q"),

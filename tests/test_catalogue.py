@@ -16,7 +16,7 @@ from helpers.robots import ELBOW, UR10E
 from helpers.statics import static_torque
 from tests.cases import QUESTIONS, typed_fields
 from tests.corpus import jacobians, tables, torques
-from tests.corpus.arms import KNOWN, pose
+from tests.corpus.arms import KNOWN, draw_configuration
 from tests.corpus.machine import Machine
 from tests.mixed import add_masses, make_arm
 from tests.test_judge import judge_in_python
@@ -72,7 +72,7 @@ def test_every_cause_has_a_test_case():
 @pytest.mark.parametrize("name", ["UR10E_HOMEWORK", "STANFORD", "PANDA.lock(3)"])
 def test_jacobian_mistake_is_named(name):
     m, rng = KNOWN[name], np.random.default_rng(3)
-    q = pose(m, rng)
+    q = draw_configuration(m, rng)
     right = m.jacobian(q)
     mistakes = dict([*jacobians.before(m, q, rng), *jacobians.of_tables(m, q, rng)])
     mistakes |= {key: write(right) for key, write in jacobians.after(m, q, rng)}
@@ -84,7 +84,11 @@ def test_jacobian_mistake_is_named(name):
 @pytest.mark.parametrize("name", ["PANDA", "STANFORD"])
 def test_torque_mistake_is_named(name):
     m, rng = KNOWN[name], np.random.default_rng(4)
-    q, links, F = pose(m, rng), torques.bodies(m, rng), np.array([3, -5, 8, 1, -2, 0.5])
+    q, links, F = (
+        draw_configuration(m, rng),
+        torques.bodies(m, rng),
+        np.array([3, -5, 8, 1, -2, 0.5]),
+    )
     mistakes = dict(torques.mistakes(m, links, q, F, rng))
     right = torques.weight(m, links, q) - torques.force(m, F, q)
     arm = make_arm(m) if name == "PANDA" else add_masses(m, links)

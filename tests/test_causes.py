@@ -271,11 +271,11 @@ def test_wrong_trajectory_from_round_start_is_not_drift():
 
 
 def format_slides(rows, decimals):
-    """Return one line per pose, each with its own number of decimals."""
+    """Return one line per configuration, each with its own number of decimals."""
     return "\n".join(f"{z:.{n}f} {x:.{n}f}" for (z, x), n in zip(rows, decimals, strict=True))
 
 
-def test_pose_in_two_decimals_is_right_to_its_digits():
+def test_configuration_in_two_decimals_is_right_to_its_digits():
     """Row 3 of the circle is 4.7 mm off, and the other rows have five decimals."""
     decimals = [2 if k == 3 else 5 for k in range(len(CIRCLE.positions))]
     text = format_slides(CIRCLE.positions[:, [2, 0]], decimals)
@@ -283,7 +283,7 @@ def test_pose_in_two_decimals_is_right_to_its_digits():
     assert check_slides(text).grade == "right"
 
 
-def test_round_start_does_not_excuse_later_poses():
+def test_round_start_does_not_excuse_later_configurations():
     """Half a unit of the start is 50 mm, and the rows behind it are 20 mm off."""
     path = motion.circle((0.3123, 0.0, 0.3046), 0.1, "xz", 5.0, 40)
     rows = path.positions[:, [2, 0]] + [0.02, 0.0]

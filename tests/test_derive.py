@@ -19,7 +19,7 @@ from tests.laws import central_differences
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 RIGHT = math.pi / 2
 
-PANDA = [  # the maker's zero pose, in which his table is written
+PANDA = [  # the zero configuration of the maker, in which his table is written
     Axis((0, 0, 0), Z),
     Axis((0, 0, 0.333), Y),
     Axis((0, 0, 0), Z),
@@ -90,9 +90,9 @@ def test_derived_arm_matches_product_of_exponentials(seed, negative):
     rng = np.random.default_rng(seed)
     axes, tip = random_axes(rng, rng.integers(1, 8)), random_pose(rng)
     found = derive(axes, tip, negative=negative)
-    poses = rng.uniform(-3, 3, (5, len(axes)))
-    theirs = [tip_by_exponentials(axes, tip, q) for q in poses]
-    np.testing.assert_allclose(forward_kinematics(found.arm, poses), theirs, atol=1e-10)
+    configurations = rng.uniform(-3, 3, (5, len(axes)))
+    theirs = [tip_by_exponentials(axes, tip, q) for q in configurations]
+    np.testing.assert_allclose(forward_kinematics(found.arm, configurations), theirs, atol=1e-10)
     assert len(axes) <= len(found.arm.rows) <= len(axes) + 2
 
 

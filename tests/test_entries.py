@@ -14,7 +14,7 @@ from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 from tests.corpus import jacobians
 from tests.corpus import torques as loads
-from tests.corpus.arms import KNOWN, pose, some_machine
+from tests.corpus.arms import KNOWN, draw_configuration, some_machine
 from tests.mixed import add_masses, make_arm
 
 SEEDS = range(25)
@@ -31,12 +31,12 @@ def write_rows(rows, digits):
 
 
 class RandomQuestion:
-    """A random arm at a pose: its Jacobian or its torques, and the checker that judges them."""
+    """The Jacobian or the torques of a random arm, and the checker that judges them."""
 
     def __init__(self, about, seed, decimals=3):
         self.rng = np.random.default_rng(seed)
         self.machine = some_machine(self.rng)
-        self.q, arm = pose(self.machine, self.rng, decimals), make_arm(self.machine)
+        self.q, arm = draw_configuration(self.machine, self.rng, decimals), make_arm(self.machine)
         if about == "jacobian":
             self.expected = self.machine.jacobian(self.q)
             self.judge = lambda text: checks.compare_jacobian(text, arm, self.q)
@@ -217,7 +217,7 @@ def test_torque_verdict_names_its_masses():
 @pytest.mark.parametrize("name", ["PANDA.lock(3)", "UR10E_HOMEWORK", "STANFORD", "ELBOW"])
 def test_angular_columns_of_z_0_are_named(name):
     m = KNOWN[name]
-    q = pose(m, np.random.default_rng(1))
+    q = draw_configuration(m, np.random.default_rng(1))
     slips = dict(jacobians.before(m, q, np.random.default_rng(2)))
     report = checks.compare_jacobian(write_rows(slips["J.z_0 angular"], 4), make_arm(m), q)
     assert report.causes == ("J.z_0 angular",), report
@@ -225,7 +225,7 @@ def test_angular_columns_of_z_0_are_named(name):
 
 def test_deleted_row_of_a_locked_joint_is_named():
     m = KNOWN["PANDA.lock(3)"]
-    q = pose(m, np.random.default_rng(1))
+    q = draw_configuration(m, np.random.default_rng(1))
     typed = m.with_rows([row for row in m.rows if row[0] != "F"]).jacobian(q)
     assert checks.compare_jacobian(write_rows(typed, 4), make_arm(m), q).causes == (
         "table.locked row",
@@ -295,7 +295,7 @@ def test_value_of_a_locked_joint_is_set_aside():
     assert "all joints; 3 is locked, so its 0 is set aside" in report.taken
 
 
-def test_locked_joint_is_set_aside_in_a_pose():
+def test_locked_joint_is_set_aside_in_a_configuration():
     q = [0.4, -0.6, -1.9, 0.3, 1.8, 0.7]
     typed = "0.4, -0.6, 0, -1.9, 0.3, 1.8, 0.7"
     J = KNOWN["PANDA.lock(3)"].jacobian(q)

@@ -51,7 +51,7 @@ def ask(job, **given):
     return ask_node("explorer_numbers.mjs", {"job": job, **given})
 
 
-def draw_poses(arm, count=1000):
+def draw_configurations(arm, count=1000):
     """Return joint vectors over the whole range, where limits are known."""
     lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1),
         strict=True))  # fmt: skip
@@ -61,7 +61,7 @@ def draw_poses(arm, count=1000):
 @needs_node
 @every_arm
 def test_javascript_kinematics_match_python(arm):
-    qs, wrench = draw_poses(arm), [3.0, -2.0, 5.0, 0.7, -0.4, 0.2]
+    qs, wrench = draw_configurations(arm), [3.0, -2.0, 5.0, 0.7, -0.4, 0.2]
     answers = ask("numbers", arm=arm_data(arm), qs=qs.tolist(), wrench=wrench)
     J = jacobian(arm, qs)
 
@@ -218,13 +218,15 @@ def test_errata_links_trace_as_described(opened_link):
 @needs_node
 @every_arm
 def test_reported_rank_matches_numpy(arm):
-    """Poses that are singular are among them: home, and every joint at a multiple of a quarter
+    """Singular configurations are among them: home, and every joint at a multiple of a quarter
     turn."""
     rng = np.random.default_rng(11)
     turns = rng.integers(-2, 3, (12, arm.dof)) * np.pi / 2
-    qs = np.vstack([np.zeros(arm.dof), turns, draw_poses(arm, 12)])
+    qs = np.vstack([np.zeros(arm.dof), turns, draw_configurations(arm, 12)])
     # All rows that the arm can move if it has as many joints, else the linear rows.
-    movable = np.flatnonzero(np.abs(jacobian(arm, draw_poses(arm, 12))).max(axis=(0, 2)) > 1e-12)
+    movable = np.flatnonzero(
+        np.abs(jacobian(arm, draw_configurations(arm, 12))).max(axis=(0, 2)) > 1e-12
+    )
     rows = movable if len(movable) <= arm.dof else [0, 1, 2]
     ranks = np.linalg.matrix_rank(jacobian(arm, qs)[:, rows], rtol=1e-6)
     for answer, rank in zip(ask("ranks", arm=arm_data(arm), qs=qs.tolist()), ranks, strict=True):
@@ -237,8 +239,8 @@ def test_reported_rank_matches_numpy(arm):
 @pytest.mark.parametrize("turns", [False, True])
 def test_fading_directions_match_singular_values(arm, turns):
     """By singular values of the tip's velocity; the tool may turn or keeps its direction. From
-    joint 3 on the arm is nearly straight in half of the poses."""
-    qs = draw_poses(arm, 60)
+    joint 3 on the arm is nearly straight in half of the configurations."""
+    qs = draw_configurations(arm, 60)
     qs[::2, 2:] *= 0.02
     asked = {"arm": arm_data(arm), "qs": qs.tolist(), "turns": turns}
     for J, found in zip(jacobian(arm, qs), ask("fading", **asked), strict=True):
@@ -381,7 +383,7 @@ def list_other_arms(arm):
 @every_arm
 def test_copied_table_reads_back_as_same_arm(arm):
     """Python reads the copied table without a setting."""
-    q = draw_poses(arm, 1)[0]
+    q = draw_configurations(arm, 1)[0]
     back = Arm.from_table(ask("copied", arm=arm_data(arm)))
     assert [row.joint.kind for row in back.rows] == [row.joint.kind for row in arm.rows]
     np.testing.assert_allclose(link_frames(back, q), link_frames(arm, q), atol=1e-8)
@@ -415,7 +417,7 @@ def test_traced_circle_stops_at_workspace_boundary():
 @needs_node
 @pytest.mark.parametrize("arm", SOLVERS, ids=lambda arm: arm.name)
 def test_branches_match_closed_forms(arm):
-    for q in draw_poses(arm, 10):
+    for q in draw_configurations(arm, 10):
         known = SOLVERS[arm](arm, link_frames(arm, q)[-1])
         known = np.array(known.q[known.valid])
         found = np.array(ask("ways", arm=arm_data(arm), q=q.tolist()))
@@ -447,7 +449,7 @@ def test_bundles_are_up_to_date(tmp_path):
 @every_arm
 def test_arm_survives_round_trip_to_browser(arm):
     back = arm_from(arm.name, json.loads(json.dumps(arm_data(arm)))["rows"])
-    qs = draw_poses(arm, 5)
+    qs = draw_configurations(arm, 5)
     np.testing.assert_array_equal(link_frames(back, qs), link_frames(arm, qs))
     np.testing.assert_array_equal(back.limits, arm.limits)
     np.testing.assert_array_equal(back.effort_limits, arm.effort_limits)
@@ -550,7 +552,7 @@ def test_two_arms_of_one_name_are_rejected():
         ArmExplorer(PANDA, arms=[PANDA.lock(3)])
 
 
-def test_changing_arm_resets_pose_and_results(explorer):
+def test_changing_arm_resets_configuration_and_results(explorer):
     explorer.trace, explorer.branches = [[0] * 7, [1] * 7], [[0] * 7]
     explorer.arm_name = "Elbow arm"
     assert (explorer.q, explorer.trace, explorer.branches) == (ELBOW.home, None, None)
@@ -562,7 +564,7 @@ def test_changing_arm_resets_pose_and_results(explorer):
     with pytest.raises(ArmError, match=r"^arm_name is 'Puma'; expected one of Panda, "):
         explorer.arm_name = "Puma"
     told = {"arm_name": "Elbow arm", "q": [0.1, 0.2, 0.3], "trace": [[0] * 3, [1] * 3]}
-    explorer.set_state(told)  # the page sends the arm with its pose and trace
+    explorer.set_state(told)  # the page sends the arm with its configuration and trace
     assert (explorer.q, explorer.trace) == ((0.1, 0.2, 0.3), told["trace"])
     explorer.arm_name = "UR10e"
     assert (explorer.q, explorer.trace) == (UR10E.home, None)
@@ -601,7 +603,7 @@ def test_arm_with_some_masses_missing_has_no_bodies():
     assert arm_from("part", rows).bodies == ()
 
 
-def test_stub_describes_arm_and_pose():
+def test_stub_describes_arm_and_configuration():
     arm = Arm("Ä", (revolute(a=1), revolute(a=0.5)))
     html = [ArmExplorer(arm, [0.12345, -1e-9], link=link)._stub for link in (True, False)]
     assert html[0].startswith('<div class="arm-explorer whole"><p>')
@@ -635,7 +637,7 @@ def test_live_figure_shows_a_still_picture_first(monkeypatch):
         assert stub["text/html"].startswith('<div class="arm-explorer')
 
 
-def test_still_picture_shows_the_pose_of_the_figure():
+def test_still_picture_shows_the_configuration_of_the_figure():
     pictures = {ArmFigure("matrix", q=q)._still() for q in ([0, 0, 0], [0, 0, 1], [0, 0, 1])}
     assert len(pictures) == 2
 

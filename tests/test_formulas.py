@@ -34,7 +34,7 @@ def value_of(letter, q):
 
 
 def numbers(arm, formula, q):
-    """Return the matrix of numbers that a short formula gives at a pose."""
+    """Return the matrix of numbers that a short formula gives at a configuration."""
     known = {**arm.values, **dict(zip(arm.variables, q, strict=True))}
     if arm.bodies:
         known |= {symbol.name: value for symbol, value in symbolic.body_numbers(arm).items()}

@@ -44,7 +44,7 @@ def test_output_shapes_follow_the_batch(arm, shape):
 
 
 @every_arm
-def test_batch_equals_single_poses(arm):
+def test_batch_equals_single_configurations(arm):
     q = joint_vectors(arm, (3, 2))
     in_tool = partial(jacobian, frame="tool")
     for function in (forward_kinematics, link_frames, jacobian, in_tool, manipulability):
@@ -91,7 +91,7 @@ def test_whole_turns_keep_the_pose(arm):
 
 @every_arm
 def test_jacobian_matches_complex_step_derivative(arm):
-    """The poses include home, where axes line up."""
+    """The configurations include home, where axes line up."""
     for q in (*joint_vectors(arm, (3,), seed=3), np.array(arm.home)):
         np.testing.assert_allclose(jacobian(arm, q), complex_step_jacobian(arm, q), atol=1e-14)
 

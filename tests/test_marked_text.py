@@ -114,7 +114,7 @@ def test_unread_number_stops_verdict_and_is_quoted():
     assert 'title="not read: nothing is graded"' in caught.value.marked_text._repr_markdown_()
 
 
-def test_unread_number_of_the_pose_marks_no_answer():
+def test_unread_number_of_the_configuration_marks_no_answer():
     with pytest.raises(ArmError) as caught:
         compare_torques(print_torques(TORQUES), PANDA, "0.1 0.5 0.2 -1 0.3 0.4 0.2l2")
     assert not isinstance(caught.value, UnreadNumberError) or "0.2l2" in str(
@@ -148,11 +148,11 @@ def test_every_kind_of_mark_has_an_element():
 
 
 def test_wrong_torque_is_marked_in_list_per_joint():
-    poses = np.array([Q, np.roll(Q, 1), np.roll(Q, 2)])
-    torques = statics.static_torque(PANDA, poses, np.zeros(6))
+    configurations = np.array([Q, np.roll(Q, 1), np.roll(Q, 2)])
+    torques = statics.static_torque(PANDA, configurations, np.zeros(6))
     torques[1, 3] += 1
     text = "\n".join(" ".join(f"{x:.3f}" for x in joint) for joint in torques.T)
-    verdict = compare_torques(text, PANDA, poses)
+    verdict = compare_torques(text, PANDA, configurations)
     assert list_pieces(verdict.marked_text, "wrong") == [f"{torques[1, 3]:.3f}"]
 
 

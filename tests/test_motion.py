@@ -205,7 +205,7 @@ def test_report_matches_hand_calculation():
     assert "below 1e-10 m" in str(clean)
 
 
-def test_report_shows_singular_pose():
+def test_report_shows_singular_configuration():
     """Reports near singular configurations are tested by chapter 3."""
     home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
     assert home.largest_condition > 1e12
@@ -398,7 +398,7 @@ def test_untraceable_task_raises_with_reason(arm, start, how, words):
     assert isinstance(told.value, SingularError) == ("J" in words)
 
 
-def test_zero_damping_raises_at_singular_pose():
+def test_zero_damping_raises_at_singular_configuration():
     rank_one = np.outer(np.arange(1.0, 7), np.ones(6)) * [1, 0, 0, 0, 0, 0]
     with pytest.raises(SingularError, match="the damping is 0"):
         damped(0.0)(rank_one, np.ones(6), np.zeros(6))

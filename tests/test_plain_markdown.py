@@ -15,7 +15,8 @@ CELLS = (
     "draw()",
     '<a id="fig-old"></a>\n\n<a id="fig-a"></a>\n\n**Fig. 1.** An $x$.',
     '<a id="ex-a"></a>\n\n### Exercise 1: Pull $x$ · ten minutes\n\nPull.\n\n'
-    '<div class="judge" data-ask="pose" data-arm="PANDA" data-configuration="0">\n\nNo script.\n\n</div>',
+    '<div class="judge" data-ask="pose" data-arm="PANDA" data-configuration="0">\n\n'
+    "No script.\n\n</div>",
     '<a id="old-solution"></a>\n\n#### Solution',
     "So.",
     "## End\n\n**Bold** text.",

@@ -1,7 +1,7 @@
 """Test the checks of torques against the corpus.
 
-The tests vary the layout of the answer, its error at one pose or along a trajectory, and the
-messages for single joints. The arm has joints 1, 3 and 4, and joint 3 slides.
+The tests vary the layout of the answer, its error at one configuration or along a trajectory, and
+the messages for single joints. The arm has joints 1, 3 and 4, and joint 3 slides.
 """
 
 from fractions import Fraction
@@ -27,7 +27,7 @@ OFF = np.eye(3)
 
 
 def compute_torques(q, F=F):
-    """Return the right torques at one pose or several."""
+    """Return the right torques at one configuration or several."""
     if np.ndim(q) > 1:
         return np.array([compute_torques(x, F) for x in q])
     return weight(MIXED, HEAVY, q) - force(MIXED, F, q)
@@ -132,12 +132,12 @@ def test_loads_of_any_number_type_are_read():
 
 # Torques of the first joints only
 
-UR_POSE = "0.3, -1.1, 1.4, -0.8, 0.9, 0.2"
+UR_CONFIGURATION = "0.3, -1.1, 1.4, -0.8, 0.9, 0.2"
 UR_TORQUES = ["0.0", "-97.5297", "-54.7816", "-6.3177", "1.5577", "0.0"]  # tests/corpus
 
 
 def of_ur(mine):
-    return compare_torques(mine, UR10E, UR_POSE, wrench=[0, 0, -20, 0, 0, 0])
+    return compare_torques(mine, UR10E, UR_CONFIGURATION, wrench=[0, 0, -20, 0, 0, 0])
 
 
 def by_joint(torques):
@@ -179,7 +179,7 @@ def raise_key_error(q):
     raise KeyError("no such run")
 
 
-def torques_at_one_pose(q):
+def torques_at_one_configuration(q):
     assert np.shape(q) == (3,)
     return compute_torques(q)
 
@@ -196,15 +196,15 @@ def test_text_of_far_too_many_numbers_is_refused(text):
         compare(text * 510)
 
 
-def test_function_is_called_for_each_pose():
+def test_function_is_called_for_each_configuration():
     for mine in (
-        torques_at_one_pose,
-        lambda q: torques_at_one_pose(q)[:, None],
-        lambda a, b, c: torques_at_one_pose([a, b, c]),
+        torques_at_one_configuration,
+        lambda q: torques_at_one_configuration(q)[:, None],
+        lambda a, b, c: torques_at_one_configuration([a, b, c]),
     ):
         assert compare(mine, Q2).agrees
-    assert compare(torques_at_one_pose).agrees
-    assert compare(lambda q: torques_at_one_pose(q)[:2], Q2).causes == ("tau.shape",)
+    assert compare(torques_at_one_configuration).agrees
+    assert compare(lambda q: torques_at_one_configuration(q)[:2], Q2).causes == ("tau.shape",)
     for mine, words in (
         (raise_key_error, "your arm: your torques: your function failed .KeyError: .no such run"),
         (lambda q: None, "your arm: your torques"),
@@ -231,8 +231,8 @@ def test_rounded_q_widens_torque_tolerance(digits, share, grades):
 
 @pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.001, "rounded"), (0.5, "wrong")])
 @pytest.mark.parametrize("at", [0, 1, 33, 59])
-def test_error_at_any_pose_counts(off, grade, at):
-    """The judge tries five of sixty poses first, and the second is not among them."""
+def test_error_at_any_configuration_counts(off, grade, at):
+    """The judge tries five of sixty configurations first, and the second is not among them."""
     q = np.linspace(BENT, 1.3 * BENT, 60)
     mine = compute_torques(q)
     mine[at, 1] += off

@@ -227,7 +227,7 @@ def test_link_state_shows_without_interaction(untouched, size, link, arm, tab, j
     assert picture["y"] + picture["height"] / 2 < SIZES[size]["height"], "the first thing there"
 
 
-def test_dragged_slider_pose_equals_python(visit):
+def test_pose_of_dragged_slider_equals_python(visit):
     here = visit()
     home = here.pose()
     np.testing.assert_allclose(home, forward_kinematics(PANDA, PANDA.home), atol=5.1e-5)

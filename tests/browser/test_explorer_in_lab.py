@@ -21,7 +21,7 @@ CELLS = (
     "from helpers.robots import ELBOW, PANDA\n"
     "explorer = ArmExplorer(PANDA, views=['torque', 'trace'], arms=[ELBOW])\nexplorer",
     "print('joint 1 at', round(explorer.q[0], 4), 'pushed by', explorer.wrench[2])",
-    "print('a path of', len(explorer.trace), 'poses')",
+    "print('a path of', len(explorer.trace), 'configurations')",
     "explorer.q = [0.5, 0, 0, 2.0, 0, 3.0, 0]; explorer.wrench = [0, 0, -7, 0, 0, 0]",
     "explorer",
     "explorer.arm_name = 'Elbow arm'",
@@ -121,7 +121,7 @@ def test_sliders_and_python_share_one_arm(browser, lab):
 
     page.get_by_role("tab", name="Circle trace").click()
     page.get_by_role("button", name="Draw a circle from here").click()
-    comes_to_say(2, "a path of 181 poses")
+    comes_to_say(2, "a path of 181 configurations")
 
     page.get_by_role("tab", name="Static torque").click()
     run(3)

@@ -106,7 +106,7 @@ def some_machine(rng):
     return machine
 
 
-def pose(machine, rng, decimals=3):
+def draw_configuration(machine, rng, decimals=3):
     """Return random joint values away from 0, rounded as a student types them."""
     q = []
     for kind in machine.kinds:

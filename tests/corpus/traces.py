@@ -46,7 +46,7 @@ def turn_off(R, R0):
 
 
 class Task:
-    """A circle that a machine draws from a start pose."""
+    """A circle that a machine draws from a start configuration."""
 
     def __init__(self, machine, start, plane, radius, period, steps):
         self.machine, self.start = machine, np.array(start, float)

@@ -41,7 +41,7 @@ NUMBERS = {
         "column": 2,
         "link": 3,
         "camera": [0.05, -0.1],
-        "poses": [[0.31, 0.92, -0.73], [1.1, -0.4, 0.6]],
+        "configurations": [[0.31, 0.92, -0.73], [1.1, -0.4, 0.6]],
     },
     "inverse kinematics": TARGET,
     "DH table": {"rows": TABLE_ROWS, "along": [0.0, 0.05, 0.1, 0.0]},
@@ -228,14 +228,14 @@ SIX = ELBOWS.parts["J_column"].formulas
         ("9**9**9**9", 0, "Not read"),
     ],
 )
-def test_formulas_are_judged_at_secret_poses(answer, expected, message):
+def test_formulas_are_judged_at_secret_configurations(answer, expected, message):
     mark = mark_part(ELBOWS, "J_column", list(answer) if isinstance(answer, tuple) else answer)
     assert mark.credit == expected
     assert message in mark.message
 
 
 def test_constants_for_joints_are_wrong():
-    """Six numbers that are right at the sheet's own pose."""
+    """Six numbers that are right at the configuration of the sheet."""
     question = ELBOWS.questions[1]
     camera = make_camera_arm(ELBOW, question.numbers)
     numbers = jacobian(camera, question.numbers["q"])[:, question.numbers["column"] - 1]

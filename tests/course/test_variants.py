@@ -107,7 +107,7 @@ def test_lengths_change_by_a_tenth_at_most():
 
 
 @pytest.mark.parametrize("arm", [STANFORD, PANDA, PLANE], ids=lambda arm: arm.name)
-def test_poses_keep_limits_and_avoid_singularities(arm):
+def test_configurations_keep_limits_and_avoid_singularities(arm):
     q = np.array([draw("forward kinematics", arm, seed)["q"] for seed in range(40)])
     lower, upper = np.clip(arm.limits, -2.4, 2.4)
     share, rounding = (q - lower) / (upper - lower), 0.0051 / (upper - lower)
@@ -117,14 +117,14 @@ def test_poses_keep_limits_and_avoid_singularities(arm):
     assert share.max() > 0.86
     assert (np.ptp(share, axis=1) > 0.001).all()
     rank = 2 if arm is PLANE else min(arm.dof, 6)  # a planar arm stays in its plane
-    for pose in q[:8]:
-        J = complex_step_jacobian(arm, pose)[: 6 if arm.dof >= 6 else 3]
+    for configuration in q[:8]:
+        J = complex_step_jacobian(arm, configuration)[: 6 if arm.dof >= 6 else 3]
         assert np.linalg.svd(J, compute_uv=False)[rank - 1] > 0.0399
 
 
-def test_arm_without_regular_poses_is_refused():
+def test_arm_without_regular_configurations_is_refused():
     tiny = Arm("tiny", [revolute(a=0.03), revolute(a=0.03)])
-    message = "tiny, lengths of your own: no pose away from a singular one was found in 500 tries"
+    message = "no configuration away from a singular one was found in 500 tries"
     with pytest.raises(ArmError, match=message):
         draw_sheet(tiny, 1)
 
@@ -346,15 +346,15 @@ def compute_answers(topic, arm, drawn, q):
 def test_mistake_hidden_by_first_draw_is_found(arm, topic, seed):
     """With each of these seeds the first draw hides a mistake.
 
-    A mistake that changes nothing at two other poses changes nothing anywhere.
+    A mistake that changes nothing at two other configurations changes nothing anywhere.
     """
     own = draw_sheet(arm, f"fresh {seed}", (topic,))
     arm, drawn = own.sections[0].arm, own.sections[0].drawn[topic]
     elsewhere = np.random.default_rng(5).uniform(-2, 2, (2, arm.dof))
-    poses = [np.array(drawn["q"]), *elsewhere]
-    right = [compute_answers(topic, arm, drawn, q) for q in poses]
+    configurations = [np.array(drawn["q"]), *elsewhere]
+    right = [compute_answers(topic, arm, drawn, q) for q in configurations]
     for other, signs in list_wrong_arms(arm):
-        wrong = [compute_answers(topic, other, drawn, signs * q) for q in poses]
+        wrong = [compute_answers(topic, other, drawn, signs * q) for q in configurations]
         for name in right[0]:
             off = [abs(w[name] - r[name]).max() for w, r in zip(wrong, right, strict=True)]
             if max(off) > 1e-6:  # central differences are not better than this

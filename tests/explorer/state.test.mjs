@@ -54,7 +54,7 @@ test("moving a joint stops playback and keeps the path", () => {
   assert.deepEqual([store.state.playing, store.state.trace], [false, path]);
 });
 
-test("playback ends at the last pose of the trace", () => {
+test("playback ends at the last configuration of the trace", () => {
   const store = playing();
   store.dispatch({ type: "seek", progress: 1 });
   store.state.q.forEach((v, k) => assert.ok(Math.abs(v - path[1][k]) < 1e-12));

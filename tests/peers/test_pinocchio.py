@@ -36,7 +36,7 @@ def panda():
 
 
 @pytest.fixture(scope="module")
-def poses():
+def configurations():
     return np.random.default_rng(8).uniform(*PANDA.limits, size=(1000, 7))
 
 
@@ -46,17 +46,19 @@ def flange_pose(model, data, q_maker):
     return pinocchio.updateFramePlacement(model, data, model.getFrameId("panda_link8")).homogeneous
 
 
-def test_forward_kinematics_matches_pinocchio(panda, poses):
+def test_forward_kinematics_matches_pinocchio(panda, configurations):
     data = panda.createData()
-    theirs = np.array([flange_pose(panda, data, q) for q in SIGNS * poses]) @ PEN @ HALF_TURN
-    np.testing.assert_allclose(forward_kinematics(PANDA, poses), theirs, atol=1e-12)
+    theirs = (
+        np.array([flange_pose(panda, data, q) for q in SIGNS * configurations]) @ PEN @ HALF_TURN
+    )
+    np.testing.assert_allclose(forward_kinematics(PANDA, configurations), theirs, atol=1e-12)
 
 
-def test_jacobian_matches_pinocchio(panda, poses):
+def test_jacobian_matches_pinocchio(panda, configurations):
     """Pinocchio gives the flange's velocity. The test carries it to the pen, 0.1 m further out."""
     data, frame = panda.createData(), panda.getFrameId("panda_link8")
-    ours = jacobian(PANDA, poses[:200])
-    for q, J in zip(poses, ours, strict=False):
+    ours = jacobian(PANDA, configurations[:200])
+    for q, J in zip(configurations, ours, strict=False):
         pinocchio.computeJointJacobians(panda, data, SIGNS * q)
         pinocchio.updateFramePlacement(panda, data, frame)
         at_flange = pinocchio.getFrameJacobian(
