@@ -10,16 +10,28 @@ of NumPy, MATLAB, LaTeX, spreadsheets and people once. Each of its `questions` f
 the judge's page. It also has a topic (`about`), the expected `grade` (or "refused"), the expected
 `cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`).
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
-`judge/`.
+`judge/`. A question that the judge does not answer as expected has the reason under `fails`.
 """
 
 import json
 from pathlib import Path
 
+import pytest
+
 _CASES = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="utf-8"))
 ENTRIES, QUESTIONS = _CASES["entries"], _CASES["questions"]
 FORMULAS, MATRICES, TABLES = _CASES["formulas"], _CASES["matrices"], _CASES["tables"]
-_EXPECTED = ("about", "grade", "cause", "said", "unsaid")
+_EXPECTED = ("about", "grade", "cause", "said", "unsaid", "fails")
+
+
+def expect_failures(cases: list[dict]) -> list:
+    """Return the cases as parameters of a test that must fail for those with the field `fails`."""
+    return [
+        pytest.param(case, marks=pytest.mark.xfail(strict=True, reason=case["fails"]))
+        if "fails" in case
+        else case
+        for case in cases
+    ]
 
 
 def typed_fields(case: dict) -> dict:

@@ -17,7 +17,7 @@ from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion import circle_below, rest_to_rest
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import gravity_torque
-from tests.cases import MATRICES, QUESTIONS, questions_about, typed_fields
+from tests.cases import MATRICES, QUESTIONS, expect_failures, questions_about, typed_fields
 from tests.node import ask_node, needs_node
 from tests.test_book import ROOT
 
@@ -190,7 +190,9 @@ def _summarize_verdict(given):
     return {"grade": report.grade, "words": str(report), "causes": report.causes}
 
 
-@pytest.mark.parametrize("case", QUESTIONS, ids=lambda case: f"{case['ask']}, {case['about']}")
+@pytest.mark.parametrize(
+    "case", expect_failures(QUESTIONS), ids=lambda case: f"{case['ask']}, {case['about']}"
+)
 def test_question_gets_expected_verdict(case):
     found = summarize_verdict(typed_fields(case))
     assert found["grade"] == case["grade"], found
