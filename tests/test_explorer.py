@@ -130,9 +130,7 @@ def test_errata_except_two_link_to_explorer(opened_link):
 def test_errata_links_place_tip_as_described(opened_link):
     """The place of the tip beside a mark, or an entry of its pose."""
     # hypot(0.4 cos(1.3323) - 0.3 - 0.3606, 0.5 + 0.4 sin(1.3323) - 0.001 - 0.75), in mm
-    assert measure_distance(opened_link[12]) == pytest.approx(
-        582.6, abs=0.1
-    )  # "58 cm from its target"
+    assert measure_distance(opened_link[12]) == pytest.approx(582.6, abs=0.1)
     behind, front = (
         np.array(opened_link[13]["patch"]["mark"]),
         np.array(opened_link[13]["pose"])[:3, 3],

@@ -30,7 +30,6 @@ SHOWN_ELSEWHERE = {
     "errata": {
         *("118 mm", "127.3 mm"),  # in robot_data
         "999",  # the last of 1000 steps that count from 0
-        *("1.328", "58 cm"),  # of entries 11 and 12, in no cell of their chapters
     },
 }
 NOT_PROSE = re.compile(
