@@ -183,7 +183,6 @@ RIGHT = {
     "explorer.ArmExplorer": dict(wrench=[0] * 6),
     "explorer.ArmFigure": dict(kind="columns"),
     "show.frames": dict(T=FRAMES),
-    "slips.census": dict(arm=ELBOW, q=[BEND]),
     "symbolic.joint_symbols": dict(arm=ELBOW),
     "symbolic.link_transforms": dict(arm=ELBOW),
     "symbolic.link_frames": dict(arm=ELBOW),
@@ -316,7 +315,7 @@ MADE = {
     "inverse.NumericSolution", "inverse.Solutions", "motion.TraceReport",
     "motion.TraceReport.rows", "motion.SingularError", "motion.Trace",
     "motion.UnreachableError",
-    "show.MarkdownOutput", "slips.Census", "slips.TableSlip", "stepwise.StepwiseFormulas",
+    "show.MarkdownOutput", "stepwise.StepwiseFormulas",
 }  # fmt: skip
 # Modules without checks of their own: the checks themselves, and internals of other modules.
 INTERNAL = {

@@ -175,7 +175,7 @@ def test_core_of_the_helpers_imports_nothing_around_it():
     assert len(core) > 10
     lines = sum((ROOT / "helpers" / f"{name}.py").read_text("utf-8").count("\n") for name in core)
     assert lines < 3700
-    around = ("checks", "explorer", "urdf", "derive", "other_programs", "plotting", "show", "slips")
+    around = ("checks", "explorer", "urdf", "derive", "other_programs", "plotting", "show")
     at_start, _ = read_python_imports()
     reached = {
         (name, folder)
