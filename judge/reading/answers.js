@@ -101,7 +101,7 @@ function findIn(pasted, text, question) {
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
-  const computation = findComputation(text, block.sources);
+  const computation = findComputation(text, block);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
   if (isOtherQuantity(block, names))

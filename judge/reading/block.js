@@ -19,6 +19,7 @@ import { readRowLabels } from "./labels.js";
  * @property {Lines} [lines]
  * @property {boolean} [splitsCommas] whether its entries were split at commas that may be decimal
  *   commas
+ * @property {boolean} [isTransposed] whether its rows and columns were exchanged
  */
 /**
  * All rows and words of a text. The rows in `given` repeat numbers of the question.

@@ -1,5 +1,9 @@
-// Finds a sign, a factor or a function that touches the numbers of an answer, such as "-[1, 2]" and
-// "[1, 2]*pi". The judge does not compute the result, but asks for the final numbers.
+// Finds what is computed or compared beside the numbers of an answer, such as "-[1, 2]",
+// "[1, 2]*pi", "cos q1 = 0.5" and "q1 < 0.5". Only the name of the answer may stand before its
+// numbers. The judge does not compute the result, but asks for the final numbers.
+
+import { parse, symbols } from "./formula.js";
+import { tryOrNull } from "../sentences.js";
 
 /** @typedef {import("./lines.js").Row} Row */
 
@@ -44,26 +48,33 @@ const TRANSPOSED = new RegExp(
 );
 const DEGREES_BEHIND = /^\.?[*][ \t]*(?:\w+\.)?pi[ \t]*\/[ \t]*180/;
 
+// A relation other than "=" before a number. The < of a tag has no blank behind it.
+const RELATION = /(≠|!=|\\n?eq?(?!\p{L})|(?<=[\p{L}\d}] ?)[<≤≥]|(?<=[\p{L}\d}] )>)\s*$/u;
+
 const NEAR = 80; // characters beside a row that hold its brackets, factors and name
 
 /**
- * Find a sign, a factor or a function that touches the numbers of an answer.
- * @param {string} text as it was pasted @param {Row[]} rows the rows of the answer
+ * Find what is computed or compared beside the numbers of an answer.
+ * @param {string} text as it was pasted
+ * @param {{ sources: Row[], isTransposed?: boolean }} block of the answer
  * @returns {string | null} the words of the text
  */
-export function findComputation(text, rows) {
+export function findComputation(text, { sources: rows, isTransposed = false }) {
   const isList = rows.length === 1 || rows.every(({ cells }) => cells.length === 1);
   for (const { cells } of rows) {
     const [first, last] = [cells[0], cells.at(-1)];
     const before = text.slice(Math.max(0, first.from - NEAR), first.from);
     const outside = before.replace(OPENING, "");
     const opened = countBrackets(before.slice(outside.length));
+    const name = findNameBefore(outside);
+    if (isComputed(name, isTransposed)) return name;
     const behind = text.slice(last.to, last.to + NEAR);
     const rest = behind.replace(CLOSING, "");
     const closed = countBrackets(behind.slice(0, behind.length - rest.length));
     // A row of a matrix in its own brackets may be transposed, because it is a column.
     const isMatrix = !isList && closed > opened;
     const change =
+      firstMatch([RELATION], outside) ||
       (opened ? findBefore(before, outside) : firstMatch([FACTOR], before)) ||
       (closed && findBehind(rest, isMatrix));
     if (change) return change;
@@ -82,3 +93,38 @@ const findBehind = (rest, isMatrix) =>
 
 const firstMatch = (patterns, text) =>
   patterns.map((pattern) => pattern.exec(text)?.[1]).find(Boolean) ?? null;
+
+// Return the text before the "=" or ":" of a row: "tau" of "case 1, tau = g - JTF =".
+function findNameBefore(outside) {
+  const line = outside.slice(outside.lastIndexOf("\n") + 1);
+  if (!/[=:]\s*$/.test(line)) return "";
+  const piece = line.replace(/[=:]\s*$/, "").split(/[,;|&]/);
+  return piece.at(-1).split("=")[0].trim();
+}
+
+// What a name may have besides its letters: a bullet, the number of a solution in q^{(1)}, a unit
+// and the argument of J(q).
+const BESIDE_NAME = /^- +|\^\{?\(\d\)\}?|\/ ?(?:rad|deg|N?m)$|(?<=\S)\([^()]*\)$/g;
+const TRANSPOSE = /(?:\.T|\^\{?(?:T|\\top)\}?|ᵀ|')$/;
+const SYMBOL = /^(?:q|th(?:eta)?|tau|[tjvw])(?:_?\{?\w{1,4}\}?)?$/i;
+// The name of an inverse, a rate or a limit
+const OTHER_NAME = new RegExp(
+  String.raw`(?<!\p{L})(?:p?inv|d?dot)(?!\p{L})|[_ ](?:max|min|limits?|d?dot)(?!\p{L})|` +
+    String.raw`[qθ](?:\u0307|\d?d?dot)`,
+  "u",
+);
+
+/**
+ * Return whether the name before "=" is a formula of the asked quantity, such as "q1+q2", or names
+ * its inverse, its rate or its limit.
+ * @param {string} name @param {boolean} isTransposed whether the answer was transposed as named
+ */
+function isComputed(name, isTransposed) {
+  const whole = name.replace(BESIDE_NAME, "");
+  const bare = isTransposed ? whole.replace(TRANSPOSE, "") : whole;
+  if (OTHER_NAME.test(bare)) return true;
+  const tree = tryOrNull(() => parse(bare));
+  if (!tree || tree[0] === "name" || !/[-+*/^'ᵀ]|(?:sin|cos|tan|sqrt)/.test(bare)) return false;
+  const names = [...symbols(tree)];
+  return names.length > 0 && names.every((symbol) => SYMBOL.test(symbol));
+}

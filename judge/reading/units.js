@@ -75,7 +75,8 @@ const withoutTypesetting = (text) =>
 
 // A letter before = is a name, and a letter before a power or a bracket is a factor.
 const UNIT_BEHIND = new RegExp(
-  String.raw`^[ \t\])]*(${UNIT}|kg|m?s|Hz)(?![*·]?\p{L}|[\d_^/([]|[ \t]*[=:])`,
+  String.raw`^[ \t\])]*((?:${UNIT}|kg|m?s|Hz)(?: ?\/ ?(?:${UNIT}|m?s))?)` +
+    String.raw`(?![*·]?\p{L}|[\d_^/([]|[ \t]*[=:])`,
   "u",
 );
 
