@@ -3,7 +3,7 @@
 import { foldCharacters, foldNames, plainCharacters } from "./characters.js";
 import { findLabel } from "./labels.js";
 import { SpannedText } from "./spans.js";
-import { formatMessage } from "../sentences.js";
+import { ArmError, formatMessage } from "../sentences.js";
 
 /** @typedef {import("./answers.js").Want} Want */
 
@@ -94,6 +94,7 @@ export function transpose(block) {
     rows: rows[0].map((_, k) => rows.map((row) => row[k])),
     labels: rows[0].map((_, k) => (columnHeaders[k] ? [columnHeaders[k]] : [])),
     headers: labels.map((words) => words.at(-1) ?? NO_CELL),
+    isTransposed: true,
   };
 }
 
@@ -135,6 +136,7 @@ const sortIndices = (numbers) => numbers.map((_, k) => k).sort((p, q) => numbers
  * @param {Block} block @param {Want} want
  */
 export function orderByLabels(block, { by }) {
+  refuseUnevenNames(block.labels);
   const [rows, headers] = [readLabels(block.labels), readHeaderLabels(block)];
   const hasRowNames = by === "row" && rows?.kind === "row";
   const numbers = hasRowNames ? rows.numbers : readNumberedLabels(block.labels);
@@ -148,4 +150,17 @@ export function orderByLabels(block, { by }) {
     taken: isMoved ? [formatMessage("taken: by names")] : [],
     hasRowNames,
   };
+}
+
+// Refuse rows of joints of which one is named more often than another, as in "q1, q2, q2".
+/** @param {import("./lines.js").Cell[][]} labels */
+function refuseUnevenNames(labels) {
+  const joints = labels.map((words) => findLabel(words));
+  if (joints.length < 2 || !joints.every((label) => label?.kind === "joint")) return;
+  const counts = new Map();
+  for (const { number } of joints) counts.set(number, (counts.get(number) ?? 0) + 1);
+  const most = Math.max(...counts.values());
+  const [joint] = [...counts].find(([, count]) => count === most);
+  if ([...counts.values()].some((count) => count !== most))
+    throw new ArmError(formatMessage("joint twice", { joint }));
 }

@@ -6,9 +6,10 @@ import { linesOf } from "./characters.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 /**
- * Known words. `topic` is the only topic in which they have this meaning. `isBeside` is true if
- * they also count on the next line, and `isApplied` returns whether the answer was taken so.
- * @typedef {{ pattern: RegExp, topic?: string, isBeside?: boolean,
+ * Known words. `topics` are those in which they have this meaning, all if missing. `isBeside` is
+ * true if they also count on the next line, and `isAcross` if they may stand on several lines.
+ * `isApplied` returns whether the answer was taken so.
+ * @typedef {{ pattern: RegExp, topics?: string[], isBeside?: boolean, isAcross?: boolean,
  *   isApplied?: (options: Record<string, any>, words: string) => boolean }} KnownWords
  */
 
@@ -19,6 +20,7 @@ const LINEAR = String.raw`(?:J_?\{?[vp]\}?|v|(?:linear|translation(?:al)?)(?: pa
 const ANGULAR =
   String.raw`(?:J_?\{?(?:w|ω|\\?omega)\}?|w|ω|\\?omega|` +
   String.raw`(?:angular|rotation(?:al)?)(?: part| rows)?)`;
+const BEHIND_NAME = String.raw`(?:\([^()\n]*\))?\s*[=:]`;
 const ABOVE = String.raw`(?:\s+(?:above|over|on top of|before)|\s*[;,])\s+(?:the )?`;
 const JOINTS_IN_ORDER =
   /\b(?:columns?|order|spalten)\b[^\n\d]{0,20}[qθ]_?\d(?:[\s,;|&]+[qθ]_?\d)+/iu;
@@ -45,21 +47,33 @@ const KNOWN_WORDS = [
   },
   {
     pattern: JOINTS_IN_ORDER,
-    topic: "Jacobian",
+    topics: ["Jacobian"],
     isBeside: true,
     isApplied: (_, words) => isAscending(words),
   },
   {
     pattern: TOOL_FRAME,
-    topic: "Jacobian",
+    topics: ["Jacobian"],
     isBeside: true,
     isApplied: ({ frame }) => Boolean(frame),
   },
   {
     pattern: word(`${ANGULAR}${ABOVE}${LINEAR}|(?:angular|rotation(?:al)?)(?: part| rows)? first`),
-    topic: "Jacobian",
+    topics: ["Jacobian"],
     isBeside: true,
     isApplied: ({ angularFirst }) => Boolean(angularFirst),
+  },
+  {
+    // J_w = ... J_v = ...
+    pattern: word(String.raw`(${ANGULAR})${BEHIND_NAME}[^]*\s${LINEAR}(?=${BEHIND_NAME})`),
+    topics: ["Jacobian"],
+    isAcross: true,
+    isApplied: ({ angularFirst }) => Boolean(angularFirst),
+  },
+  {
+    pattern: word(String.raw`(?:rad|deg|°) ?\/ ?s|N ?\/ ?m`), // rates and stiffnesses
+    topics: ["pose", "branches", "torques"],
+    isBeside: true,
   },
 ];
 
@@ -78,18 +92,23 @@ const COMMENT = /(?:#(?!\d)|%|\/\/).*/;
 export function stopAtWords(text, { topic, tokens, typed }, options) {
   const entries = (tokens ?? typed?.tokens ?? []).filter(({ owner }) => owner === "entry");
   const used = new Set(entries.map(({ line }) => line));
-  const known = KNOWN_WORDS.filter((one) => (one.topic ?? topic) === topic);
+  const known = KNOWN_WORDS.filter(({ topics = [topic] }) => topics.includes(topic));
   const lines = linesOf(text);
-  for (const k of listLinesBeside(lines, [...used])) {
-    const words = known.map((one) => findWords(one, lines[k], used.has(k), options)).find(Boolean);
+  const beside = listLinesBeside(lines, [...used]);
+  for (const [i, k] of beside.entries()) {
+    const following = beside.slice(i).map((line) => lines[line]);
+    const find = (one) =>
+      findWords(one, one.isAcross ? following.join("\n") : lines[k], used.has(k), options);
+    const words = known.map(find).find(Boolean);
     if (words) throw new ArmError(formatMessage("words", { words: quoteText(words), line: k + 1 }));
   }
 }
 
 /** @param {KnownWords} known @param {string} line @param {boolean} isOwn */
-function findWords({ pattern, isBeside, isApplied }, line, isOwn, options) {
-  if (!isBeside && !isOwn) return null;
-  const [whole, words = whole] = pattern.exec(isBeside ? line : line.replace(COMMENT, "")) ?? [];
+function findWords({ pattern, isBeside, isAcross, isApplied }, line, isOwn, options) {
+  if (!isBeside && !isAcross && !isOwn) return null;
+  const isWhole = isBeside || isAcross;
+  const [whole, words = whole] = pattern.exec(isWhole ? line : line.replace(COMMENT, "")) ?? [];
   return words && !isApplied?.(options, words) ? words : null;
 }
 
