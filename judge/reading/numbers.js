@@ -23,6 +23,7 @@ import {
   symbolsIn,
   value,
 } from "./formula.js";
+import { refuseOtherValues } from "./other_values.js";
 import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -164,6 +165,7 @@ function readText(text, { known, ...question }) {
   const used = new Set();
   for (const tree of trees) symbols(tree, used);
   const meanings = known(used);
+  refuseOtherValues(text, meanings, known);
   const findValue = (name) => meanings.get(name);
   const values = trees.map((tree) => value(tree, findValue));
   const entries = texts.map((cell, i) => readCell(cell, formulaSlack(trees[i], findValue)));
@@ -221,7 +223,6 @@ export function unitsOf(entries) {
 
 export const eachJoint = (arm) =>
   formatMessage("each joint", { joints: jointNames(arm).join(", ") });
-
 // List the shapes of joint vectors, with a value for each moving joint or for each row of the arm.
 export const jointShapes = (arm, many = true) =>
   [...new Set([movingRows(arm).length, arm.rows.length])].flatMap((columns) => [

@@ -5,6 +5,7 @@
 import { withoutComments, withoutStruckText } from "./decorations.js";
 import { linesOf } from "./characters.js";
 import { hasDecimals, simple } from "./formula.js";
+import { refuseUnreadValues } from "./other_values.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
@@ -112,6 +113,7 @@ function useDefinitions(table, definitions, text) {
   refuseMixedUnits(table, text);
   const used = listUsedDefinitions(definitions, typedCells, tokens);
   refuseTwoLengths(used, tokens, text);
+  if (table.order) refuseUnreadValues(text, table, definitions); // a link matrix has its c1 and s1
   return {
     ...table,
     unusedLines: dropDefinitions(unusedLines, used),
