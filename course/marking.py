@@ -278,7 +278,7 @@ def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
             message = f"Not right, and no one mistake explains it. {message}"
         return Mark(part.name, credit, message, _NO_MISTAKE_SEEN)
     message = f"This is what a mistake gives: {reply['message'].rstrip('.')}."
-    has_size = reply["name"].startswith(("course.entry", "table.number", "table.angle"))
+    has_size = reply["name"].startswith("course.entry")
     hint = _NO_MISTAKE_SEEN if has_size else message
     return Mark(part.name, MISTAKE_SHARE, message, hint, (reply["name"],))
 

@@ -118,11 +118,15 @@ export function findTableMistake({ mine, arm, options }) {
 }
 
 /**
- * Name the mistake that explains a whole table, such as the wrong convention. There is none if two
- * mistakes are needed, or if findings remain.
+ * Name the mistake that explains a whole table, such as the wrong convention, or its only wrong
+ * entry. There is none if two mistakes are needed, or if findings remain.
  * @param {import("./verdict.js").Verdict} verdict
  */
 function nameWholeMistake({ findings, causes }) {
+  const [first] = findings;
+  const entry = /^row (\d+), (\w+)$/.exec(first?.where ?? "");
+  if (findings.length === 1 && first.what === "entry" && entry)
+    return { name: `course.entry:${entry[2]}:${entry[1]}`, message: first.words };
   const [name] = causes;
   const isWhole = name && !name.includes("+") && findings.every(({ what }) => what === "cause");
   return isWhole && findings.length ? { name, message: findings[0].words } : {};

@@ -25,8 +25,7 @@ WRONG = ("named", "located", "so far", "passed", "false cause", "refused")
 _CLOSED = {"UR10E": inverse.ur, "STANF": inverse.stanford, "ELBOW": inverse.elbow}
 # Causes that locate an error without naming a mistake.
 _SYMPTOMS = {
-    *("trace.leans", "trace.spins", "trace.jump", "pose.entry", "pose.coordinate"),
-    *("table.number", "table.missing"),
+    *("trace.leans", "trace.spins", "trace.jump", "table.missing"),
 }
 _solution_cache: dict[str, object] = {}
 

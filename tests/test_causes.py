@@ -340,11 +340,6 @@ def test_unit_of_one_joint_of_jacobian_is_named(joint, factor, cause):
     assert checks.compare_jacobian(jacobian.round(5), STANFORD, SLID).causes == (cause,)
 
 
-def test_zero_exchanged_with_a_digit_is_named():
-    target = KNOWN["ELBOW"].tip([0.708, 0.412, -0.653]).round(4)
-    assert checks.compare_pose("0.078, 0.412, -0.653", ELBOW, target).causes == ("ik.digits:q_1",)
-
-
 def differentiate_energy(shift):
     """Return dP/dq (N m) with each centre of mass in the frame `shift` after its link's own."""
     m = KNOWN["PANDA"]

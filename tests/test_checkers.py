@@ -181,7 +181,6 @@ def test_trace_is_read_from_any_layout():
         (np.degrees(GOOD), "trace.degrees"),
         (GOOD[::-1], "trace.backwards"),
         (GOOD + np.outer(np.linspace(0, 2 * math.pi, 401), np.eye(6)[5]), "trace.spins"),
-        (np.where(np.arange(401)[:, None] == 200, GOOD + 0.5, GOOD), "trace.row:200"),
         (np.where(np.arange(401)[:, None] >= 200, GOOD + 0.5, GOOD), "trace.jump"),
         (np.vstack([GOOD, GOOD[1]]), "trace.one more"),  # slip 20
         (lambda: TASK.run(late=1), "trace.next velocity"),  # slip 21
@@ -281,7 +280,7 @@ def test_rounded_entry_does_not_excuse_others():
     assert checks.compare_trace("\n".join(map(",".join, typed)), ELBOW, CIRCLE).agrees
     typed[100][2] = f"{q[100, 2] + 0.03:.4f}"
     report = checks.compare_trace("\n".join(map(",".join, typed)), ELBOW, CIRCLE)
-    assert report.causes == ("trace.number:100:3",)
+    assert "only step 100 is wrong: joint 3 is off" in report.headline
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Test that one wrong number in right work is located, and that no false cause is named.
+"""Test that one wrong number in right work is located, and that no cause is named.
 
 The right numbers come from the corpus's own kinematics, and from Newton's method on them.
 """
@@ -67,7 +67,8 @@ def test_one_wrong_number_of_trace_is_located(name):
         wrong = q.copy()
         wrong[row, joint] += RNG.choice((-1, 1)) * RNG.uniform(0.1, 1.2)
         report = checks.compare_trace(write_rows(wrong, decimals), arm, path)
-        assert report.causes == (f"trace.number:{row}:{numbers[joint]}",), str(report)
+        assert not report.causes, str(report)
+        assert f"only step {row} is wrong: joint {numbers[joint]} is off" in report.headline
         pieces = [piece for piece in report.marked_text.pieces if piece.kind == "wrong"]
         assert [piece.text for piece in pieces] == [f"{wrong[row, joint]:.{decimals}f}"]
 
@@ -88,7 +89,7 @@ def test_wrong_number_of_unrounded_trace_is_located():
         wrong = q.copy()
         wrong[4, joint] += 0.3
         report = checks.compare_trace(wrong, arm, path)
-        assert report.causes == (f"trace.number:4:{joint + 1}",), str(report)
+        assert f"only step 4 is wrong: joint {joint + 1} is off" in report.headline
 
 
 @pytest.mark.parametrize("name", CIRCLES)
@@ -103,15 +104,8 @@ def test_one_wrong_number_of_pose_is_located(name):
         typed = " ".join(f"{x:.5f}" for x in wrong)
         report = checks.compare_pose(typed, arm, T if arm.dof >= 6 else T[:3, 3])
         number = [k for k, row in enumerate(arm.rows, 1) if row.joint.kind != "fixed"][joint]
-        assert report.causes == (f"ik.number:q_{number}",), str(report)
-
-
-@pytest.mark.parametrize("name", CIRCLES)
-def test_two_exchanged_joints_of_a_step_are_named(name):
-    arm, path, q = trace_circle(name, 8)
-    q[3, [0, 1]] = q[3, [1, 0]]
-    report = checks.compare_trace(write_rows(q, 4), arm, path)
-    assert report.causes == ("trace.row exchanged:3:1:2",), str(report)
+        assert not report.causes, str(report)
+        assert f"only q_{number} is wrong" in report.headline
 
 
 #: A reader's own solution of the circle around (0.4, 0, 0.6), with the sign of q_3 at step 2 lost.
@@ -126,9 +120,9 @@ ELBOW_ROWS = """0.000000,1.179288,-1.780667
 0.000000,1.179288,-1.780667"""
 
 
-def test_step_that_either_of_two_joints_mends_names_both():
+def test_step_that_either_of_two_joints_mends_names_no_joint():
     """With the elbow bent the other way, another shoulder would reach the circle as well."""
     path = motion.circle((0.4, 0, 0.6), 0.1, "zy", 5.0, 8)
     report = checks.compare_trace(ELBOW_ROWS, robots.ELBOW, path)
-    assert report.causes[0].startswith("trace.row joints:"), str(report)
-    assert "only step 2 is wrong: joint 2 or 3 is off there" in report.headline
+    assert not report.causes, str(report)
+    assert "only step 2 is wrong: its tip misses the target by" in report.headline

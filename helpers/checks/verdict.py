@@ -19,9 +19,9 @@ class Finding:
 
     Attributes:
         what: its kind: "cause" for an explanation of the whole answer; for a wrong part, "shape",
-            "column", "row", "joint", "answer" or "step"; "found" and "missing" branches or rows; or
-            the catalogue's key of a mistake in one place, such as "J.column sign:2",
-            "table.sign:a:3", "trace.jump" or "pose.entry".
+            "column", "row", "entry", "joint", "answer" or "step"; "found" and "missing" branches or
+            rows; or the catalogue's key of a mistake in one place, such as "table.sign:a:3" or
+            "trace.jump".
         where: the position, such as "joint 3", "row 2, alpha" or "answer 1"; empty for the
             whole answer.
         mine, expected: typed value and right value, if the sentence quotes them; None if that

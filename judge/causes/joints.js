@@ -75,29 +75,6 @@ function* listMistakesInOneJoint(arm) {
   }
 }
 
-/**
- * List for each joint the values with two neighbouring digits exchanged. Handed in.
- * @param {Arm} arm
- * @param {import("../digits.js").Entries} q as typed
- * @returns {JointMistake[]}
- */
-export function listExchangedDigits(arm, { values, units }) {
-  return jointNames(arm).flatMap((joint, k) => {
-    if (!units[k]) return [];
-    const decimals = Math.max(0, Math.round(-Math.log10(units[k])));
-    // The zero before and behind the decimal point may be one of the digits: 0.082 for 0.802.
-    const digits = String(Math.round(Math.abs(values[k]) / units[k])).padStart(decimals + 1, "0");
-    if (!/^\d+$/.test(digits)) return [];
-    return [...digits.slice(1)].flatMap((digit, i) => {
-      if (digit === digits[i]) return [];
-      const exchanged = digits.slice(0, i) + digit + digits[i] + digits.slice(i + 2);
-      const value = Math.sign(values[k]) * Number(exchanged) * units[k];
-      const change = value - values[k];
-      return [[makeCause("ik.digits", { joint }), changeJoint(k, (x) => x + change)]];
-    });
-  });
-}
-
 // theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links: slip 12.
 /** @param {{ rows: Row[] }} arm @returns {Generator<JointMistake>} */
 function* listElbowFormulaMistakes({ rows }) {

@@ -1,7 +1,7 @@
 // Judges whether joint values take the tip to a target. It compares the entries of the target with
 // the pose of the tip.
 
-import { listExchangedDigits, listJointMistakes } from "../causes/joints.js";
+import { listJointMistakes } from "../causes/joints.js";
 import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
 import { listTableMistakes } from "../causes/chain.js";
 import { agrees, FINE_UNIT, RIGHT, ROUNDED, computeSlack, SO_FAR, WRONG } from "../digits.js";
@@ -25,7 +25,7 @@ import {
 import { describeMiss } from "../matching.js";
 import { readJointVectors } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, listGivenRows } from "../reading/numbers.js";
-import { completeVerdicts, makeVerdict } from "../verdict.js";
+import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import {
   ArmError,
@@ -138,18 +138,13 @@ function movesTip(q, makeExpected) {
 function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
   const typed = { values: T.values.flat(), units: findTargetUnits(T.units.flat()) };
   const makeExpected = makeTipEntries(arm, T);
-  const listDigitMistakes = () =>
-    listExchangedDigits(arm, q).map(([cause, undo]) => ({
-      cause,
-      make: (values) => makeExpected(undo(values)),
-    }));
   const judged = judgeEntries({
     typed,
     q,
     dof: q.values.length,
     makeExpected,
     mistakes: [...listSingleMistakes(arm, T)].filter(movesTip(q, makeExpected)),
-    furtherLists: [listDigitMistakes, () => listMistakePairs(arm, T)],
+    furtherLists: [() => listMistakePairs(arm, T)],
     tolerance,
     isGradeOnly,
     areGiven: true,
@@ -167,45 +162,46 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
       notes: [...noteBeyondLimits(arm, q)],
     });
   const off = describeTargetMiss(T, judged.wrong, distance, angle);
-  const causes = judged.mistakes.length
-    ? judged.mistakes.map(({ cause }) => cause)
-    : findWrongJoint(q, arm, T, typed, makeExpected);
-  return reportMiss(arm, off, causes, listWrongEntries(T, judged.wrong), shared);
+  const causes = judged.mistakes.map(({ cause }) => cause);
+  const findings = causes.length
+    ? [makeFinding("cause", `${joinCauseMessages(causes)}.`)]
+    : locateWrongJoint(q, arm, T, typed, makeExpected);
+  return reportMiss(arm, off, causes, findings, {
+    ...shared,
+    wrongEntries: listWrongEntries(T, judged.wrong),
+  });
 }
 
-// Report that the tip misses the target, by the causes or else by the wrong entries of the target.
-function reportMiss(arm, off, causes, wrongEntries, shared) {
-  if (!causes.length) {
-    const headline = formatMessage("pose wrong", { arm: arm.name, off });
-    const names = [...new Set(wrongEntries.map(({ what }) => what))];
-    const fields = { ...shared, findings: wrongEntries, causes: names };
-    return makePoseVerdict(arm, WRONG, headline, fields);
-  }
-  const message = joinCauseMessages(causes);
-  const cause = uncapitalize(message);
-  const headline = formatMessage("pose cause", { arm: arm.name, off, cause });
-  const findings = [{ what: "cause", where: "", words: `${message}.` }];
-  const fields = { ...shared, findings, causes: causes.map(causeName) };
-  return makePoseVerdict(arm, WRONG, headline, fields);
+// Report that the tip misses the target, by the cause, by the only wrong joint, or else by the
+// wrong entries of the target.
+function reportMiss(arm, off, causes, explanations, { wrongEntries, ...shared }) {
+  const [finding] = explanations;
+  const cause = finding && uncapitalize(finding.words.replace(/\.$/, ""));
+  const fields = { arm: arm.name, off, cause };
+  const headline = formatMessage(cause ? "pose cause" : "pose wrong", fields);
+  const findings = finding ? [finding] : wrongEntries;
+  const names = causes.map(causeName);
+  return makePoseVerdict(arm, WRONG, headline, { ...shared, findings, causes: names });
 }
 
-// Return the cause that a single joint is off, if its change alone takes the tip to a target of
+// Return the finding that a single joint is off, if its change alone takes the tip to a target of
 // numbers. There is none if the change of a second joint does so too.
-/** @returns {import("../causes/ranking.js").Cause[]} */
-function findWrongJoint(q, arm, T, typed, makeExpected) {
+/** @returns {import("../verdict.js").Finding[]} */
+function locateWrongJoint(q, arm, T, typed, makeExpected) {
   const [x, y, z] = [0, 1, 2].map((k) => T.values.map((row) => row[k]));
   const goal = T.pose
     ? { point: T.values.map((row) => row[3]), tool: { x, y, z, o: [0, 0, 0] } }
     : { point: T.values[0], tool: null };
   const poses = T.formulas ? [] : listConfigurationsWithOneChange(arm, q.values, goal);
-  const causes = poses.flatMap((values, k) => {
+  const findings = poses.flatMap((values, k) => {
     const slack = computeSlack({ ...q, values }, values.length, makeExpected);
     if (!agrees(typed, makeExpected(values), slack)) return [];
-    const _off = formatNumber(Math.abs(values[k] - q.values[k]), 2);
-    const _unit = revoluteFlags(arm)[k] ? "rad" : "m";
-    return [makeCause("ik.number", { joint: jointNames(arm)[k], _off, _unit })];
+    const joint = jointNames(arm)[k];
+    const off = formatNumber(Math.abs(values[k] - q.values[k]), 2);
+    const unit = revoluteFlags(arm)[k] ? "rad" : "m";
+    return [makeFinding("joint", formatMessage("pose joint", { joint, off, unit }), joint)];
   });
-  return causes.length === 1 ? causes : [];
+  return findings.length === 1 ? findings : [];
 }
 
 /**
@@ -288,12 +284,12 @@ function listWrongEntries(T, wrong) {
   return indices.map((i) => {
     const [row, column] = [Math.floor(i / 4) + 1, (i % 4) + 1];
     const where = T.pose ? formatMessage("entry", { row, column }) : "xyz"[i];
-    const words = formatMessage(T.pose ? "pose.entry" : "pose.coordinate", {
+    const words = formatMessage(T.pose ? "pose entry" : "pose coordinate", {
       row,
       column,
       axis: "xyz"[i],
     });
-    return { what: T.pose ? "pose.entry" : "pose.coordinate", where, words };
+    return { what: "entry", where, words };
   });
 }
 

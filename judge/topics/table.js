@@ -358,10 +358,10 @@ function reportWrong(table, reference, causes, findings = []) {
     const finding = { what: "cause", where: "", words: `${message}.` };
     return makeWrong(formatMessage("table wrong", { cause, ...fields }), [finding, ...findings]);
   }
-  if (ownCauses.length !== 1) return makeWrong(formatMessage("table other arm", fields), findings);
   const [finding] = findings;
+  if (findings.length !== 1 || finding.what === "row")
+    return makeWrong(formatMessage("table other arm", fields), findings);
   const cause = uncapitalize(finding.words).replace(/\.+$/, "");
-  return makeWrong(formatMessage("table wrong", { cause, ...fields }), [
-    { ...finding, what: "cause" },
-  ]);
+  const what = ownCauses.length ? "cause" : finding.what;
+  return makeWrong(formatMessage("table wrong", { cause, ...fields }), [{ ...finding, what }]);
 }

@@ -1,6 +1,6 @@
 // Formats the messages about a wrong entry of a table and about a difference of the axes.
 
-import { makeCause, causeName } from "../causes/ranking.js";
+import { causeMessage, causeName, makeCause } from "../causes/ranking.js";
 import { DEG } from "../geometry/angles.js";
 import { formatMessage, formatNumber } from "../sentences.js";
 import { angleDistance } from "../geometry/axes.js";
@@ -49,10 +49,13 @@ export function describeEntry(table, { cause, rows, reference }, [k, column], le
   const [actual, expected] = [rows[k][column], reference[k][column]];
   const row = typedRowNumber(table, k + 1, column);
   const entryCause = makeEntryCause(column, row, actual, expected, length);
+  const what = entryCause ? causeName(entryCause) : "entry";
+  const message = entryCause
+    ? causeMessage(entryCause)
+    : describeWrongNumber(column, row, actual, expected);
   const typed = cause ? formatNumber(actual, 6) : entryText(table, k + 1, column);
-  const fields = { typed, words: formatMessage(entryCause.keys[0], entryCause.fields[0]) };
-  const where = `row ${row}, ${column}`;
-  return { what: causeName(entryCause), where, words: formatMessage("table entry", fields) };
+  const words = formatMessage("table entry", { typed, words: message });
+  return { what, where: `row ${row}, ${column}`, words };
 }
 
 // The message that names the quantity of each difference of the axes.
@@ -147,11 +150,10 @@ export function entryUnit(table, row, column) {
   return decimals >= 2 ? table.angleScale * 10 ** -decimals : 0;
 }
 
-// Make the cause for a wrong entry: a wrong sign, a missing entry, or how far it is off.
-/** @returns {Cause} */
+// Make the cause for an entry with the wrong sign or without a number, or return null.
+/** @returns {Cause | null} */
 function makeEntryCause(column, row, actual, expected, length) {
-  const isAngle = isAngleColumn(column);
-  const isNegated = isAngle
+  const isNegated = isAngleColumn(column)
     ? angleDistance(actual, -expected) < ANGLE_TOLERANCE
     : Math.abs(actual + expected) <= length;
   const isTwist = column === "alpha";
@@ -161,14 +163,19 @@ function makeEntryCause(column, row, actual, expected, length) {
     return isTwist
       ? makeCause("table.no twist", { row })
       : makeCause("table.missing", { column, row });
-  if (!expected) return makeCause("table.too much", { column, row });
-  if (isAngle) {
-    const _off = formatNumber(roundTo(angleDistance(actual, expected) * DEG, 6), 4);
-    return makeCause("table.angle", { column, row, _off });
+  return null;
+}
+
+// Describe how far a wrong entry is off.
+function describeWrongNumber(column, row, actual, expected) {
+  if (!expected) return formatMessage("table too much", { column, row });
+  if (isAngleColumn(column)) {
+    const off = formatNumber(roundTo(angleDistance(actual, expected) * DEG, 6), 4);
+    return formatMessage("table entry angle", { column, row, off });
   }
-  const _way = formatMessage(
+  const way = formatMessage(
     actual * expected < 0 ? "off" : Math.abs(actual) > Math.abs(expected) ? "long" : "short",
   );
-  const _off = formatNumber(roundTo(1000 * Math.abs(actual - expected), 6), 4);
-  return makeCause("table.number", { column, row, _off, _way });
+  const off = formatNumber(roundTo(1000 * Math.abs(actual - expected), 6), 4);
+  return formatMessage("table number", { column, row, off, way });
 }

@@ -182,11 +182,13 @@ function makeFaultVerdict(pair, fault, length) {
   const fields = { mine: table.name, reference: reference.name, fault: fault.message, cause };
   const headline = formatMessage(cause ? "table other base because" : "table other base", fields);
   const { where } = fault;
+  const ownCauses = entries.map(({ what }) => what).filter((what) => what.includes("."));
+  const isOneCause = entries.length === 1 && ownCauses.length === 1;
   return makeVerdict("table", reference, WRONG, headline, {
     findings: entries.length
-      ? entries.map((entry) => (entries.length > 1 ? entry : { ...entry, what: "cause" }))
+      ? entries.map((entry) => (isOneCause ? { ...entry, what: "cause" } : entry))
       : [{ what: "cause", where, words: headline }],
-    causes: entries.length ? [entries.map(({ what }) => what).join(" + ")] : [],
+    causes: ownCauses.length ? [ownCauses.join(" + ")] : [],
     taken: table.assumptions,
     figures: { "same machine": true },
   });

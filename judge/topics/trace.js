@@ -24,7 +24,7 @@ import {
   removeWholeTurns,
 } from "./trace_steps.js";
 import { arrangeBySteps, convertToSI } from "./trace_layout.js";
-import { findOnlyWrongRow, makeRowCause } from "./trace_row.js";
+import { describeWrongRow, findOnlyWrongRow } from "./trace_row.js";
 import { boundTipError, isDriftOfEuler, findUntrimmedUnits } from "./trace_units.js";
 import { findUnfilledRow } from "../reading/unfilled.js";
 import { ArmError, uncapitalize, formatMessage, formatNumber, quoteText } from "../sentences.js";
@@ -282,31 +282,27 @@ function reportCause(arm, cause, symptoms, taken, rest) {
 }
 
 // Judge a trajectory with a single wrong row, or return null. A wrong first or last row may belong
-// to a jump, unless its joints explain it.
+// to a jump, unless the change of one joint puts it right.
 function judgeOnlyWrongRow(trajectory, frames, arm, path, allowed) {
   const wrongRow = findOnlyWrongRow(trajectory, arm, path, frames, allowed);
   if (!wrongRow || trajectory.hasExtraStep) return null;
-  const { row, corrections, exchanged } = wrongRow;
+  const { row, correction } = wrongRow;
   const isInside = row > 0 && row < frames.length - 1;
-  const isExplained = corrections.length > 0 || exchanged !== null;
-  return isInside || isExplained ? reportWrongRow(arm, wrongRow, trajectory, path) : null;
+  return isInside || correction ? reportWrongRow(arm, wrongRow, trajectory, path) : null;
 }
 
 /** @param {import("./trace_row.js").WrongRow} wrongRow */
 function reportWrongRow(arm, wrongRow, trajectory, path) {
-  const { row, distance, angle, corrections, exchanged } = wrongRow;
+  const { row, distance, angle, correction } = wrongRow;
   const { q, taken, isPerJoint } = trajectory;
-  const suspects = corrections.length
-    ? corrections.map(({ index }) => index)
-    : (exchanged ?? q[0].map((_, i) => i));
-  const wrong = q.flatMap((values, k) => values.map((_, i) => k === row && suspects.includes(i)));
-  const [correction] = corrections;
+  const isWrong = (k, i) => k === row && (!correction || i === correction.index);
+  const wrong = q.flatMap((values, k) => values.map((_, i) => isWrong(k, i)));
   const corrected = q.map((values, k) =>
-    k === row && correction
-      ? values.map((x, i) => (i === correction.index ? correction.value : x))
-      : values,
+    values.map((x, i) => (correction && isWrong(k, i) ? correction.value : x)),
   );
-  return reportCause(arm, makeRowCause(wrongRow, q[row], arm), [], taken, {
+  const words = describeWrongRow(wrongRow, q[row], arm);
+  return makeTraceVerdict(arm, WRONG, uncapitalize(words), taken, {
+    findings: [makeFinding("step", words, `step ${row}`)],
     notes: correction ? [...listNotes(arm, path, corrected)] : [],
     figures: { position_error: distance, tool_turn: angle, q },
     ...(isPerJoint ? {} : { wrong }),

@@ -1,8 +1,6 @@
 // Finds the only wrong row of a typed trajectory, and the joint whose value is wrong there.
 
-import { makeCause } from "../causes/ranking.js";
 import { METHOD_TILT } from "../causes/trace.js";
-import { combinations } from "../geometry/axis_gaps.js";
 import {
   jointNumbers,
   linkFrames,
@@ -14,7 +12,7 @@ import {
 } from "../geometry/kinematics.js";
 import { listConfigurationsWithOneChange } from "../geometry/one_joint.js";
 import { describeMiss } from "../matching.js";
-import { formatNumber, joinList } from "../sentences.js";
+import { formatMessage, formatNumber } from "../sentences.js";
 import { boundTipError } from "./trace_units.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -26,9 +24,8 @@ import { boundTipError } from "./trace_units.js";
  * @property {number} row its index
  * @property {number} distance of its tip from the path (m)
  * @property {number} angle between its tool and the tool of all other rows (rad)
- * @property {{ index: number, value: number }[]} corrections joints whose change alone puts the row
- *   right, by their index from 0, and the value that does (rad or m)
- * @property {[number, number] | null} exchanged indices of two joints whose exchange does
+ * @property {{ index: number, value: number } | null} correction the only joint whose change alone
+ *   puts the row right, by its index from 0, and the value that does (rad or m)
  */
 
 const FEWEST_RIGHT = 3; // rows; fewer could lie on the path by chance
@@ -66,28 +63,22 @@ export function findOnlyWrongRow({ q, units }, arm, path, frames, allowed) {
       row,
       distance: distances[row],
       angle: angles[row],
-      ...findRowCorrections(q, row, arm, goal),
+      correction: findRowCorrection(q, row, arm, goal),
     };
   }
   return null;
 }
 
-// Find the joints of a row whose change, or whose exchange, takes the tip to a goal.
-/** @returns {Pick<WrongRow, "corrections" | "exchanged">} */
-function findRowCorrections(q, row, arm, goal) {
-  const typed = q[row];
-  const isRight = (configuration) => reachesGoal(linkFrames(arm, configuration).at(-1), goal);
-  const corrections = listConfigurationsWithOneChange(arm, typed, goal)
+// Find the only joint of a row whose change takes the tip to a goal, or return null.
+/** @returns {WrongRow["correction"]} */
+function findRowCorrection(q, row, arm, goal) {
+  const corrections = listConfigurationsWithOneChange(arm, q[row], goal)
     .map((configuration, index) => ({ index, configuration }))
-    .filter(({ configuration }) => isRight(configuration));
+    .filter(({ configuration }) => reachesGoal(linkFrames(arm, configuration).at(-1), goal));
   const nearest = selectNearest(corrections, q[row - 1] ?? q[row + 1], q[row + 1] ?? q[row - 1]);
-  return {
-    corrections: nearest.map(({ index, configuration }) => ({
-      index,
-      value: configuration[index],
-    })),
-    exchanged: findExchangedJoints(typed, isRight),
-  };
+  if (nearest.length !== 1) return null;
+  const [{ index, configuration }] = nearest;
+  return { index, value: configuration[index] };
 }
 
 const reachesGoal = (tip, { point, tool, distance, angle }) =>
@@ -103,33 +94,16 @@ function selectNearest(corrections, before, after) {
   return corrections.filter((_, k) => distances[k] <= AS_NEAR * nearest);
 }
 
-// Return the indices of two joints whose exchange makes a row right, or null.
-function findExchangedJoints(typed, isRight) {
-  const pairs = combinations([...typed.keys()], 2);
-  const exchange = ([i, j]) => typed.map((x, k) => (k === i ? typed[j] : k === j ? typed[i] : x));
-  return pairs.find((pair) => isRight(exchange(pair))) ?? null;
-}
-
 /**
- * Make the cause for the only wrong row. It names the joint that is off, or two joints that are
- * exchanged. If each of several joints could be off, it names them all.
+ * Describe the only wrong row, with the joint that is off if only one joint can be.
  * @param {WrongRow} wrongRow @param {number[]} typed joint values of the row @param {Arm} arm
- * @returns {import("../causes/ranking.js").Cause}
+ * @returns {string}
  */
-export function makeRowCause({ row, distance, angle, corrections, exchanged }, typed, arm) {
-  const numbers = jointNumbers(arm);
-  if (corrections.length > 1) {
-    const joints = corrections.map(({ index }) => String(numbers[index]));
-    return makeCause("trace.row joints", { step: row, _joints: joinList(joints, "or") });
-  }
-  if (corrections.length) {
-    const [{ index, value }] = corrections;
-    const _off = formatNumber(Math.abs(value - typed[index]), 2);
-    const _unit = revoluteFlags(arm)[index] ? "rad" : "m";
-    return makeCause("trace.number", { step: row, joint: numbers[index], _off, _unit });
-  }
-  if (!exchanged)
-    return makeCause("trace.row", { step: row, _miss: describeMiss(distance, angle) });
-  const [first, second] = exchanged.map((i) => numbers[i]);
-  return makeCause("trace.row exchanged", { step: row, first, second });
+export function describeWrongRow({ row: step, distance, angle, correction }, typed, arm) {
+  if (!correction) return formatMessage("trace row", { step, miss: describeMiss(distance, angle) });
+  const { index, value } = correction;
+  const joint = jointNumbers(arm)[index];
+  const off = formatNumber(Math.abs(value - typed[index]), 2);
+  const unit = revoluteFlags(arm)[index] ? "rad" : "m";
+  return formatMessage("trace number", { step, joint, off, unit });
 }

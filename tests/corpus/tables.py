@@ -64,8 +64,6 @@ def in_rows(m):
             if x and not (name == "d" and kind == "P"):
                 yield f"table.sign:{name}:{i + 1}", changed(m.rows, i, **{name: -x})
                 yield f"table.missing:{name}:{i + 1}", changed(m.rows, i, **{name: 0})
-                off = round(x * 1.13, 4)
-                yield f"table.number:{name}:{i + 1}", changed(m.rows, i, **{name: off})
         if kind == "R" and a != d:
             yield f"table.a and d:{i + 1}", changed(m.rows, i, a=d, d=a)
 
