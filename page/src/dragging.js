@@ -226,7 +226,8 @@ function findStraightJoint(arm, q, frames) {
     if (Math.sign(less) !== Math.sign(more) || bend < best) return;
     [best, words] = [
       bend,
-      less < 0 ? `joint ${moving[k] + 1} straight` : `joint ${moving[k] + 1} folded`,
+      `joint ${moving[k] + 1} ${less < 0 ? "straight" : "folded"}, ` +
+        `in line with joint ${moving[1] + 1} and the tip`,
     ];
   });
   return words;
