@@ -209,6 +209,12 @@ function measureJointDistance(arm, p, q) {
   return Math.max(...movingRows(arm).map((row, i) => Math.abs(gap(row, i))));
 }
 
+const SAME = 1e-4; // rad or m between joint values that may have been rounded
+
 // Return whether q equals joint values that may have been rounded.
 export const isAtConfiguration = (branch, q) =>
-  branch.length === q.length && branch.every((v, i) => Math.abs(v - q[i]) < 1e-4);
+  branch.length === q.length && branch.every((v, i) => Math.abs(v - q[i]) < SAME);
+
+// Return whether q is a solution branch, whose joints may have made whole turns more or less.
+export const isAtBranch = (arm, branch, q) =>
+  branch.length === q.length && measureJointDistance(arm, branch, q) < SAME;

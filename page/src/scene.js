@@ -14,7 +14,7 @@ import {
 import { getPlaneView } from "../../judge/geometry/task_rows.js";
 import { Barrier } from "./barrier.js";
 import { AxisLabels } from "./labels.js";
-import { isAtConfiguration } from "./motion.js";
+import { isAtBranch } from "./motion.js";
 import { getBranchColour, PALETTES } from "./look.js";
 import { findNearestSegment, getBarrelSegments, getLinkSegments } from "./picking.js";
 import { disposeChildren, Figure, INITIAL_VIEW, removeAndDispose } from "./renderer.js";
@@ -232,7 +232,7 @@ export class ArmPicture {
     const shownBranches = view === "branches" && !hasMovedAway ? branches : null;
     if (this.lastDrawn.branches !== shownBranches) this.makeGhosts(state.arm, shownBranches);
     this.ghostGroup.children.forEach((/** @type {any} */ shape, i) => {
-      shape.visible = !isAtConfiguration(shownBranches.list[i].q, q);
+      shape.visible = !isAtBranch(state.arm, shownBranches.list[i].q, q);
       shape.placeAtFrames(shape.userData, i === highlightedBranch ? 0.97 : 0.3);
     });
   }

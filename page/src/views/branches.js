@@ -4,7 +4,7 @@ import { updateAttribute, h, makeIndexedSymbol, setText } from "../dom.js";
 import { hasLimits, isOutsideLimits } from "../../../judge/geometry/arm.js";
 import { makeLatestJob } from "../jobs.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
-import { isAtConfiguration } from "../motion.js";
+import { isAtBranch } from "../motion.js";
 import { getBranchColour } from "../look.js";
 import { measureTipOffset } from "../state.js";
 import { formatFixed, formatJointValue } from "../text.js";
@@ -47,11 +47,8 @@ export function build(store, { goTo, announce }) {
     root.classList.toggle("left", Boolean(left));
     setText(message, describeView(state, left));
     rendered.buttons.forEach((button, i) => {
-      updateAttribute(
-        button,
-        "aria-current",
-        String(isAtConfiguration(branches.list[i].q, state.q)),
-      );
+      const isHere = isAtBranch(arm, branches.list[i].q, state.q);
+      updateAttribute(button, "aria-current", String(isHere));
     });
   }
   return { root, update, summary: () => message.textContent };
