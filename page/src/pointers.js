@@ -73,7 +73,9 @@ export function enableGrabbing(picture, store, { grip, goTo }) {
  * @typedef {object} DragState
  * @property {number} id of the pointer
  * @property {PointerEvent} event the latest one
- * @property {[number, number]} [pixel] position of the pointer in the picture
+ * @property {[number, number]} [pixel] position in the picture of what the pointer drags
+ * @property {number[]} offset in pixels from the pointer to that position, because the view has
+ *   followed the tip
  * @property {string} gesture name of the undo step
  * @property {number[]} rest joint values when the drag began
  * @property {import("./state.js").Frame} tip pose of the tip when the drag began
@@ -150,6 +152,7 @@ class Grabber {
       ...part,
       id: event.pointerId,
       event,
+      offset: [0, 0],
       gesture: `drag ${++dragCount}`,
       rest: store.state.q,
       tip,
@@ -166,8 +169,20 @@ class Grabber {
   // Make one frame of the drag. Returns false if another frame is needed although the pointer
   // rests.
   dragOneFrame() {
+    const { drag, figure } = this;
+    const [x, y] = figure.getPointerPixel(drag.event);
+    drag.pixel = [x + drag.offset[0], y + drag.offset[1]];
+    const point = figure.projectToFacingPlane(drag.pixel, drag.tip.o);
+    const isDone = this.dragPart();
+    // A view that follows the tip must not move what the pointer holds.
+    const [u, v] = point ? figure.projectToPixel(point) : drag.pixel;
+    drag.offset = [u - x, v - y];
+    return isDone;
+  }
+
+  // Drag the held part to the pointer. Returns false if another frame is needed.
+  dragPart() {
     const { drag, store } = this;
-    drag.pixel = this.figure.getPointerPixel(drag.event);
     if (drag.kind === "tip") return this.dragTip(store.state);
     if (drag.kind === "force") this.dragForce();
     if (drag.kind === "link") this.dragLink(store.state);

@@ -124,6 +124,9 @@ const visibilityObserver =
 const scratchVector = new Vector3();
 const raycaster = new Raycaster();
 
+const VIEW_EDGE = 0.82; // share of half the picture within which the view keeps the tip
+const clamp = (value, lower, upper) => Math.min(upper, Math.max(lower, value));
+
 /** Direction from an arm to the camera, in the still picture too. */
 export const INITIAL_VIEW = [0.687, -0.639, 0.344];
 
@@ -273,24 +276,45 @@ export class Figure {
       controls.update();
       camera.updateMatrixWorld();
       const { min, max } = new Box3().setFromPoints(vectors.map((p) => p.clone().project(camera)));
-      const away = camera.position.clone().sub(controls.target);
       const lift = Math.max(0, Math.min(foot, (max.y - min.y) / 2 - 1 + 2 * foot));
-      const half = away.length() * Math.tan((camera.fov * Math.PI) / 360);
-      const [right, up] = [0, 1].map((i) =>
-        new Vector3().setFromMatrixColumn(camera.matrixWorld, i),
-      );
-      controls.target.addScaledVector(right, ((min.x + max.x) / 2) * half * camera.aspect);
-      controls.target.addScaledVector(up, ((min.y + max.y) / 2 - lift) * half);
       const [widthShare, heightShare] = [
         (max.x - min.x) / 2 / 0.81,
         (max.y - min.y) / 2 / Math.min(0.81, 0.96 - foot),
       ];
-      away.multiplyScalar(Math.max(widthShare, heightShare));
-      camera.position.copy(controls.target).add(away);
+      const [right, up] = [(min.x + max.x) / 2, (min.y + max.y) / 2 - lift];
+      this.moveView(right, up, Math.max(widthShare, heightShare));
     }
+    this.requestDrawing();
+  }
+
+  // Widen the view until a point is in it. All that was in view stays in view.
+  widenView(point) {
+    if (!this.height) return; // the host has no size yet
+    for (let step = 0; step < 8; step++) {
+      const { x, y } = new Vector3(...point).project(this.camera);
+      const beyond = [x, y].map((share) => share - clamp(share, -VIEW_EDGE, VIEW_EDGE));
+      const [right, up] = beyond.map((share) => clamp(share / 2, -0.5, 0.5));
+      if (!right && !up) return;
+      this.moveView(right, up, 1 + Math.max(Math.abs(right), Math.abs(up)));
+    }
+  }
+
+  // Move the view by shares of half its width and height, and the camera away by a factor.
+  moveView(rightShare, upShare, factor) {
+    const { camera, controls } = this;
+    const away = camera.position.clone().sub(controls.target);
+    const half = away.length() * Math.tan((camera.fov * Math.PI) / 360);
+    const [right, up] = [0, 1].map((i) => new Vector3().setFromMatrixColumn(camera.matrixWorld, i));
+    controls.target.addScaledVector(right, rightShare * half * camera.aspect);
+    controls.target.addScaledVector(up, upShare * half);
+    camera.position.copy(controls.target).addScaledVector(away, factor);
     controls.update();
     camera.updateMatrixWorld(); // for points that are projected before the next drawing
-    this.requestDrawing();
+  }
+
+  isInView(point) {
+    const [x, y] = this.projectToPixel(point);
+    return x >= 0 && x <= this.width && y >= 0 && y <= this.height;
   }
 
   // Turn the camera by angles (rad) and move it nearer by a factor.

@@ -35,7 +35,6 @@ import {
   makeWall,
 } from "./shapes.js";
 import { measureTipOffset } from "./state.js";
-import { TipView } from "./tip_view.js";
 
 const HALF_LENGTH_FORCE = 10; // N; a force of this size is drawn at half the largest length
 const MAX_ARROW_SHARE = 0.36; // largest length of the force arrow as a share of the arm's reach
@@ -53,7 +52,6 @@ export class ArmPicture {
     /** @type {boolean[]} */
     this.hasDrawnAxes = []; // for each frame
     this.firstFrame = options.firstFrame ?? 0;
-    this.tipView = new TipView(this);
     this.lastDrawn = /** @type {any} */ ({}); // the state that the parts were last drawn from
   }
 
@@ -113,7 +111,7 @@ export class ArmPicture {
     const dark = theme === "dark";
     const [isFirst, previousArm] = [!this.body, this.arm];
     const isNewArm = previousArm !== state.arm;
-    this.tipView.beginMotion();
+    const wasTipInView = this.frames && this.figure.isInView(this.frames.at(-1).o);
     if (isNewArm || this.dark !== dark) this.buildWorld(state.arm, dark);
     const { frames } = derived;
     this.frames = frames;
@@ -133,7 +131,11 @@ export class ArmPicture {
     this.drawBarrier(frames.at(-1).o, state.tipHold);
     this.drawFading(frames.at(-1).o, state.tipHold?.fading ?? []);
     this.drawMark(state.mark);
-    if (isFirst || (isNewArm && this.tipView.needsFitAfter(previousArm))) this.fitView();
+    const tip = frames.at(-1).o;
+    const hasOtherJoints =
+      isNewArm && movingRows(previousArm ?? state.arm).length !== movingRows(state.arm).length;
+    if (isFirst || hasOtherJoints || (isNewArm && !wasTipInView)) this.fitView();
+    else if (wasTipInView) this.figure.widenView(tip);
     this.figure.requestDrawing();
   }
 
@@ -374,7 +376,6 @@ export class ArmPicture {
   }
 
   dispose() {
-    this.tipView.dispose();
     this.labels.dispose();
     if (this.world) removeAndDispose(this.world);
     this.figure.dispose();

@@ -65,7 +65,6 @@ export function makeStage(store, tools) {
       else drawStill();
     },
     update(state) {
-      live.picture?.tipView.waitForRest(store);
       updateParts(parts, state, isGrabbable && Boolean(live.picture));
     },
     fit: () => live.picture?.fitView(),
