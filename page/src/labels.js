@@ -50,18 +50,19 @@ export class AxisLabels {
 
   /**
    * Set the labels to draw.
-   * @param {{ end: number[], letter: string, index: string }[]} labels most important first; `end`
-   *   is the end of the axis
+   * @param {{ end: number[], letter: string, index?: string, length?: string }[]} labels most
+   *   important first; `end` is the end of the axis, `length` its length if that is told
    */
   setLabels(labels) {
     this.labels = labels;
     while (this.host.children.length < labels.length)
-      this.host.append(h("span", {}, h("i"), h("sub")));
-    labels.forEach(({ letter, index }, i) => {
+      this.host.append(h("span", {}, h("i"), h("sub"), h("span")));
+    labels.forEach(({ letter, index = "", length = "" }, i) => {
       const span = this.host.children[i];
       updateAttribute(span, "class", `axis-${letter}`);
       setText(span.children[0], letter);
       setText(span.children[1], index);
+      setText(span.children[2], length && `: ${length}`);
     });
   }
 
@@ -74,10 +75,10 @@ export class AxisLabels {
    */
   placeLabels(toPixel, { width, height }, links, radius) {
     const placed = [];
-    const transforms = this.labels.map(({ end, index }) => {
+    const transforms = this.labels.map(({ end, index = "", length = "" }) => {
       const [x, y] = toPixel(end);
       const isInside = x > -20 && y > -20 && x < width + 20 && y < height + 20;
-      const labelWidth = LABEL_SIZE[0] + 4 * Math.max(0, index.length - 1);
+      const labelWidth = LABEL_SIZE[0] + 4 * Math.max(0, index.length - 1) + 8 * length.length;
       const spot = isInside && findLabelSpot([x, y], labelWidth, placed, links, radius);
       if (!spot) return null;
       placed.push({ spot, width: labelWidth });

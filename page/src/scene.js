@@ -26,15 +26,13 @@ import {
   Ellipsoid,
   makeFloor,
   makeGhostMaterial,
-  makePaneMaterial,
   makeRod,
   makeShadow,
   LINK_RADIUS,
   Triads,
-  makeTube,
-  makeWall,
 } from "./shapes.js";
 import { measureTipOffset } from "./state.js";
+import { makeTipPaths } from "./tip_paths.js";
 
 const HALF_LENGTH_FORCE = 10; // N; a force of this size is drawn at half the largest length
 const MAX_ARROW_SHARE = 0.36; // largest length of the force arrow as a share of the arm's reach
@@ -53,6 +51,7 @@ export class ArmPicture {
     this.hasDrawnAxes = []; // for each frame
     this.firstFrame = options.firstFrame ?? 0;
     this.lastDrawn = /** @type {any} */ ({}); // the state that the parts were last drawn from
+    this.pathLabels = []; // of the axes of a drawn circle
   }
 
   // Build the objects that do not depend on the joint values.
@@ -118,7 +117,6 @@ export class ArmPicture {
     this.body.placeAtFrames(frames);
     this.tintJoints(state);
     this.drawAxis(frames[state.highlightedRow]);
-    this.drawFrames(frames, state.frames);
     this.ellipsoid.visible = state.view === "jacobian";
     if (this.ellipsoid.visible) {
       const scale = (0.15 * this.size) / Math.max(derived.linearAxes.values[0], 1e-6);
@@ -126,6 +124,7 @@ export class ArmPicture {
     }
     this.drawForce(frames.at(-1).o, state);
     this.drawPath(state);
+    this.drawFrames(frames, state.frames);
     this.drawGhosts(state, derived);
     this.drawReference(state);
     this.drawBarrier(frames.at(-1).o, state.tipHold);
@@ -172,7 +171,7 @@ export class ArmPicture {
         labels.set(key, { end, letter: axis, index: indices.join(",") });
       }
     });
-    this.labels.setLabels([...labels.values()].reverse());
+    this.labels.setLabels([...this.pathLabels, ...[...labels.values()].reverse()]);
   }
 
   drawForce(tip, { view, wrench }) {
@@ -210,21 +209,11 @@ export class ArmPicture {
     if (this.lastDrawn.path === path && this.lastDrawn.tipPaths === tipPaths) return;
     Object.assign(this.lastDrawn, { path, tipPaths });
     disposeChildren(this.pathGroup);
-    if (path || tipPaths) this.pathGroup.add(...this.makeTipPaths(state, path, tipPaths));
-  }
-
-  // Make the tubes of the played path, the wanted path or all runs, and the plane behind them.
-  makeTipPaths({ arm, wantedPath }, path, tipPaths) {
-    const { size, look } = this;
-    const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? tipPaths[0]?.points ?? [];
-    const pieces = tipPaths
-      ? tipPaths.map(({ points: line, colour }) => makeTube(line, 0.003 * size, colour))
-      : [makeTube(points, 0.0035 * size, look.path)];
-    if (wantedPath?.length > path?.length)
-      pieces.push(makeTube(wantedPath, 0.0018 * size, look.wantedPath));
-    const pane = makePaneMaterial(look.ghost, this.dark ? 0.16 : 0.1);
-    if (points.length > 2) pieces.push(makeWall(wantedPath ?? points, pane));
-    return pieces.filter(Boolean);
+    this.pathLabels = [];
+    if (!path && !tipPaths) return;
+    const { parts, labels } = makeTipPaths({ ...state, trace: path, tipPaths }, this);
+    this.pathGroup.add(...parts);
+    this.pathLabels = labels;
   }
 
   // Draw the solution branches as thin arms. The branch under the pointer is as thick as the arm.

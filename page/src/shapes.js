@@ -328,11 +328,17 @@ export function makeTube(points, radius, colour) {
   );
 }
 
-// Make a transparent square behind a path, or null if the path is not flat.
+/**
+ * Make a transparent square behind a path that is flat, as a circle on a wall is.
+ * @returns {{ wall: Mesh, centre: number[], radius: number, normal: number[] } | null} with the
+ *   path's centre and its largest distance from it
+ */
 export function makeWall(points, material) {
-  const n = points.length;
-  const centre = scaled(1 / n, points.reduce(plus));
-  const [p, q] = [points[0], points[Math.floor(n / 4)]].map((v) => toVector(minus(v, centre)));
+  const isClosed = norm(minus(points[0], points.at(-1))) < norm(minus(points[0], points[1]));
+  const corners = isClosed ? points.slice(1) : points;
+  const n = corners.length;
+  const centre = scaled(1 / n, corners.reduce(plus));
+  const [p, q] = [corners[0], corners[Math.floor(n / 4)]].map((v) => toVector(minus(v, centre)));
   const normal = p.clone().cross(q).normalize();
   const size = Math.max(...points.map((v) => norm(minus(v, centre))));
   const flat = points.every((v) => Math.abs(toVector(minus(v, centre)).dot(normal)) < 0.02 * size);
@@ -341,7 +347,7 @@ export function makeWall(points, material) {
   mesh.position.copy(toVector(centre));
   const up = Math.abs(normal.z) > 0.9 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
   mesh.quaternion.setFromRotationMatrix(new Matrix4().lookAt(normal, new Vector3(), up));
-  return mesh;
+  return { wall: mesh, centre, radius: size, normal: normal.toArray() };
 }
 
 // Make a floor of grid lines that fade out towards its edge.

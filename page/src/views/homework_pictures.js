@@ -4,7 +4,7 @@ import { linkFrames, minus } from "../../../judge/geometry/kinematics.js";
 import { h, makeRangeInput, svg, setText } from "../dom.js";
 import { getCirclePoint } from "../motion.js";
 import { getBranchColour } from "../look.js";
-import { formatFixed } from "../text.js";
+import { formatFixed, formatShort } from "../text.js";
 
 const WALL_SIZE = 260; // width and height of the picture
 const CIRCLE_SHARES = Array.from({ length: 73 }, (_, k) => k / 72);
@@ -31,12 +31,33 @@ export function makeWall(changed) {
     const largestRadius = Math.max(...runs.map(({ run }) => run.radius));
     const scale = WALL_SIZE / (2.6 * largestRadius);
     const lines = runs.map((one, i) => drawRun(one, i, { arm, top, scale, magnify }));
-    wall.replaceChildren(...lines.flat());
+    wall.replaceChildren(...lines.flat(), ...drawAxes(runs[0].run, scale));
   }
   return { root: h("figure.wall", {}, wall, caption), draw };
 }
 
-// Draw a run as seen from the arm: the wanted circle, and the run with its errors magnified.
+// Draw the base axes in the wall: from the circle's centre, and as long as its radius.
+function drawAxes({ normal, radius }, scale) {
+  const length = scale * radius;
+  const [x, y] = [WALL_SIZE / 2, 0.13 * WALL_SIZE + length];
+  const sense = normal === "x" ? 1 : -1; // y points to the right, x to the left
+  const across = normal === "x" ? "y" : "x";
+  return [
+    svg("polyline", {
+      points: `${x + sense * length},${y} ${x},${y} ${x},${y - length}`,
+      class: "axes",
+    }),
+    svg(
+      "text",
+      { x: x + sense * 0.5 * length, y: y + 16, "text-anchor": "middle" },
+      `${across}: ${formatShort(radius, 3)} m`,
+    ),
+    svg("text", { x: x + 6, y: y - 0.5 * length }, "z"),
+  ];
+}
+
+// Draw a run as seen against the wall's normal axis: the wanted circle, and the run with its errors
+// magnified.
 function drawRun({ run, result }, i, { arm, top, scale, magnify }) {
   const flat = (o) => {
     const d = minus(o, top);
