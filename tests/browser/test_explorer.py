@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from helpers.kinematics import forward_kinematics, jacobian
+from helpers.kinematics import forward_kinematics, jacobian, link_frames
 from helpers.robots import PANDA, STANFORD, UR10E
 from tests.browser.reader import (
     ADD_UP_LAYOUT_SHIFTS,
@@ -401,6 +401,8 @@ def test_circle_is_traced_played_and_scrubbed(visit):
     tip = here.pose()[:3, 3]
     np.testing.assert_allclose(tip, [0.679, 0, 0.825 - 0.2], atol=2e-4)
     here.tab("Circle trace")
+    axes = here.page.locator(".labels > span:not([hidden])", has_text=": 0.1 m")
+    expect(axes).to_have_text(["y: 0.1 m", "z: 0.1 m"])
     here.page.get_by_label("What the plots show").select_option("torque")
     expect(here.page.locator(".plots figcaption").first).to_contain_text("N m")
     here.page.get_by_label("Radius of the circle, m").fill("-1")
@@ -450,6 +452,10 @@ def test_branches_are_chosen_in_picture_and_list(visit):
         ways.nth(i).click()
         expect(ways.nth(i)).to_have_attribute("aria-current", "true")
         wait_for_arrival()
+    turned = here.q() - 2 * np.pi * np.sign(here.q())  # every joint by a whole turn
+    here.page.evaluate(f"(q) => {STORE}.dispatch({{ type: 'moveJoints', q }})", turned.tolist())
+    expect(here.page.locator(".solutions [aria-current='true']")).to_have_count(1)
+    expect(ways.nth(6)).to_have_attribute("aria-current", "true")
 
 
 # Follow the chapters' instructions and compare with what they announce.
@@ -685,13 +691,49 @@ def test_dragged_tip_explains_why_it_stops(visit):
         type_value(page, "Tip x, typed", x)
         said.append(page.locator(".why").text_content())
     assert said[:2] == ["", "Nearly singular along the arrow."]
-    assert re.fullmatch(r"Joint 3 straight: 20\d mm short\.", said[2])
+    straight = "Joint 3 straight, in line with joint 2 and the tip"
+    assert re.fullmatch(straight + r": 20\d mm short\.", said[2])
     assert page.locator(".view .error").last.inner_text() == said[2]
     page.get_by_role("button", name="Pin the tip").click()
     page.get_by_role("button", name="Tip pinned (place): nothing is free").wait_for()
-    page = visit("#arm=Panda&view=pose").page
-    type_value(page, "Tip z, typed", "-1")
-    assert "Joint 2 at its limit" in page.locator(".why").text_content()
+    here = visit("#arm=Panda&view=pose")
+    type_value(here.page, "Tip z, typed", "-1")
+    assert "Joint 2 at its limit" in here.page.locator(".why").text_content()
+    type_value(here.page, "Tip x, typed", "2")
+    assert "Joint 4 straight, in line with" in here.page.locator(".why").text_content()
+    joint_2, joint_4, tip = (link_frames(PANDA, here.q())[k] for k in (1, 3, -1))
+    forearm, upper_arm = tip[:3, 3] - joint_4[:3, 3], joint_4[:3, 3] - joint_2[:3, 3]
+    area = np.cross(forearm, upper_arm) @ joint_4[:3, 2]  # seen along axis 4
+    assert abs(area) < 0.01 * np.linalg.norm(forearm) * np.linalg.norm(upper_arm)
+
+
+@pytest.mark.parametrize("size", ["wide", "phone"])
+@pytest.mark.parametrize("frame", [-1, 5])
+def test_view_follows_a_dragged_tip(visit, size, frame):
+    """Drag the tip, or a link that carries it, out of the picture on each side and upward."""
+    page = visit("#arm=Panda&view=pose", size=size).page
+    stage = page.get_by_role("application")
+    stage.scroll_into_view_if_needed()
+    for by in ((0, -400), (500, -100), (-500, -100)):
+        page.get_by_role("button", name="Home").click()
+        page.wait_for_timeout(600)  # the arm glides home
+        box = find_box(stage)
+        drag_mouse(page, pixel_of(page, frame), by, steps=20)
+        x, y = pixel_of(page, -1)
+        page.mouse.up()
+        assert box["x"] < x < box["x"] + box["width"]
+        assert box["y"] < y < box["y"] + box["height"]
+
+
+def test_view_follow_keeps_the_drag_steady(visit):
+    """A pointer that rests outside of the picture lets the arm rest."""
+    here = visit("#arm=Panda&view=pose&q=0.1,-0.4,0.3,1.6,0.2,1.9,0.4")
+    here.page.locator(".stage").scroll_into_view_if_needed()
+    drag_mouse(here.page, pixel_of(here.page, -1), (0, -160), steps=20)
+    rest = here.q()
+    here.page.evaluate(WAIT_FOR_FRAMES, 30)
+    np.testing.assert_allclose(here.q(), rest, atol=1e-6)
+    here.page.mouse.up()
 
 
 def test_memory_does_not_grow(visit):
