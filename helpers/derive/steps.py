@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -74,28 +73,70 @@ def derive(
         >>> derive(axes, tip=(0.4, 0, 0.5)).arm.rows[0].entries
         (0, 'pi/2', 'd_1', 0)
     """
-    axes = _check_axes(axes)
-    pose = _tip_pose(tip, axes[-1])
+    items = tuple_of_items(axes, "axes", "one Axis or more, base to tip")
+    if not items:
+        raise ArmError("axes are []; expected one Axis or more, base to tip")
+    for axis in items:
+        require_type(axis, Axis, "an item of axes")
+    expected = f"{_POSE}, or {POINT}"
+    tip_array = float_array(tip, "tip", expected)
+    x_is_free = tip_array.ndim == 1  # whether the tip may be turned about its z axis
+    if x_is_free:
+        pose = np.eye(4)
+        pose[:3, 2] = items[-1].direction
+        pose[:3, 3] = finite_array(tip_array, "tip", expected, (3,))
+    else:
+        pose = rigid_poses(tip_array, "tip", expected)
     tolerance = finite_number(tolerance, "tolerance", "a number above 0, as 1e-9", above=0)
-    lines = _find_lines(axes, pose[:3, 3])
-    goal = _Goal(pose, free=np.ndim(tip) == 1)
     choices = _Choices(bool(negative), tolerance)
-    steps = _derive_steps([axis.joint for axis in axes], lines, goal, choices)
-    arm = Arm(name, *_with_symbols(steps), source="derived from its joint axes")
-    reach = max(np.linalg.norm(line.point) for line in [*lines, goal.line])
+
+    # A slide without a point runs through the next turning axis or the tip.
+    lines, next_point = [Line(pose[:3, 3], pose[:3, 2])], pose[:3, 3]
+    for axis in reversed(items):
+        point = next_point if axis.point is None else np.array(axis.point)
+        lines.insert(0, Line(point, np.array(axis.direction)))
+        if axis.joint.kind == "revolute":
+            next_point = point
+    targets = [(axis.joint, line) for axis, line in zip(items, lines[1:], strict=True)]
+    frame, first = np.eye(4), lines[0]
+    z = frame[:3, 2]
+    apart = np.linalg.norm(np.cross(z, first.point))
+    if not (np.linalg.norm(z - first.z) < tolerance and apart < tolerance):
+        targets.insert(0, (Joint("fixed"), first))
+
+    steps: list[DerivationStep] = []
+    for i, (joint, line) in enumerate(targets, 1):
+        is_last = i == len(targets)
+        wish = pose[:3, 0] if is_last and not x_is_free else frame[:3, 0]
+        level = pose[:3, 3] if is_last else frame[:3, 3]
+        steps.append(_derive_step(i, frame, joint, line, wish=wish, level=level, choices=choices))
+        frame = steps[-1].frame
+    if np.abs(frame - pose)[:, [3] if x_is_free else [0, 3]].max() >= tolerance:
+        # A fixed row shifts and turns the frame along the tip's z axis into the tip.
+        x, _, z, o = frame[:3].T
+        wish = x if x_is_free else pose[:3, 0]
+        d = clean_length((pose[:3, 3] - o) @ z)
+        theta = _compute_angle(np.cross(x, wish) @ z, x @ wish, choices)
+        end = frame @ _make_link_transform(0, 0, d, theta)
+        feet = np.array([end[:3, 3]] * 2)
+        number, joint = len(steps) + 1, Joint("fixed")
+        steps.append(
+            DerivationStep(number, joint, "coincident", False, feet, frame, end, 0.0, 0.0, d, theta)
+        )
+
+    reach = max(np.linalg.norm(line.point) for line in lines)
     for step in steps:
         tilt = abs(math.sin(step.alpha)) if step.case in ("skew", "intersecting") else 0.0
         if abs(step.d) > _FAR * reach and 0 < tilt <= _NEARLY_PARALLEL:
-            warnings.warn(f"{name}: {_nearly_parallel_warning(step, tilt)}", stacklevel=2)
-    return Derivation(arm, tuple(steps), tuple(lines))
-
-
-def _nearly_parallel_warning(step: DerivationStep, tilt: float) -> str:
-    return (
-        f"z_{step.number - 1} and z_{step.number} are within {math.degrees(tilt):.2g}° of parallel,"
-        f" so the last digits of that angle say where their common normal is (d_{step.number} ="
-        f" {step.d:.6g} m); a tolerance above {tilt:.1g} takes them for parallel"
-    )
+            i = step.number
+            warnings.warn(
+                f"{name}: z_{i - 1} and z_{i} are within {math.degrees(tilt):.2g}° of parallel, so"
+                " the last digits of that angle say where their common normal is"
+                f" (d_{i} = {step.d:.6g} m); a tolerance above {tilt:.1g} takes them for parallel",
+                stacklevel=2,
+            )
+    arm = Arm(name, *_with_symbols(steps), source="derived from its joint axes")
+    return Derivation(arm, tuple(steps), tuple(lines[:-1]))
 
 
 class _Choices(NamedTuple):
@@ -105,110 +146,41 @@ class _Choices(NamedTuple):
     tolerance: float
 
 
-# Input
+def _derive_step(
+    i: int, frame: Array, joint: Joint, line: Line, *, wish: Array, level: Array, choices: _Choices
+) -> DerivationStep:
+    """Derive the row that takes a frame to the line of the next z axis.
 
-
-@dataclass(frozen=True, eq=False)
-class _Goal:
-    """The wanted last frame.
-
-    Attributes:
-        pose: The frame in base axes, 4x4.
-        free: Whether its rotation about z is free.
+    Args:
+        i: Number of the row.
+        frame: Frame i-1, 4x4.
+        joint: Joint of the row.
+        line: Line of z_i.
+        wish: Direction from which x_i turns as little as possible where it may be chosen.
+        level: Point at whose height o_i stands on z_i where z_i is parallel to z_{i-1}.
+        choices: The options of `derive`.
     """
-
-    pose: Array
-    free: bool
-
-    @property
-    def line(self) -> Line:
-        return Line(self.pose[:3, 3], self.pose[:3, 2])
-
-    def missed_by(self, frame: Array) -> float:
-        """Return the largest difference in origin (m) and, unless free, in the x axis."""
-        columns = [3] if self.free else [0, 3]
-        return float(np.abs(frame - self.pose)[:, columns].max())
-
-
-def _check_axes(axes: Sequence[Axis]) -> tuple[Axis, ...]:
-    items = tuple_of_items(axes, "axes", "one Axis or more, base to tip")
-    if not items:
-        raise ArmError("axes are []; expected one Axis or more, base to tip")
-    for axis in items:
-        require_type(axis, Axis, "an item of axes")
-    return items
-
-
-def _tip_pose(tip: ArrayLike, last: Axis) -> Array:
-    """Return the tip's pose.
-
-    Without its orientation, z runs along the last axis.
-    """
-    expected = f"{_POSE}, or {POINT}"
-    tip_array = float_array(tip, "tip", expected)
-    if tip_array.ndim != 1:
-        return rigid_poses(tip_array, "tip", expected)
-    pose = np.eye(4)
-    pose[:3, 2], pose[:3, 3] = last.direction, finite_array(tip_array, "tip", expected, (3,))
-    return pose
-
-
-def _find_lines(axes: tuple[Axis, ...], tip: Array) -> list[Line]:
-    """Return the axes' lines.
-
-    A slide without a point runs through the next turning axis or tip.
-    """
-    lines, next_point = [], tip
-    for axis in reversed(axes):
-        point = next_point if axis.point is None else np.array(axis.point)
-        lines.append(Line(point, np.array(axis.direction)))
-        if axis.joint.kind == "revolute":
-            next_point = point
-    return lines[::-1]
-
-
-# Row by row
-
-
-def _derive_steps(
-    joints: list[Joint], lines: list[Line], goal: _Goal, choices: _Choices
-) -> list[DerivationStep]:
-    """Derive one row for each joint, and a fixed row first or last where base or tip need it."""
-    steps: list[DerivationStep] = []
-    frame = np.eye(4)
-    targets = [_Target(joint, line) for joint, line in zip(joints, lines[1:], strict=False)]
-    if not _lies_on(frame, lines[0], choices.tolerance):
-        targets.insert(0, _Target(Joint("fixed"), lines[0]))
-    for i, target in enumerate([*targets, _Target(joints[-1], goal.line, goal)], 1):
-        steps.append(_derive_step(i, frame, target, choices))
-        frame = steps[-1].frame
-    if goal.missed_by(frame) >= choices.tolerance:
-        steps.append(_last_step(len(steps) + 1, frame, goal, choices))
-    return steps
-
-
-def _lies_on(frame: Array, line: Line, tolerance: float) -> bool:
-    """Return whether a line is the z axis of a frame, in the same direction."""
-    _, _, z, o = frame[:3].T
-    apart = np.linalg.norm(np.cross(z, line.point - o))
-    return bool(np.linalg.norm(z - line.z) < tolerance and apart < tolerance)
-
-
-class _Target(NamedTuple):
-    """A row's joint, the line of the next z axis, and for the last row the wanted frame."""
-
-    joint: Joint
-    line: Line
-    goal: _Goal | None = None
-
-
-def _derive_step(i: int, frame: Array, target: _Target, choices: _Choices) -> DerivationStep:
-    """Derive the row that takes a frame to the next z axis."""
-    joint, line, goal = target
     x, _, z, o = frame[:3].T
-    wish = x if goal is None or goal.free else goal.pose[:3, 0]
-    crossed = np.linalg.norm(np.cross(z, line.z)) >= choices.tolerance
-    case, along = (_nonparallel_case if crossed else _parallel_case)(frame, line, wish, choices)
+    out = line.point - o
+    case: Case
+    if crossed := bool(np.linalg.norm(np.cross(z, line.z)) >= choices.tolerance):
+        along = np.cross(z, line.z)
+        along = along - (along @ z) * z  # removes round-off, large for nearly parallel lines
+        along = along / np.linalg.norm(along)
+        gap = out @ along
+        case = "intersecting" if abs(gap) < choices.tolerance else "skew"
+        if case == "skew":
+            along = math.copysign(1, gap) * along
+    else:
+        across = out - (out @ z) * z
+        case = "coincident" if np.linalg.norm(across) < choices.tolerance else "parallel"
+        if case == "coincident":
+            across = wish - (wish @ z) * z
+        along = across / np.linalg.norm(across)
+    may_turn_back = case == "intersecting" or (choices.negative and case != "coincident")
+    if may_turn_back and along @ wish < -choices.tolerance:
+        along = -along
+
     theta = _compute_angle(float(np.cross(x, along) @ z), float(x @ along), choices)
     alpha = math.pi if z @ line.z < 0 else 0.0
     if crossed:
@@ -217,10 +189,8 @@ def _derive_step(i: int, frame: Array, target: _Target, choices: _Choices) -> De
     # rounding.
     x_i, y_i, z_i, _ = (frame @ _make_link_transform(0, alpha, 0, theta))[:3].T
     if crossed:
-        out = line.point - o
         a, d = out @ x_i, out @ y_i / math.sin(alpha)
     else:
-        level = o if goal is None else goal.pose[:3, 3]
         out = line.point + ((level - line.point) @ z_i) * z_i - o
         a, d = out @ x_i, out @ z
     a, d = clean_length(a * (case in ("skew", "parallel"))), clean_length(d, choices.tolerance)
@@ -229,54 +199,6 @@ def _derive_step(i: int, frame: Array, target: _Target, choices: _Choices) -> De
     reached = frame @ _make_link_transform(a, alpha, d, theta)
     feet = np.array([start, start + a * x_i])
     return DerivationStep(i, joint, case, opposite, feet, frame, reached, a, alpha, d, theta)
-
-
-def _last_step(i: int, frame: Array, goal: _Goal, choices: _Choices) -> DerivationStep:
-    """Derive the fixed row that shifts and turns a frame along the tip's z axis into the tip."""
-    x, _, z, o = frame[:3].T
-    wish = x if goal.free else goal.pose[:3, 0]
-    d, theta = (
-        clean_length((goal.pose[:3, 3] - o) @ z),
-        _compute_angle(np.cross(x, wish) @ z, x @ wish, choices),
-    )
-    reached = frame @ _make_link_transform(0, 0, d, theta)
-    feet = np.array([reached[:3, 3]] * 2)
-    return DerivationStep(
-        i, Joint("fixed"), "coincident", False, feet, frame, reached, 0.0, 0.0, d, theta
-    )
-
-
-def _parallel_case(frame: Array, line: Line, wish: Array, choices: _Choices) -> tuple[Case, Array]:
-    """Return whether parallel lines coincide, and x_i."""
-    _, _, z, o = frame[:3].T
-    out = line.point - o
-    across = out - (out @ z) * z
-    away = np.linalg.norm(across)
-    if away < choices.tolerance:
-        along = wish - (wish @ z) * z
-        return "coincident", along / np.linalg.norm(along)
-    along = across / away
-    return "parallel", _choose_nearer(along, wish, choices) if choices.negative else along
-
-
-def _nonparallel_case(
-    frame: Array, line: Line, wish: Array, choices: _Choices
-) -> tuple[Case, Array]:
-    """Return whether lines that are not parallel meet, and x_i."""
-    _, _, z, o = frame[:3].T
-    along = np.cross(z, line.z)
-    along = along - (along @ z) * z  # removes round-off, which is large for nearly parallel lines
-    along = along / np.linalg.norm(along)
-    gap = (line.point - o) @ along
-    if abs(gap) < choices.tolerance:
-        return "intersecting", _choose_nearer(along, wish, choices)
-    out = math.copysign(1, gap) * along
-    return "skew", _choose_nearer(out, wish, choices) if choices.negative else out
-
-
-def _choose_nearer(along: Array, wish: Array, choices: _Choices) -> Array:
-    """Return the direction or its opposite, whichever turns less from `wish`."""
-    return -along if along @ wish < -choices.tolerance else along
 
 
 def _make_link_transform(a: float, alpha: float, d: float, theta: float) -> Array:
