@@ -85,26 +85,44 @@ def from_urdf(
     if tip is None:
         tip = tree.require_single(tree.ends_from(base), f"at the end beyond {base}")
     tip = tree.require_link(tip, "tip")
-    start, chain = tree.chain(base, tip)
-    axes, pose, bodies = _walk_chain(start, chain, tree.bodies_with_branches(chain))
+    pose, chain = tree.chain(base, tip)
+    bodies = tree.bodies_with_branches(chain)
+
+    # Follow the chain at q = 0, in base axes. A joint carries what the next one does not move.
+    axes, carried = [], []
+    for joint in chain:
+        pose = pose @ joint.origin
+        if joint.kind != "fixed":
+            axes.append(joint.as_axis(pose))
+            carried.append(np.zeros((4, 4)))
+        if carried:
+            carried[-1] += pose @ bodies[joint.child] @ pose.T
     if not axes:
         raise ArmError(
             f"{tree.name}: nothing moves from {base} to {tip}; expected a joint that does"
         )
     derivation = derive(axes, pose, name=tree.name, tolerance=tolerance)
-    masses = bodies[:, 3, 3]
-    centres = bodies[:, :3, 3] / np.where(masses, masses, 1)[:, None]
-    spread = bodies[:, :3, :3] - masses[:, None, None] * centres[:, :, None] * centres[:, None, :]
-    inertias = np.trace(spread, axis1=1, axis2=2)[:, None, None] * np.eye(3) - spread
-    # 1e-14: the round-off of the products that the differences above cancel
-    largest = np.abs(bodies).max(axis=(1, 2), keepdims=True)
-    inertias = np.where(np.abs(inertias) < 1e-14 * largest, 0.0, inertias)
-    arm = derivation.arm
-    if masses.any():
+    arm, moments = derivation.arm, np.array(carried)
+    if (masses := moments[:, 3, 3]).any():
+        centres = moments[:, :3, 3] / np.where(masses, masses, 1)[:, None]
+        squares = masses[:, None, None] * centres[:, :, None] * centres[:, None, :]
+        spread = moments[:, :3, :3] - squares
+        inertias = np.trace(spread, axis1=1, axis2=2)[:, None, None] * np.eye(3) - spread
+        # 1e-14: the round-off of the products that the differences above cancel
+        largest = np.abs(moments).max(axis=(1, 2), keepdims=True)
+        inertias = np.where(np.abs(inertias) < 1e-14 * largest, 0.0, inertias)
         arm = derivation.with_bodies(masses, centres, inertias)
+
     moving = ", ".join(joint.name for joint in chain if joint.kind != "fixed")
-    note = f"robot description: {base} to {tip}; joints {moving}{_rounding_note(chain)}"
-    return replace(arm, source=note + tree.missing_tensors_note(chain))
+    source = f"robot description: {base} to {tip}; joints {moving}"
+    if changes := [joint.angle_change for joint in chain if joint.angle_change > 1e-11]:
+        source += (
+            f"; angles of {len(changes)} joints are taken as the right angles that they are within"
+            f" {max(changes):.1g} rad of"
+        )
+    if points := tree.point_masses_moved_by(chain):
+        source += f"; without inertia tensors, so taken as point masses: {_list_names(points)}"
+    return replace(arm, source=source)
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,13 +172,7 @@ class _FileJoint:
             )
         if not self.direction.any():
             raise ArmError(f"the axis of {self.name} is 0 0 0; expected a direction")
-        return Axis(tuple(pose[:3, 3]), tuple(pose[:3, :3] @ self.direction), self._limits())
-
-    def _limits(self) -> Joint:
-        """Return the joint's range, speed and effort.
-
-        They are infinite where they are missing or 0.
-        """
+        # Range, speed and effort are infinite where they are missing or 0.
         limit = self.element.find("limit")
         lower, upper, speed, effort = (
             float(_read_numbers(limit, key, f"{self.name}: {key}", _MISSING_NUMBER)[0])
@@ -174,32 +186,8 @@ class _FileJoint:
                 f"joint {self.name} has limits {lower:g} to {upper:g}; expected lower <= upper"
             )
         speed, effort = (abs(x) if abs(x) > 0 else math.inf for x in (speed, effort))
-        return Joint(_KINDS[self.kind], lower, upper, speed, effort)
-
-
-def _walk_chain(
-    start: Array, chain: Sequence[_FileJoint], bodies: dict[str, Array]
-) -> tuple[list[Axis], Array, Array]:
-    """Follow the chain at q = 0, in base axes.
-
-    Args:
-        start: Pose of the chain's first link in the base, 4x4.
-        chain: The joints from the base to the tip.
-        bodies: For each link its body, as `_read_body` returns it.
-
-    Returns:
-        The axes of the moving joints, the tip's pose 4x4, and the body that each of these joints
-        moves before the next one does, in base axes, shape (dof, 4, 4).
-    """
-    pose, axes, carried = start, [], []
-    for joint in chain:
-        pose = pose @ joint.origin
-        if joint.kind != "fixed":
-            axes.append(joint.as_axis(pose))
-            carried.append(np.zeros((4, 4)))
-        if carried:
-            carried[-1] += pose @ bodies[joint.child] @ pose.T
-    return axes, pose, np.array(carried)
+        limits = Joint(_KINDS[self.kind], lower, upper, speed, effort)
+        return Axis(tuple(pose[:3, 3]), tuple(pose[:3, :3] @ self.direction), limits)
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,20 +212,17 @@ class _Tree:
         carried = {joint.child for joint in self.joints}
         return [link for link in self.bodies if link not in carried]
 
-    def ends(self, base: str) -> list[str]:
-        """Return the links beyond the base that carry no joint."""
-        beyond = {base}
-        for joint in self.joints:
-            if joint.parent in beyond:
-                beyond.add(joint.child)
-        return sorted(beyond - {joint.parent for joint in self.joints})
-
     def ends_from(self, base: str) -> list[str]:
         """Return the last links beyond the base, or beyond the links to which it is fixed."""
-        if (ends := self.ends(base)) != [base]:
-            return ends
-        *_, root = self.fixed_ancestors(base)
-        return [link for link in self.ends(root) if link != base] or ends
+        carriers = {joint.parent for joint in self.joints}
+        for root in (base, list(self.fixed_ancestors(base))[-1]):
+            beyond = {root}
+            for joint in self.joints:
+                if joint.parent in beyond:
+                    beyond.add(joint.child)
+            if ends := sorted(beyond - carriers - {base}):
+                return ends
+        return [base]
 
     def require_single(self, links: list[str], where: str) -> str:
         """Return the only link of a list.
@@ -305,27 +290,13 @@ class _Tree:
                 bodies[joint.parent] = bodies[joint.parent] + carried
         return bodies
 
-    def missing_tensors_note(self, chain: Sequence[_FileJoint]) -> str:
-        """Name the moving links that have a mass and no inertia tensor, for the arm's `source`."""
+    def point_masses_moved_by(self, chain: Sequence[_FileJoint]) -> list[str]:
+        """Return the moving links that have a mass and no inertia tensor."""
         moving: set[str] = set()
         for joint in self.joints:
             if joint.parent in moving or (joint in chain and joint.kind != "fixed"):
                 moving.add(joint.child)
-        points = [link for link in self.bodies if link in moving & self.point_masses]
-        if not points:
-            return ""
-        return f"; without inertia tensors, so taken as point masses: {_list_names(points)}"
-
-
-def _rounding_note(chain: Sequence[_FileJoint]) -> str:
-    """Say how many joints had their angles rounded, for the arm's `source`."""
-    changes = [joint.angle_change for joint in chain if joint.angle_change > 1e-11]
-    if not changes:
-        return ""
-    return (
-        f"; angles of {len(changes)} joints are taken as the right angles that they are within"
-        f" {max(changes):.1g} rad of"
-    )
+        return [link for link in self.bodies if link in moving & self.point_masses]
 
 
 # Reading the file
@@ -334,15 +305,26 @@ def _rounding_note(chain: Sequence[_FileJoint]) -> str:
 def _read_robot(source: str | os.PathLike[str]) -> ET.Element:
     """Return the element <robot> of a file or a text."""
     if isinstance(source, str) and "<" in source:
-        text, name = source.lstrip().encode("utf-8", "replace"), "the text"
+        text, name = source.encode("utf-8", "replace"), "the text"
         parser = ET.XMLParser(encoding="utf-8")
+    elif isinstance(source, str | os.PathLike):
+        try:
+            is_file = Path(source).is_file()
+            text = Path(source).read_bytes() if is_file else b""
+        except (OSError, ValueError) as error:
+            raise ArmError(f"source is {shorten(source)}, which cannot be read: {error}") from None
+        if not is_file:
+            raise ArmError(
+                f"source is {shorten(source)}; expected a file that exists, or a text with <robot>"
+            )
+        name, parser = os.fspath(source), ET.XMLParser()
     else:
-        # A blank first line is no XML, but common in text that was copied.
-        text, name, parser = _read_bytes(source).lstrip(), os.fspath(source), ET.XMLParser()
+        raise ArmError(f"source is {shorten(source)}; expected a file's path, or its text")
     if b"<!DOCTYPE" in text:
         raise ArmError(f"{name} has a document type, which a robot description does not need")
     try:
-        root = ET.fromstring(text, parser)
+        # A blank first line is no XML, but common in text that was copied.
+        root = ET.fromstring(text.lstrip(), parser)
     except (ET.ParseError, LookupError, ValueError) as error:
         raise ArmError(f"{name} is no XML ({error}); expected a robot description") from None
     if root.tag != "robot":
@@ -358,27 +340,19 @@ def _read_robot(source: str | os.PathLike[str]) -> ET.Element:
     return root
 
 
-def _read_bytes(source: str | os.PathLike[str]) -> bytes:
-    if not isinstance(source, str | os.PathLike):
-        raise ArmError(f"source is {shorten(source)}; expected a file's path, or its text")
-    try:
-        if Path(source).is_file():
-            return Path(source).read_bytes()
-    except (OSError, ValueError) as error:
-        raise ArmError(f"source is {shorten(source)}, which cannot be read: {error}") from None
-    raise ArmError(
-        f"source is {shorten(source)}; expected a file that exists, or a text with <robot>"
-    )
-
-
 def _read_tree(robot: ET.Element, angle_tolerance: float) -> _Tree:
     """Read the links and joints of a robot, and check that they form a tree."""
     name = robot.get("name") or "robot"
     links = [(_require_attribute(link, "name", "a link"), link) for link in robot.findall("link")]
     joints = [_read_joint(element, angle_tolerance) for element in robot.findall("joint")]
-    _require_unique((link_name for link_name, _ in links), f"{name}: links called")
-    _require_unique((joint.name for joint in joints), f"{name}: joints called")
-    _require_unique((joint.child for joint in joints), f"{name}: joints that carry link")
+    for names, description in (
+        ((link_name for link_name, _ in links), "links called"),
+        ((joint.name for joint in joints), "joints called"),
+        ((joint.child for joint in joints), "joints that carry link"),
+    ):
+        for repeated, times in Counter(names).most_common(1):
+            if times > 1:
+                raise ArmError(f"{name}: {description} {repeated} are {times}; expected one")
     bodies = {link_name: _read_body(link, link_name) for link_name, link in links}
     point_masses = {
         link_name
@@ -404,12 +378,13 @@ def _read_tree(robot: ET.Element, angle_tolerance: float) -> _Tree:
     return _Tree(name, bodies, point_masses, ordered)
 
 
-def _read_joint(element: ET.Element, angle_tolerance: float) -> _FileJoint:
-    """Read a joint, its angles rounded to right angles that are within the tolerance."""
+def _read_joint(element: ET.Element, tolerance: float) -> _FileJoint:
+    """Read a joint, its angles rounded to right angles that are within the tolerance (rad)."""
     name = _require_attribute(element, "name", "a joint")
     origin, T = element.find("origin"), np.eye(4)
     written = _read_numbers(origin, "rpy", f"the rpy of {name}", (0, 0, 0))
-    angles = _round_angles(written, angle_tolerance)
+    right = np.round(written / (np.pi / 2)) * (np.pi / 2)
+    angles = np.where(np.abs(written - right) <= tolerance, right, written)
     T[:3, :3] = _rotation(angles)
     T[:3, 3] = _read_numbers(origin, "xyz", f"the xyz of {name}", (0, 0, 0))
     parent, child = (
@@ -417,12 +392,13 @@ def _read_joint(element: ET.Element, angle_tolerance: float) -> _FileJoint:
         for end in ("parent", "child")
     )
     axis = _read_numbers(element.find("axis"), "xyz", f"the axis of {name}", (1, 0, 0))
-    direction = _round_direction(axis, angle_tolerance)
+    along = np.where(np.arange(3) == np.abs(axis).argmax(), axis, 0.0)  # its largest component
+    is_near = np.linalg.norm(axis - along) <= tolerance * np.linalg.norm(along)
+    direction = along if is_near else axis
     tilt = np.linalg.norm(direction - axis) / (np.linalg.norm(axis) or 1)
-    change = max(np.abs(angles - written).max(), tilt)
-    return _FileJoint(
-        name, element.get("type", ""), parent, child, T, element, direction, float(change)
-    )
+    change = float(max(np.abs(angles - written).max(), tilt))
+    kind = element.get("type", "")
+    return _FileJoint(name, kind, parent, child, T, element, direction, change)
 
 
 def _rotation(angles: Array) -> Array:
@@ -433,23 +409,6 @@ def _rotation(angles: Array) -> Array:
         [s * b, s * t * r + c * a, s * t * a - c * r],
         [-t, b * r, b * a],
     ])  # fmt: skip
-
-
-def _round_angles(angles: Array, tolerance: float) -> Array:
-    """Replace angles (rad) near a multiple of a right angle by that multiple."""
-    right = np.round(angles / (np.pi / 2)) * (np.pi / 2)
-    return np.where(np.abs(angles - right) <= tolerance, right, angles)
-
-
-def _round_direction(direction: Array, tolerance: float) -> Array:
-    """Replace a direction within `tolerance` (rad) of an axis of the frame by that axis."""
-    main = np.abs(direction).argmax()
-    rest = np.delete(direction, main)
-    if not np.linalg.norm(rest) <= tolerance * abs(direction[main]):
-        return direction
-    rounded = np.zeros(3)
-    rounded[main] = direction[main]
-    return rounded
 
 
 def _read_body(link: ET.Element, name: str) -> Array:
@@ -523,10 +482,3 @@ def _list_names(names: Iterable[str]) -> str:
     names = list(names)
     more = f" and {len(names) - 8} more" if len(names) > 8 else ""
     return ", ".join(names[:8]) + more
-
-
-def _require_unique(names: Iterable[str], description: str) -> None:
-    """Raise ArmError where a name occurs twice."""
-    for name, times in Counter(names).most_common(1):
-        if times > 1:
-            raise ArmError(f"{description} {name} are {times}; expected one")
