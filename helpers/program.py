@@ -172,13 +172,18 @@ def _find_result_position(tape: dict[TapeStep, int], result: Value) -> int:
 
 
 def _assign_rows(inputs: int, tape: list[TapeStep], results: list[int]) -> Program:
-    """Give each step a row of work.
+    """Keep the steps that a result needs, and give each a row of work.
 
     A result has a row of its own. Another step takes a row that no later step reads.
     """
-    steps = _list_needed_steps(tape, results)
-    read = {at for step in steps for at in (step.first, step.second)}.union(results)
-    constants = [at for at in sorted(read) if tape[at][0] == "constant"]
+    # Backwards over the tape, each needed step with the operands that no later step reads.
+    needed, steps = set(results), []
+    for at, (operation, first, second) in reversed(list(enumerate(tape))):
+        if at in needed and operation in _ROW_OPERATIONS:
+            last_reads = {first, second} - needed
+            needed |= last_reads
+            steps.append((at, operation, first, second, last_reads))
+    constants = [at for at in sorted(needed) if tape[at][0] == "constant"]
     position = {at: at for at in range(inputs)}
     position |= {at: inputs + i for i, at in enumerate(constants)}
     start = inputs + len(constants)
@@ -186,15 +191,13 @@ def _assign_rows(inputs: int, tape: list[TapeStep], results: list[int]) -> Progr
         at: start + i for i, at in reversed(list(enumerate(results))) if at not in position
     }
     free, end, lines = [], start + len(results), []
-    for step in steps:
-        line = step.operation, position[step.first], position[step.second]
-        free += [
-            position[x] for x in step.last_reads if x not in result_rows and position[x] >= start
-        ]
-        if step.at not in result_rows and not free:
+    for at, operation, first, second, last_reads in reversed(steps):
+        operands = position[first], position[second]
+        free += [position[x] for x in last_reads if x not in result_rows and position[x] >= start]
+        if at not in result_rows and not free:
             free, end = [end], end + 1
-        position[step.at] = result_rows.get(step.at) or free.pop()
-        lines.append((*line, position[step.at]))
+        position[at] = result_rows.get(at) or free.pop()
+        lines.append((operation, *operands, position[at]))
     result_positions = [position[at] for at in results]
     return Program(
         constants=tuple(tape[at][1] for at in constants),
@@ -204,30 +207,6 @@ def _assign_rows(inputs: int, tape: list[TapeStep], results: list[int]) -> Progr
         result_positions=tuple(result_positions),
         copies=tuple((x, to) for to, x in enumerate(result_positions) if x != start + to),
     )
-
-
-class _NeededStep(NamedTuple):
-    """A step of the tape that a result needs.
-
-    No later step reads the operands `last_reads`.
-    """
-
-    at: int
-    operation: str
-    first: int
-    second: int
-    last_reads: set[int]
-
-
-def _list_needed_steps(tape: list[TapeStep], results: list[int]) -> list[_NeededStep]:
-    """Return the operations that the results need, in the order of the tape."""
-    needed, steps = set(results), []
-    for at, (operation, first, second) in reversed(list(enumerate(tape))):
-        if at in needed and operation in _ROW_OPERATIONS:
-            last_reads = {first, second} - needed
-            steps.append(_NeededStep(at, operation, first, second, last_reads))
-            needed |= last_reads
-    return steps[::-1]
 
 
 class _Workspace(threading.local):
@@ -272,7 +251,7 @@ def run_recursion(
     q = arm.joint_vector(q)
     program = get_program(arm, recursion, constants)
     if q.ndim == 1:
-        return np.array(_run_pose(program, q, constants)).reshape(shape)
+        return np.array(_run_once(program, q, constants)).reshape(shape)
     flat = q.reshape(math.prod(q.shape[:-1]), arm.dof)
     results = np.empty((len(flat), len(program.result_positions)))
     chunk = max(1, _CHUNK_NUMBERS // (3 * arm.dof + program.rows + 1))
@@ -313,7 +292,7 @@ def run_batch(program: Program, q: Array, constants: Sequence[float] = ()) -> Ar
     """
     n, batch = q.shape
     if batch == 1:
-        return np.array(_run_pose(program, q[:, 0], constants))[:, None]
+        return np.array(_run_once(program, q[:, 0], constants))[:, None]
     space = get_workspace(3 * n + program.rows, batch)
     cosines, sines, values = space[: 3 * n].reshape(3, n, batch)
     values[...] = q
@@ -321,9 +300,10 @@ def run_batch(program: Program, q: Array, constants: Sequence[float] = ()) -> Ar
     return program.run_on_rows([*space[: 3 * n], *map(np.array, constants)], space[3 * n :])
 
 
-def _run_pose(program: Program, q: Array, constants: Sequence[float]) -> list[float]:
-    pose = q.tolist()
-    return program.run_on_floats([*map(math.cos, pose), *map(math.sin, pose), *pose, *constants])
+def _run_once(program: Program, q: Array, constants: Sequence[float]) -> list[float]:
+    values = q.tolist()
+    inputs = [*map(math.cos, values), *map(math.sin, values), *values, *constants]
+    return program.run_on_floats(inputs)
 
 
 def cosines_and_sines(

@@ -14,7 +14,7 @@ equation a cos q + b sin q = c, twice, gives all crossings.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -81,16 +81,24 @@ def find_candidates(structure: Structure, targets: Array, start: Array) -> Candi
         targets: poses (4, 4, batch), or positions (3, batch) for POSITION and PLANAR_2R.
         start: motions that free joints take, (dof, batch).
     """
+    axes, size = structure.axes, structure.size
+    tip = structure.tip[:3, 3][:, None, None]
     if structure.kind == POSITION:
-        return _place_tip(structure, targets[:, None], start)
+        return _place_point(axes, tip, targets[:, None], size, start)
     if structure.kind == PLANAR_2R:
-        return _two_links(structure, targets[:, None], start)
-    inverse_tip = np.linalg.inv(structure.tip)
-    G = np.einsum("ijn,jk->ikn", targets, inverse_tip)
+        # The tip is the third of three parallel axes, whose turn is left out.
+        three = (*axes, JointAxis(axes[0].direction, tip, True))
+        goal, start = targets[:, None], np.concatenate([start, start[:1]])
+        found = _find_triangle_candidates(three, lambda x: goal + 0 * x, size, start)
+        return replace(found, motions=found.motions[:2])
+    G = np.einsum("ijn,jk->ikn", targets, np.linalg.inv(structure.tip))
     if structure.kind == WRIST:
-        return _find_wrist_candidates(structure, structure.axes, G, start)
+        return _find_wrist_candidates(structure, axes, G, start)
     if structure.kind == FIRST_THREE_MEET:
-        return _find_reversed_wrist_candidates(structure, G, start)
+        # A wrist, counted from the tip.
+        found = _find_wrist_candidates(structure, axes[::-1], invert_transform(G), -start[::-1])
+        free = {5 - joint: where for joint, where in found.free.items()}
+        return replace(found, motions=[-motion for motion in found.motions[::-1]], free=free)
     if structure.kind == PARALLEL:
         return _find_parallel_candidates(structure, G, start)
     return _find_planar_candidates(structure, G, start)
@@ -217,12 +225,6 @@ def _multiply_by_normal(n: Array, b: Array) -> Array:
     return n[0] * b[0] + n[1] * b[1]
 
 
-def _place_tip(structure: Structure, p: Array, start: Array) -> Candidates:
-    """Return the motions of a three-joint arm for positions of its tip."""
-    tip = structure.tip[:3, 3][:, None, None]
-    return _place_point(structure.axes, tip, p, structure.size, start)
-
-
 def _find_wrist_candidates(
     structure: Structure, axes: tuple[JointAxis, ...], G: Array, start: Array
 ) -> Candidates:
@@ -255,16 +257,6 @@ def _find_wrist_candidates(
     )
 
 
-def _find_reversed_wrist_candidates(structure: Structure, G: Array, start: Array) -> Candidates:
-    """Return the motions of an arm whose first three axes meet: a wrist, counted from the tip."""
-    found = _find_wrist_candidates(
-        structure, structure.axes[::-1], invert_transform(G), -start[::-1]
-    )
-    motions = [-motion for motion in found.motions[::-1]]
-    free = {5 - joint: where for joint, where in found.free.items()}
-    return Candidates(motions, found.choices, found.equal, free)
-
-
 def _find_parallel_candidates(structure: Structure, G: Array, start: Array) -> Candidates:
     """Return the motions of an arm with three parallel axes.
 
@@ -274,8 +266,14 @@ def _find_parallel_candidates(structure: Structure, G: Array, start: Array) -> C
     first, back = structure.first, invert_transform(G)
     three = structure.axes[first : first + 3]
     others = [(first + 3 + i) % 6 for i in range(3)]
+    axes = [structure.axes[i] for i in others]
     axes = [
-        _moved_axis(back, structure.axes[i]) if i < first else structure.axes[i] for i in others
+        JointAxis(
+            transform_direction(back, axis.direction), transform_point(back, axis.point), axis.turns
+        )
+        if i < first
+        else axis
+        for i, axis in zip(others, axes, strict=True)
     ]
     loop = _Loop(three[0].direction, G, structure.size, start[others])
     met = None
@@ -363,13 +361,6 @@ def _first_of_loop_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Ca
     )
 
 
-def _moved_axis(T: Array, axis: JointAxis) -> JointAxis:
-    """Return an axis moved by transforms (4, 4, batch)."""
-    return JointAxis(
-        transform_direction(T, axis.direction), transform_point(T, axis.point), axis.turns
-    )
-
-
 def _find_triangle_candidates(
     three: tuple[JointAxis, ...], planar: Callable[[Array], Array], size: float, start: Array
 ) -> Candidates:
@@ -409,14 +400,3 @@ def _find_planar_candidates(structure: Structure, G: Array, start: Array) -> Can
             motions[i] = dot(axis.direction, transform_point(G, axis.point) - axis.point)
     free = {turning[i]: where for i, where in found.free.items()}
     return Candidates([motions[i] for i in range(len(axes))], found.choices, found.equal, free)
-
-
-def _two_links(structure: Structure, p: Array, start: Array) -> Candidates:
-    """Return the motions of a planar two-link arm for positions of its tip."""
-    tip = structure.tip[:3, 3][:, None, None]
-    end = JointAxis(structure.axes[0].direction, tip, True)
-    start = np.concatenate([start, start[:1]])
-    found = _find_triangle_candidates(
-        (*structure.axes, end), lambda x: p + 0 * x, structure.size, start
-    )
-    return Candidates(found.motions[:2], found.choices, found.equal, found.free)
