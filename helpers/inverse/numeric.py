@@ -120,7 +120,13 @@ def solve(
             f"limits is {shorten(limits)}; expected True or False. Other limits belong to the arm,"
             " as in arm.with_row(1, limits=(-1, 1))"
         )
-    goal, shape = _read_targets(arm, targets)
+    name, expected = f"{arm.name}: a target", "poses (..., 4, 4) or positions (..., 3) in m"
+    goal = float_array(targets, name, expected)
+    if goal.shape[-2:] == (4, 4):
+        goal = check_poses(arm, goal).reshape(goal.shape)
+    else:
+        goal = check_positions(arm, goal)[..., None, :]
+    shape = goal.shape[:-2]
     start = arm.joint_vector(arm.home if start is None else start, "start")
     shape = broadcast_shape("targets and start", shape, start.shape[:-1])
     goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
@@ -133,16 +139,21 @@ def solve(
     rule = _Rule(arm.limits, tolerance, iterations) if limits else unbounded
     best = _descend(arm, goal, start, rule)
     starts, random = np.ones(len(goal), int), np.random.default_rng(0)
+    lower, upper = arm.limits
+    far = np.where(arm.turning, np.pi, 1.0)  # random starts of a joint without limits, rad or m
+    ends = np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)
     for _ in range(restarts):
         missed = np.flatnonzero(best.worst > tolerance)
         if not missed.size:
             break
-        begin = random.uniform(*_start_range(arm), (missed.size, arm.dof))
+        begin = random.uniform(*ends, (missed.size, arm.dof))
         if limits:
             # A descent often ends at a limit. This one passes it, and whole turns bring the joints
             # back between their limits, from where the second descent begins.
             passed = _descend(arm, goal[missed], begin, unbounded).q
-            begin = _turn_into_limits(arm, passed)
+            outside = arm.turning & ((passed < lower) | (passed > upper))
+            turns = np.ceil((np.where(outside, lower, passed) - passed) / (2 * np.pi))
+            begin = passed + 2 * np.pi * turns
         descent = _descend(arm, goal[missed], begin, rule)
         starts[missed] += 1
         better = descent.worst < best.worst[missed]
@@ -158,14 +169,6 @@ def solve(
         starts.reshape(shape),
         has_limits,
     )
-
-
-def _turn_into_limits(arm: Arm, q: Array) -> Array:
-    """Turn revolute joints by whole turns to just above their lower limits if they are outside."""
-    lower, upper = arm.limits
-    outside = arm.turning & ((q < lower) | (q > upper))
-    turns = np.ceil((np.where(outside, lower, q) - q) / (2 * np.pi))
-    return q + 2 * np.pi * turns
 
 
 class _Descent(NamedTuple):
@@ -226,22 +229,15 @@ def _descend_batch(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent
         tried = np.clip(q + _compute_step(J, q, error, caution, bounds), *bounds)
         there, left = _jacobian_and_error(arm, tried, goal)
         better = _squared_norms(left) < _squared_norms(error)
-        caution = _update_caution(
-            caution, _squared_norms(error), _squared_norms(left), _squared_norms(tried - q)
-        )
+        # The damping factor falls after a step that removed 90 % of the squared error, stays after
+        # any other improvement, and grows after a failure, more after a long step.
+        strides = _squared_norms(tried - q)
+        failed = np.maximum(10.0 * caution, 0.3 / np.maximum(strides, 1e-18))
+        is_large = _squared_norms(left) < 0.1 * _squared_norms(error)
+        caution = np.where(better, np.where(is_large, 0.1, 1.0) * caution, failed)
         q, error = np.where(better[:, None], tried, q), np.where(better[:, None], left, error)
         J = there if better.all() else np.where(better[:, None, None], there, J)
     return end
-
-
-def _update_caution(caution: Array, before: Array, after: Array, step: Array) -> Array:
-    """Return the next damping factor.
-
-    It falls after a step that removed 90 % of the squared error, stays after any other improvement,
-    and grows after a failure, more after a long step.
-    """
-    failed = np.maximum(10.0 * caution, 0.3 / np.maximum(step, 1e-18))
-    return np.where(after < before, np.where(after < 0.1 * before, 0.1, 1.0) * caution, failed)
 
 
 def _compute_step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
@@ -302,16 +298,11 @@ def rotation_vectors(frames: Sequence[Array], target_frames: Sequence[Array]) ->
     angle = np.arctan2(sine, cosine)
     vector = axis * np.where(sine > 1e-8, angle / np.maximum(sine, 1e-300), 1.0)
     for k in np.flatnonzero((sine <= 1e-8) & (cosine < 0)):
-        R = np.sum([np.outer(v[:, k], u[:, k]) for u, v in pairs], axis=0)
-        vector[:, k] = _half_turn(R)
+        # After a half turn R + I = 2 n n^T, whose largest column gives the axis n.
+        columns = np.sum([np.outer(v[:, k], u[:, k]) for u, v in pairs], axis=0) + np.eye(3)
+        largest = columns[:, np.argmax(np.diag(columns))]
+        vector[:, k] = np.pi * largest / np.linalg.norm(largest)
     return vector
-
-
-def _half_turn(R: Array) -> Array:
-    """Return the rotation vector of a half turn from the largest column of R + I = 2 n n^T."""
-    columns = R + np.eye(3)
-    largest = columns[:, np.argmax(np.diag(columns))]
-    return np.pi * largest / np.linalg.norm(largest)
 
 
 def _squared_norms(error: Array) -> Array:
@@ -320,20 +311,3 @@ def _squared_norms(error: Array) -> Array:
 
 def _largest_error(error: Array) -> Array:
     return np.sqrt(np.maximum(_squared_norms(error[:, :3]), _squared_norms(error[:, 3:])))
-
-
-def _read_targets(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
-    name, expected = f"{arm.name}: a target", "poses (..., 4, 4) or positions (..., 3) in m"
-    targets = float_array(targets, name, expected)
-    if targets.shape[-2:] == (4, 4):
-        flat = check_poses(arm, targets)
-        return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]
-    points = check_positions(arm, targets)
-    return points[..., None, :], points.shape[:-1]
-
-
-def _start_range(arm: Arm) -> tuple[Array, Array]:
-    """Return bounds of random starts: the joint limits, or +-pi rad and +-1 m without limits."""
-    far = np.where(arm.turning, np.pi, 1.0)
-    lower, upper = arm.limits
-    return np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)

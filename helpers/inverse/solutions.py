@@ -112,30 +112,33 @@ class Solutions:
             raise ArmError(
                 f"{self.arm.name}: the targets are {self.q.shape[:-2]}; expected one target"
             )
-        rows = zip(self.branches, self.q, self.valid, self.merged, strict=True)
-        return {_shorten_branch_name(name, merged): q for name, q, valid, merged in rows if valid}
+        found = {}
+        for name, q, valid, merged in zip(
+            self.branches, self.q, self.valid, self.merged, strict=True
+        ):
+            kept = [choice for choice, one in zip(name.split(", "), merged, strict=True) if not one]
+            if valid:
+                found[", ".join(kept) or "the only one"] = q
+        return found
 
     def __repr__(self) -> str:
         if self.q.ndim != 2:
             reached = self.valid.any(axis=-1)
             return f"{self.arm.name}: {reached.sum()} of {reached.size} targets within reach"
         if not self.by_name:
-            return f"{self.arm.name}: no solution, {self._reason_of_failure()}"
+            reason = f"the target is {self.distance:.4g} m out of reach"
+            if np.isnan(self.distance):
+                reason = "the target is out of reach"
+            if self.tilt is not None and self.tilt > TILTED:
+                reason = (
+                    f"the target tilts the tool by {np.degrees(self.tilt):.4g}°, and the arm cannot"
+                    " tilt it: it turns its tool about its parallel axes alone"
+                )
+            return f"{self.arm.name}: no solution, {reason}"
         lines = [f"  {', '.join(cells)}" for cells in self._list_cells()]
         return "\n".join(
             [f"{self.arm.name}, {', '.join(('solution', *self.arm.variables))}:", *lines]
         )
-
-    def _reason_of_failure(self) -> str:
-        """Explain why a single target has no solution."""
-        if self.tilt is not None and self.tilt > TILTED:
-            return (
-                f"the target tilts the tool by {np.degrees(self.tilt):.4g}°, and the arm cannot"
-                " tilt it: it turns its tool about its parallel axes alone"
-            )
-        if np.isnan(self.distance):
-            return "the target is out of reach"
-        return f"the target is {self.distance:.4g} m out of reach"
 
     def _repr_markdown_(self) -> str:
         if self.q.ndim != 2 or not self.by_name:
@@ -264,7 +267,12 @@ def each_branch(
     for first in range(0, count, _CHUNK):
         part = np.s_[..., first : first + _CHUNK]
         found = kernel(arm, np.ascontiguousarray(targets[part]), start[part])
-        valid[part], merged[part] = _list_merged_once(found, choices)
+        merged[part] = np.stack([np.broadcast_to(x, valid[part].shape) for x in found.merged], -2)
+        valid[part] = found.valid
+        for choice, is_one in enumerate(found.merged):
+            if is_one.any():  # of merged branches the first is listed
+                second = (slice(None),) * choice + (1,)
+                valid[part][second] &= ~merged[part][..., choice, :][second]
         distance[part] = found.distance
         missing = np.where(valid[part], 0.0, np.nan)
         for joint, values in enumerate(found.q):
@@ -280,26 +288,6 @@ def each_branch(
         _by_target(free, shape, many, dof),
         _by_target(distance, shape),
     )
-
-
-def _shorten_branch_name(name: str, merged: NDArray[np.bool_]) -> str:
-    """Leave out of a branch's name the choices that make no difference."""
-    kept = [choice for choice, one in zip(name.split(", "), merged, strict=True) if not one]
-    return ", ".join(kept) or "the only one"
-
-
-def _list_merged_once(
-    found: BranchArrays, choices: tuple[int, ...]
-) -> tuple[NDArray[np.bool_], ...]:
-    """Return which branches to list, (*choices, batch), and which choices make no difference to
-    them, (*choices, number of choices, batch). Of merged branches the first is listed."""
-    shape = (*choices, *found.distance.shape)
-    listed = np.broadcast_to(found.valid, shape).copy()
-    merged = np.stack([np.broadcast_to(one, shape) for one in found.merged], axis=-2)
-    for choice, one in enumerate(found.merged):
-        if one.any():
-            np.moveaxis(listed, choice, 0)[1] &= ~np.moveaxis(merged[..., choice, :], choice, 0)[1]
-    return listed, merged
 
 
 def _arrange_columns(values: Array, shape: tuple[int, ...]) -> Array:
@@ -340,22 +328,15 @@ def check_poses(arm: Arm, targets: ArrayLike) -> Array:
 
 def _warn_of_millimetres(arm: Arm, points: Array) -> None:
     """Warn if a target is farther from the base than ten times the arm's reach."""
+    ends = np.abs(arm.limits).max(axis=0)[~arm.turning]
+    slides = np.where(np.isfinite(ends), ends, 1.0).sum()  # one without limits counts as 1 m
+    reach = sum(math.hypot(row.a, row.d) for row in arm.numeric) + float(slides)
     far = float(np.linalg.norm(points, axis=-1).max(initial=0.0))
-    if far > 10 * _longest_reach(arm):
+    if far > 10 * reach:
         warn_caller(
             f"{arm.name}: a target is {far:.4g} m from the base, more than ten times as far as the"
             " arm reaches; write metres"
         )
-
-
-def _longest_reach(arm: Arm) -> float:
-    """Return the length of the arm stretched, in m.
-
-    A slide without limits counts as 1 m.
-    """
-    lengths = sum(math.hypot(row.a, row.d) for row in arm.numeric)
-    ends = np.abs(arm.limits).max(axis=0)[~arm.turning]
-    return lengths + float(np.where(np.isfinite(ends), ends, 1.0).sum())
 
 
 def subtract_offset(angle: Array, offset: float) -> Array:
