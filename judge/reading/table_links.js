@@ -34,6 +34,7 @@ export function readLinks(text, brackets) {
     headers: ENTRIES,
     parts: links.map(({ part }) => part),
     assumptions: [formatMessage("taken: links")],
+    unread: links.map(({ unread }) => unread).find(Boolean),
   };
   return links.some(({ call }) => MODIFIED.test(call)) ? { ...table, convention: "craig" } : table;
 }
@@ -79,7 +80,26 @@ function readLink(name, { body, start, from, to }) {
     slides: isPrismatic || Boolean(values.theta && !values.d),
     call,
     part: { from: from - name.length, to },
+    unread: body.search(NAMED) < 0 ? undefined : findUnknownArgument(body, start),
   };
+}
+
+// Arguments that change no entry: the body of a link, its motor and its limits.
+const OTHER_ARGUMENT = new RegExp(
+  String.raw`['"]?(?<![\p{L}\d_])(?:[mrIGB]|Jm|Tc|qlim|name|mdh)['"]?\s*[,=]\s*` +
+    String.raw`(?:\[[^\]]*\]|[^,]+)|` +
+    String.raw`['"]?(?<![\p{L}\d_])(?:revolute|prismatic|standard|modified)(?![\p{L}\d_])['"]?`,
+  "giu",
+);
+
+// Find an argument of unknown name, such as flip=True and the misspelt 'alhpa'.
+/** @param {string} body @param {number} start @returns {Span | undefined} */
+function findUnknownArgument(body, start) {
+  const blank = (known) => " ".repeat(known.length);
+  const rest = body.replace(NAMED, blank).replace(OTHER_ARGUMENT, blank);
+  const [words] = /[^\s,][^,]*[\p{L}\d][^,]*/u.exec(rest) ?? [];
+  const from = start + rest.indexOf(words ?? "");
+  return words === undefined ? undefined : { from, to: from + words.length };
 }
 
 /** Make an input of a call. @param {string} name @param {Entry} entry */

@@ -13,9 +13,10 @@
  * @typedef {{ text: string, spans: Span[] }} Entry
  */
 /**
- * The rows and headers of a table. `parts` are the spans of its rows in the text.
+ * The rows and headers of a table. `parts` are the spans of its rows in the text, and `unread` is
+ * an argument of a call that was not read.
  * @typedef {{ rows: Entry[][], headers: string[], parts: Span[], assumptions?: string[],
- *   convention?: string }} EntryRows
+ *   convention?: string, unread?: Span }} EntryRows
  */
 
 const NEAR = 40; // characters before a bracket that may hold its name

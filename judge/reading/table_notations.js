@@ -47,7 +47,8 @@ export function readNamedTable(typedText) {
     }),
   );
   const cells = rows.map((entries) => entries.map((entry) => entry.text));
-  const named = { cells, headers, assumptions, sources, parts, unread: findUnreadGap(text, parts) };
+  const unread = table.unread ?? findUnreadGap(text, parts);
+  const named = { cells, headers, assumptions, sources, parts, unread };
   return { ...named, convention, ...listUnused(text, parts, sources) };
 }
 
