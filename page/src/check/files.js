@@ -31,7 +31,7 @@ export function addFileInput(check, stub) {
   const closing = h("button", { onclick: close }, "Close it");
   const name = h("p.file", { hidden: true }, description, closing);
   acceptDrops(stub, readFile);
-  boxes.answer.prepend(h("div.over", {}, boxes.answer.firstChild, input, button));
+  boxes.answer.querySelector(".over").append(input, button);
   boxes.answer.append(name);
   check.onVerdict(({ answer, ask }) => {
     name.hidden = !fileText || answer !== fileText;

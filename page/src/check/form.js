@@ -3,7 +3,7 @@
 
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h, setText } from "../dom.js";
-import { QUESTIONS, CHOICES, OWN_ARM } from "./question.js";
+import { canBeAsked, CHOICES, OWN_ARM, QUESTIONS } from "./question.js";
 import { getDisplayName } from "../text.js";
 import { makeNumberGrid } from "./number_grid.js";
 import { joinList } from "../../../judge/sentences.js";
@@ -42,9 +42,7 @@ const FIELDS = {
   },
   wrench: {
     label: "Wrench on the tool, by the world",
-    hint:
-      "Fx, Fy, Fz, Mx, My, Mz in N and N m, in base axes; empty for none. " +
-      "Gravity is 9.81 m/s² down.",
+    hint: "Fx, Fy, Fz, Mx, My, Mz in N and N m, in base axes; empty for none.",
   },
   unit: { label: "Angles in", told: "angles in" },
   first: { label: "Order of the rows", told: "rows" },
@@ -61,6 +59,7 @@ const FIELDS = {
   values: { label: "Your own symbols, as in “h = 0.333, l = 0.1”, in m and rad", told: "with" },
   answer: { label: "Your answer", rows: 7, hint: "" },
 };
+const OWN_TABLE = "My own table";
 const ANSWER_HINTS = {
   jacobian: "Numbers, or formulas in q_1, c_1, s_23, …\nfrom NumPy, MATLAB, LaTeX, a spreadsheet.",
   table: "A row for each link, with heads or without:\nMATLAB, LaTeX, Markdown, Link(…), cells.",
@@ -69,6 +68,11 @@ const ANSWER_HINTS = {
   trace: "A row for each time, one value for each joint:\nCSV, MATLAB, NumPy, a spreadsheet.",
   torques: "One torque for each joint, in N m (N where it slides).",
 };
+const CONTRACT =
+  "I judge the numbers of your answer: sentences change none of them, and a number that belongs " +
+  "to nothing stops me.";
+const GRAVITY_HINT = "Gravity is 9.81 m/s² down.";
+const NO_MASSES_HINT = "This arm has no masses here: the wrench alone loads its joints.";
 const CIRCLE_START_LABEL = "Configuration q at which the circle begins";
 const FOLDED_FIELDS = Object.keys(FIELDS).filter((key) => FIELDS[key].told);
 
@@ -91,6 +95,12 @@ function makeBox({ label, hint, rows }, id, control) {
   return h("div.field", {}, h("label", { for: id }, label), control, ...below);
 }
 
+// Make the box of the answer: its label with room for buttons beside it, and below what is judged.
+function makeAnswerBox({ label }, id, control) {
+  const over = h("div.over", {}, h("label", { for: id }, label));
+  return h("div.field", {}, over, control, h("p.about", {}, CONTRACT));
+}
+
 /**
  * Build the form: its controls and their boxes, both by field, and the folded line.
  * @param {string} id
@@ -100,7 +110,7 @@ function makeBox({ label, hint, rows }, id, control) {
 export function buildForm(id, arms, given) {
   const asks = Object.entries(QUESTIONS).map(([key, { title }]) => [key, title]);
   const whose = arms.map((arm) => [arm.key, getDisplayName(arm.title)]);
-  const own = arms.length > 1 && given ? [] : [[OWN_ARM, "My own table"]];
+  const own = arms.length > 1 && given ? [] : [[OWN_ARM, OWN_TABLE]];
   /** @type {Record<string, Field>} */
   const all = {
     ask: { label: "Question", choices: asks },
@@ -112,7 +122,10 @@ export function buildForm(id, arms, given) {
     entries.map(([key, field]) => [key, makeControl(field, `${id}-${key}`, CHOICES[key])]),
   );
   const boxes = Object.fromEntries(
-    entries.map(([key, field]) => [key, makeBox(field, `${id}-${key}`, fields[key])]),
+    entries.map(([key, field]) => [
+      key,
+      (key === "answer" ? makeAnswerBox : makeBox)(field, `${id}-${key}`, fields[key]),
+    ]),
   );
   boxes.table.append(h("p.about.reading", { role: "status" }));
   const grids = addGrids(boxes);
@@ -131,7 +144,8 @@ export function buildForm(id, arms, given) {
     { "aria-label": `Check an answer${asked && `: ${asked}`}` },
     asked ? h("p.asked", {}, "Judged here: ", asked) : [],
     h("div.pairs", {}, boxes.ask, boxes.arm),
-    ...["table", "q", "target", "wrench"].map((key) => boxes[key]),
+    boxes.table,
+    h("div.pairs", {}, boxes.q, boxes.target, boxes.wrench),
     folded,
     boxes.answer,
   );
@@ -141,25 +155,29 @@ export function buildForm(id, arms, given) {
 const EXAMPLE_WRENCH = "This wrench is the example's: write yours, or empty the field. ";
 
 /**
- * Say below the wrench whether the page filled it in for an example.
+ * Say below the wrench whether the page filled it in for an example, and what else loads the arm.
  * @param {HTMLElement} box
  * @param {boolean} isExample
+ * @param {ListedArm} [arm] undefined for the reader's own table, which has no masses
  */
-export const showWrenchHint = (box, isExample) =>
-  setText(box.querySelector(".about"), (isExample ? EXAMPLE_WRENCH : "") + FIELDS.wrench.hint);
+export function showWrenchHint(box, isExample, arm) {
+  const hasMasses = arm?.rows.every(({ body }) => body);
+  const hint = `${FIELDS.wrench.hint} ${hasMasses ? GRAVITY_HINT : NO_MASSES_HINT}`;
+  setText(box.querySelector(".about"), (isExample ? EXAMPLE_WRENCH : "") + hint);
+}
 
 /**
- * Say below the reader's own table how it was read.
- * @param {HTMLElement} box
- * @param {import("./question.js").Outcome["arm"]} [arm]
+ * Say below the reader's own table how it was read, or why it cannot be.
+ * @param {ReturnType<typeof buildForm>} form
+ * @param {import("./question.js").Outcome} outcome
  */
-export function showTableReading(box, arm) {
+export function showTableReading({ fields, boxes }, { arm, error = "" }) {
+  const isRefused = !arm && Boolean(fields.table.value.trim());
+  fields.table.setAttribute("aria-invalid", String(isRefused));
   const count = arm ? movingRows(arm).length : 0;
   const joints = count === 1 ? "1 joint" : `${count} joints`;
-  setText(
-    box.querySelector("p.reading"),
-    arm?.reading ? `Read as ${joints}, with ${arm.reading}.` : "",
-  );
+  const reading = arm?.reading ? `Read as ${joints}, with ${arm.reading}.` : "";
+  setText(boxes.table.querySelector("p.reading"), isRefused ? error : reading);
 }
 
 // Add a grid of numbers to the fields that may hold a short list.
@@ -180,6 +198,14 @@ const listGivenFields = (given, arms) => [
 ];
 
 /**
+ * Name a question and its arm.
+ * @param {Question} question
+ * @param {ListedArm[]} arms
+ */
+export const nameQuestion = ({ ask, arm: key }, arms) =>
+  `${QUESTIONS[ask].title}, ${arms.find((arm) => arm.key === key)?.title ?? OWN_TABLE}`;
+
+/**
  * Describe a chapter's question in one line.
  * @param {Partial<Question>} question
  * @param {ListedArm[]} arms
@@ -191,11 +217,22 @@ function describeQuestion({ ask, q, wrench }, arms) {
     .join(", ");
 }
 
+// Offer the arms of which the question can be asked.
+function offerArms(list, { ask, arm: chosen }, arms) {
+  for (const option of list.options) {
+    const arm = arms.find(({ key }) => key === option.value);
+    option.hidden = Boolean(arm) && !canBeAsked(ask, arm);
+    option.disabled = option.hidden;
+  }
+  list.value = chosen;
+}
+
 // Show the fields of the question, with the hints for its arm.
 export function adaptForm({ fields, boxes, told, folded }, question, arms) {
   const asked = new Set(["ask", "arm", "answer", ...QUESTIONS[question.ask].fields]);
   if (question.arm === OWN_ARM) asked.add("table").add("unit");
   for (const [key, box] of Object.entries(boxes)) box.hidden = !asked.has(key);
+  offerArms(fields.arm, question, arms);
   fields.answer.placeholder = ANSWER_HINTS[question.ask];
   const arm = arms.find(({ key }) => key === question.arm);
   setText(

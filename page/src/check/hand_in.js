@@ -34,7 +34,7 @@ export function addReportButton(check) {
 }
 
 // Write the report: fields by their labels, the answer as typed, the cells as shown.
-function writeReport({ form, parts, question, outcome, given }) {
+function writeReport({ form, reading, question, outcome, given }) {
   const { boxes, fields } = form;
   // an exercise's table is its solution
   const hidden = ["answer", ...(given?.table ? ["table"] : [])];
@@ -45,8 +45,9 @@ function writeReport({ form, parts, question, outcome, given }) {
     const value = fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
     return `${boxes[key].querySelector("label").textContent}: ${value}`;
   });
-  const rows = parts.reading.hidden ? [] : [...parts.reading.querySelectorAll("tr")];
-  const read = rows.map(({ cells }) => [...cells].map((cell) => cell.textContent).join("\t"));
+  const rows = reading.root.hidden ? [] : [...reading.root.querySelectorAll("tr")];
+  const getText = (cell) => (cell.querySelector(".value") ?? cell).textContent; // of a formula
+  const read = rows.map(({ cells }) => [...cells].map(getText).join("\t"));
   const { verdict, error } = outcome;
   return [
     settings.join("\n"),

@@ -1,7 +1,7 @@
 // Entry point of the judge's bundle. Python calls `ask`; a page mounts a form in each of its
 // .arm-judge stubs (book/assets/explorer-loader.js loads the bundle there).
 
-import { mount } from "./page.js";
+import { mount } from "./mount.js";
 
 export { mount };
 export { ask } from "../../../judge/index.js";

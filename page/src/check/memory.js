@@ -1,4 +1,5 @@
-// The reader's last answer to each question, kept in the browser's storage until she clears it.
+// The reader's last answer to each question about each arm, kept in the browser's storage until she
+// clears it.
 
 /** @typedef {import("./question.js").Question} Question */
 
@@ -14,12 +15,13 @@ export class AnswerMemory {
   }
 
   /**
-   * Store a question with its answer as the last question of this form, or forget an empty answer.
+   * Store a question as the last question of this form, or forget one in which nothing is typed.
    * @param {Question} question
+   * @param {boolean} isTyped whether the reader typed into one of its fields
    */
-  save(question) {
+  save(question, isTyped) {
     const key = this.#keyOf(question);
-    const isKept = question.answer.trim() && question.answer.length <= MAX_KEPT_LENGTH;
+    const isKept = isTyped && question.answer.length <= MAX_KEPT_LENGTH;
     useStorage((storage) => {
       if (!isKept) return storage.removeItem(key);
       storage.setItem(key, JSON.stringify(question));

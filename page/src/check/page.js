@@ -1,32 +1,27 @@
 // The judge in the page: the question, the typed answer, its reading and the verdict. Nothing
 // leaves the reader's machine.
 
-import { WRONG } from "../../../judge/digits.js";
 import { h, setText } from "../dom.js";
 import {
+  canBeAsked,
   EMPTY,
   findQuestionFault,
   judgeQuestion,
   makeStartingQuestion,
-  parseQuestionLink,
 } from "./question.js";
-import { addFileInput } from "./files.js";
 import {
   adaptForm,
-  buildForm,
   listNumberNames,
   makeOffer,
+  nameQuestion,
   showTableReading,
   showWrenchHint,
 } from "./form.js";
-import { addReportButton } from "./hand_in.js";
 import { makeMarkedText } from "./marked_text.js";
 import { AnswerMemory, clearAnswers } from "./memory.js";
 import { showOwnJoints } from "./own_joints.js";
 import { showPath } from "./path_picture.js";
-import { showReading, showVerdict } from "./shown.js";
-import { readStillForm, restoreFocus } from "./still_form.js";
-import { addToolButtons } from "./tools.js";
+import { makeReadingView, showShortVerdict, showVerdict } from "./shown.js";
 
 /** @typedef {import("./question.js").Question} Question */
 /** @typedef {import("./question.js").Outcome} Outcome */
@@ -39,7 +34,8 @@ import { addToolButtons } from "./tools.js";
  * @property {Partial<Question>} [given] fields that a chapter fixes
  * @property {string} scope name of the form in the browser's storage
  */
-/** @typedef {InputEvent & { target: import("./still_form.js").Control }} FieldEvent */
+/** @typedef {HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement} Control */
+/** @typedef {InputEvent & { target: Control }} FieldEvent */
 
 const MAX_SHOWN_LENGTH = 50_000; // characters; a longer answer is not shown in its field
 const READ_DELAY = 120; // ms after the last key before the answer is read
@@ -47,112 +43,23 @@ const SPEAK_DELAY = 350; // ms after the last key before the verdict is announce
 const PRIVACY_NOTE =
   "Nothing that you type leaves this machine: a script in this page judges, without a network " +
   "too, and your browser keeps your last answers until you clear them. " +
-  "It names the mistake and does not print the solution.";
-const CLEARED_NOTE = "Cleared: this browser keeps none of your answers.";
-// Events by which the reader turns to the form.
-const TURNING_EVENTS = ["pointerover", "touchstart", "focusin", "input"];
+  "It names the mistake and does not print the solution. ";
+const FORGET_QUESTION = "Forget all answers that you typed anywhere in this book?";
+const FORGOTTEN_NOTE = "Forgotten: this browser keeps none of your answers.";
 const DEFAULT_FIELDS = ["ask", "arm", "unit"]; // the defaults of the other fields depend on these
-
-/**
- * Mount the form into a stub. A chapter's `given` fields are not asked, and its form is smaller.
- * @param {HTMLElement} stub
- * @param {string} book address of the book
- * @param {string} id
- */
-export function mount(stub, book, id) {
-  const { arms, examples = [], given } = JSON.parse(stub.querySelector("script").textContent);
-  const form = buildForm(id, arms, given);
-  const check = new AnswerCheck(form, { arms, examples, given, scope: nameScope(given, id) });
-  const handleInput = (/** @type {FieldEvent} */ event) => check.handleInput(event);
-  form.form.addEventListener("input", handleInput);
-  form.form.addEventListener("submit", (event) => event.preventDefault());
-  addToolButtons(check, book);
-  addFileInput(check, stub);
-  addReportButton(check);
-  const { focus, patch } = readStillForm(stub, Object.keys(form.fields));
-  const isLinked = !given && readLinks(check, stub);
-  const isAnswered = isLinked || (!("answer" in patch) && check.restoreLastAnswer());
-  const isUntouched = !isAnswered && !Object.keys(patch).length;
-  if (!isUntouched || !keepStillVerdict(check, stub)) replaceStillForm(check, stub, patch);
-  restoreFocus(form.fields, focus);
-}
-
-// Show the form with its verdict, and what the reader entered in the still form.
-function replaceStillForm(check, stub, patch) {
-  const { beside, below } = groupParts(check);
-  stub.replaceChildren(h("div.desk", {}, check.form.form, ...beside), ...below);
-  if (DEFAULT_FIELDS.some((key) => key in patch)) check.changeQuestion(patch);
-  check.updateQuestion(patch);
-}
-
-// Return the parts that stand beside the form, and those below both.
-function groupParts({ parts, markedText }) {
-  const { verdict, joints, report, path, reading, tools, notice, privacy } = parts;
-  const outcome = h("div.outcome", {}, verdict, joints, report, path, reading);
-  return { beside: [outcome, markedText.root], below: [tools, notice, privacy] };
-}
-
-// Keep the verdict on the example, which the build has written, until the reader turns to the form:
-// judging it anew is the longest task of the page. Returns false if the stub has no built form.
-function keepStillVerdict(check, stub) {
-  const desk = stub.querySelector(".desk");
-  if (!desk) return false;
-  desk.querySelector("form").replaceWith(check.form.form);
-  stub.querySelector(":scope > .unscripted")?.remove();
-  check.fillFields();
-  const waiting = new AbortController();
-  const options = { signal: waiting.signal, capture: true };
-  for (const type of TURNING_EVENTS)
-    stub.addEventListener(type, () => check.judgeAndShow(), options);
-  check.onVerdict(() => {
-    if (!waiting.signal.aborted) replaceStillParts(check, stub, desk);
-    waiting.abort();
-  });
-  return true;
-}
-
-// Replace all parts but the form, which may have the focus.
-function replaceStillParts(check, stub, desk) {
-  const { beside, below } = groupParts(check);
-  for (const part of [...desk.children].slice(1)) part.remove();
-  for (const part of [...stub.children]) if (part !== desk) part.remove();
-  desk.append(...beside);
-  stub.append(...below);
-}
-
-// Name the form among all forms of the book, for the browser's storage.
-function nameScope(given, id) {
-  if (!given) return "check";
-  const page = globalThis.location?.pathname?.split("/").at(-1) ?? "";
-  return `${page.replace(".html", "")}-${id}`;
-}
-
-// Load the question from the link, now and whenever the address changes. Returns whether the
-// address holds one now.
-function readLinks(check, stub) {
-  const read = () => {
-    const keys = check.arms.map(({ key }) => key);
-    const { question, message } = parseQuestionLink(location.hash, keys);
-    if (question || message) stub.scrollIntoView({ block: "start" });
-    check.notify(message);
-    if (!question) return false;
-    check.start = EMPTY; // the reader typed all fields of a link
-    check.updateQuestion(question);
-    return true;
-  };
-  addEventListener("hashchange", read);
-  return read();
-}
 
 /** The question, the typed answer and the verdict of one form. */
 export class AnswerCheck {
   /**
-   * @param {ReturnType<typeof buildForm>} form
+   * @param {ReturnType<typeof import("./form.js").buildForm>} form
    * @param {PageData} page
    */
   constructor(form, { arms, examples, given, scope }) {
     this.form = form;
-    this.parts = makeParts();
+    this.parts = makeParts(() => this.forgetAnswers());
+    form.boxes.answer.querySelector(".over").after(this.parts.short);
+    form.boxes.answer.append(this.parts.action);
+    this.reading = makeReadingView();
     this.arms = arms;
     this.examples = examples;
     this.given = given;
@@ -171,6 +78,19 @@ export class AnswerCheck {
       grid.onChange = (text) => this.typeInto(key, text);
     form.fields.answer.addEventListener("focus", () => this.raiseAnswerField());
     globalThis.visualViewport?.addEventListener("resize", () => this.raiseAnswerField());
+  }
+
+  listParts() {
+    const { verdict, joints, report, path, tools, notice, privacy } = this.parts;
+    const outcome = h("div.outcome", {}, verdict, joints, report, path, this.reading.root);
+    return [outcome, this.markedText.root, tools, notice, privacy];
+  }
+
+  // Show the page's own question. Judging its example takes as long as starting the form, so the
+  // browser draws the form first.
+  showFirstQuestion() {
+    this.fillFields();
+    this.timer = setTimeout(() => this.judgeAndShow());
   }
 
   makeFirstQuestion() {
@@ -200,6 +120,11 @@ export class AnswerCheck {
     setText(this.parts.notice, message);
   }
 
+  // Offer an action below the answer, until the question changes.
+  offerAction(message, text, act) {
+    this.parts.action.replaceChildren(`${message} `, h("button", { onclick: act }, text));
+  }
+
   // Write the question into the fields.
   fillFields() {
     const { question, form } = this;
@@ -208,7 +133,8 @@ export class AnswerCheck {
       if (field.value !== text) field.value = text;
     }
     adaptForm(form, question, this.arms);
-    showWrenchHint(form.boxes.wrench, this.hasExampleWrench());
+    const arm = this.arms.find(({ key }) => key === question.arm);
+    showWrenchHint(form.boxes.wrench, this.hasExampleWrench(), arm);
     this.fillGrids();
   }
 
@@ -220,7 +146,7 @@ export class AnswerCheck {
   judge() {
     clearTimeout(this.timer);
     this.outcome = judgeQuestion(this.question, this.arms);
-    showTableReading(this.form.boxes.table, this.outcome.arm);
+    showTableReading(this.form, this.outcome);
     const isWrong = this.outcome.verdict?.grade === "wrong" && !this.isExample();
     this.form.fields.answer.setAttribute("aria-invalid", String(isWrong));
     for (const listener of this.listeners) listener(this.question, this.outcome);
@@ -234,12 +160,16 @@ export class AnswerCheck {
       .filter((offer) => offer && !isFixed(offer.key))
       .map((offer) => h("button", { onclick: () => this.applyOffer(offer) }, offer.text));
     showVerdict(this.parts.verdict, this.outcome, { example: this.isExample(), buttons });
+    showShortVerdict(this.parts.short, this.outcome, this.isExample());
   }
 
-  // Apply an advice of the judge. After an advice about a symbol, the reader still types its value.
+  // Apply an advice of the judge. An advice about the arm is about this answer, which comes along.
+  // After an advice about a symbol, the reader still types its value.
   applyOffer({ key, value }) {
+    const { answer, q } = this.question;
     if (DEFAULT_FIELDS.includes(key)) this.changeQuestion({ [key]: value });
     else this.updateQuestion({ [key]: value });
+    if (key === "arm") this.updateQuestion({ answer, q });
     this.saveQuestion();
     if (key !== "values") return;
     this.form.folded.open = true;
@@ -250,7 +180,7 @@ export class AnswerCheck {
     const { joints } = this.parts;
     showOwnJoints(joints, this.question, this.outcome, (rows) => this.useJoints(rows));
     showPath(this.parts.path, this.question, this.outcome);
-    showReading(this.parts.reading, this.question, this.outcome);
+    this.reading.update(this.question, this.outcome);
     this.markedText.update(this.question, this.outcome, this.isExample());
   }
 
@@ -261,6 +191,7 @@ export class AnswerCheck {
   }
 
   updateQuestion(patch) {
+    this.parts.action.replaceChildren();
     this.question = { ...this.question, ...patch };
     this.fillFields();
     this.judgeAndShow();
@@ -273,7 +204,12 @@ export class AnswerCheck {
   }
 
   saveQuestion() {
-    if (!this.isExample()) this.memory.save(this.question);
+    if (!this.isExample()) this.memory.save(this.question, this.#listTypedFields().length > 0);
+  }
+
+  // List the fields that the reader typed, with their texts.
+  #listTypedFields() {
+    return Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
   }
 
   // Start with a question that the page filled in.
@@ -296,13 +232,21 @@ export class AnswerCheck {
     return true;
   }
 
-  // Forget all answers of the book, here and in other tabs.
+  // Clear this answer, which a button brings back.
+  clearAnswer() {
+    const { answer } = this.question;
+    dropLink();
+    this.editQuestion({ answer: "" });
+    if (answer) this.offerAction("Cleared.", "Undo", () => this.editQuestion({ answer }));
+  }
+
+  // Forget all answers of the book, here and in other tabs, if the reader confirms it.
   forgetAnswers() {
+    if (!confirm(FORGET_QUESTION)) return;
     clearAnswers();
-    if (location.hash.startsWith("#ask="))
-      history.replaceState(null, "", location.pathname + location.search);
+    dropLink();
     this.resetQuestion();
-    this.notify(CLEARED_NOTE);
+    this.notify(FORGOTTEN_NOTE);
   }
 
   resetQuestion() {
@@ -321,6 +265,7 @@ export class AnswerCheck {
 
   // Take over what the reader types into a field, and judge it after a pause.
   typeInto(key, text) {
+    this.parts.action.replaceChildren();
     this.question = { ...this.question, [key]: text };
     this.fillFields();
     this.saveQuestion();
@@ -329,25 +274,41 @@ export class AnswerCheck {
   }
 
   // Change the question, arm or unit. The page's own defaults are replaced, and the reader's
-  // entries stay. A different question brings back its stored answer if that was typed in the same
-  // joint angles. The joint angles of a table belong to one arm.
+  // settings stay. Each question about each arm has its own answer, and each arm its own joint
+  // values.
   changeQuestion(patch) {
-    const { ask, arm, unit } = { ...this.question, ...patch };
-    const joints = arm === this.question.arm ? this.question.joints : "";
-    const kept = ask === this.question.ask ? null : this.memory.load({ ask, arm });
-    if (kept && (kept.joints ?? "") === joints && this.#restoreQuestion(kept)) return;
-    const typed = Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
-    const entries = Object.fromEntries(typed);
-    // A right answer stays with its question. Any other answer was perhaps pasted below the wrong
-    // question, so it is kept.
-    if (ask !== this.question.ask && this.hasRightAnswer()) delete entries.answer;
-    this.start = { ...makeStartingQuestion({ ask, arm, unit, joints }, this), ...this.given, arm };
-    this.updateQuestion({ ...this.start, ...entries, ask, arm, unit, joints, frame: "0" });
+    const before = this.question;
+    const { ask, unit, arm: chosen } = { ...before, ...patch };
+    const arm = this.#chooseArm(ask, chosen);
+    const isSameArm = arm === before.arm;
+    const next = { ask, arm, unit, joints: isSameArm ? before.joints : "" };
+    const typed = Object.fromEntries(this.#listTypedFields());
+    if (isSameArm && ask === before.ask) return this.#startAnew(next, typed);
+    const { answer, q, ...settings } = typed;
+    if (!this.#restoreStored(next))
+      this.#startAnew(next, isSameArm && q !== undefined ? { ...settings, q } : settings);
+    if (!answer || (this.question.answer && !this.isExample())) return;
+    const message = `Your answer to “${nameQuestion(before, this.arms)}” stays there.`;
+    this.offerAction(message, "Use it here", () => this.editQuestion({ answer }));
   }
 
-  hasRightAnswer() {
-    const { verdict } = this.outcome;
-    return Boolean(verdict) && verdict.grade !== WRONG;
+  #startAnew(next, typed) {
+    this.start = { ...makeStartingQuestion(next, this), ...this.given, arm: next.arm };
+    this.updateQuestion({ ...this.start, ...typed, ...next, frame: "0" });
+  }
+
+  // Bring back a stored question, if its answer was typed in the same joint angles.
+  #restoreStored({ ask, arm, joints }) {
+    const stored = this.memory.load({ ask, arm });
+    return Boolean(stored) && (stored.joints ?? "") === joints && this.#restoreQuestion(stored);
+  }
+
+  // Return the key of an arm that can be asked about: the chosen one, or the first of the list.
+  #chooseArm(ask, key) {
+    const isPossible = (listed) => canBeAsked(ask, listed);
+    const chosen = this.arms.find((listed) => listed.key === key);
+    if (!chosen || isPossible(chosen)) return key;
+    return this.arms.find(isPossible)?.key ?? key;
   }
 
   // Ask in the joint angles of the reader's table from now on; "" for the arm's own. A
@@ -381,17 +342,25 @@ export class AnswerCheck {
   }
 }
 
-const makeParts = () => ({
+// Drop a question from the page's address, so that a reload does not bring it back.
+function dropLink() {
+  if (location.hash.startsWith("#ask="))
+    history.replaceState(null, "", location.pathname + location.search);
+}
+
+const makeParts = (/** @type {() => void} */ onForget) => ({
+  short: h("p.short", { "aria-hidden": "true" }),
+  action: h("p.offer", { role: "status" }),
   verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
   joints: h("div", { hidden: true }),
   report: h("div.report", { hidden: true }),
   path: h("div", { hidden: true }),
-  reading: h("div.scroll.taken", {
-    role: "region",
-    tabindex: "0",
-    "aria-label": "How your answer is read",
-  }),
   tools: h("div.tools"),
   notice: h("p.about", { role: "status" }),
-  privacy: h("p.about", {}, PRIVACY_NOTE),
+  privacy: h(
+    "p.about.privacy",
+    {},
+    PRIVACY_NOTE,
+    h("button", { onclick: onForget }, "Forget everything"),
+  ),
 });

@@ -3,6 +3,7 @@
 import { findRowsFault, makeTypedArm } from "../../../judge/geometry/arm.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { formatEntry, isAngle } from "../text.js";
+import { findClosedForm } from "../../../judge/geometry/inverse.js";
 import { readConfiguration } from "../../../judge/reading/numbers.js";
 import { readOwnTable } from "../../../judge/reading/table.js";
 import { readSymbolValues } from "../../../judge/reading/values.js";
@@ -24,9 +25,11 @@ import { checkTable } from "./topics/table.js";
  */
 
 /**
- * The kinds of questions. Each has a title, its fields besides arm and answer, a checker, and the
- * length of the longest answer if it may be longer than usual.
- * @type {Record<string, { title: string, fields: string[], checker: Checker, longest?: number }>}
+ * The kinds of questions. Each has a title, its fields besides arm and answer, a checker, the
+ * length of the longest answer if it may be longer than usual, and whether it can be asked of an
+ * arm, if it cannot be asked of every arm.
+ * @type {Record<string, { title: string, fields: string[], checker: Checker, longest?: number,
+ *   canBeAsked?: (arm: Arm) => boolean }>}
  */
 export const QUESTIONS = {
   jacobian: {
@@ -48,6 +51,7 @@ export const QUESTIONS = {
     title: "All joint angles for a target",
     fields: ["target", "unit"],
     checker: checkBranches,
+    canBeAsked: (arm) => Boolean(findClosedForm(arm)),
   },
   pose: { title: "Joint angles for one pose", fields: ["target", "unit"], checker: checkPose },
   trace: {
@@ -57,6 +61,9 @@ export const QUESTIONS = {
     longest: 5_000_000,
   },
 };
+
+/** Return whether a question can be asked of an arm. @param {string} ask @param {Arm} arm */
+export const canBeAsked = (ask, arm) => QUESTIONS[ask].canBeAsked?.(arm) ?? true;
 
 const MAX_LINK_LENGTH = 12_000; // characters
 const MAX_FIELD_LENGTH = {
@@ -237,7 +244,7 @@ export function findArm(question, arms) {
  * @property {Token[]} [tokens] the numbers of the text with their owners
  * @property {{ firstLine: number, lastLine: number }[]} [answers] where answers that differ stand
  * @property {Arm & { explorer?: string, reading?: string }} [arm] `reading` says how a typed table
- *   was read
+ *   was read; no arm if the table could not be read
  * @property {number[]} [q]
  */
 

@@ -1,16 +1,20 @@
 // Shows how an answer was read, cell by cell, and the verdict on it.
 
 import { h } from "../dom.js";
+import { typesetFormula } from "./mathml.js";
 import { makeBlockFinders, makePlainText } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { lookup } from "../../../judge/reading/numbers.js";
 import { SpannedText } from "../../../judge/reading/spans.js";
 import { formatEntryValue, getHeaders, getMatrix } from "../../../judge/marks.js";
+import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR, WRONG } from "../../../judge/digits.js";
 import { listDetails, GRADE_MARKS } from "../../../judge/verdict.js";
 import { ArmError } from "../../../judge/sentences.js";
 
+const CAPTION = "How your answer is read";
 const TABLE_HEADERS = ["a (m)", "α", "d (m)", "θ"];
 const MAX_ROWS = 40;
+const MAX_FORMULA_LENGTH = 1000; // characters of a formula that is typeset
 const MAX_CELLWISE_LENGTH = 8000; // characters of an answer that is shown without a verdict
 
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
@@ -23,39 +27,75 @@ const MAX_CELLWISE_LENGTH = 8000; // characters of an answer that is shown witho
  * @property {string[]} rows their headers
  * @property {(row: number, column: number) => HTMLElement} cell makes a cell
  * @property {number} [unread] count of cells that could not be read
+ * @property {boolean} [isSymbolic] whether cells are formulas, which may be too wide for one table
  */
 
-/**
- * Show how the answer was read: formulas typeset, wrong cells marked, unreadable cells as typed.
- * @param {HTMLElement} region
- * @param {Question} question
- * @param {Outcome} outcome
- */
-export function showReading(region, question, outcome) {
-  const reading = getReading(question, outcome);
-  region.hidden = !reading;
-  if (!reading) return;
-  const { columns, rows, cell, unread = 0 } = reading;
-  const head = h(
-    "tr",
-    {},
-    h("td"),
-    columns.map((name) => h("th", { scope: "col" }, name)),
-  );
-  const body = rows.slice(0, MAX_ROWS).map((name, i) =>
-    h(
-      "tr",
-      {},
-      h("th", { scope: "row" }, name),
+/** Make the region that shows how the answer was read. */
+export function makeReadingView() {
+  const root = h("div.scroll.taken", {
+    role: "region",
+    tabindex: "0",
+    "aria-label": "How your answer is read",
+  });
+  /** @type {Reading | null} */
+  let reading = null;
+  let [kind, width] = ["", 0];
+
+  // Show the cells as one table, or each column by itself if formulas do not fit beside each other.
+  function draw() {
+    width = root.clientWidth;
+    root.classList.remove("by-column");
+    root.replaceChildren(makeReadTable(reading, kind));
+    if (!reading.isSymbolic || root.scrollWidth <= width) return;
+    root.classList.add("by-column");
+    root.replaceChildren(...makeColumnTables(reading));
+  }
+  new ResizeObserver(() => {
+    if (reading && root.clientWidth !== width) draw();
+  }).observe(root);
+
+  /**
+   * Show how the answer was read: formulas typeset, wrong cells marked, unreadable cells as typed.
+   * @param {Question} question
+   * @param {Outcome} outcome
+   */
+  function update(question, outcome) {
+    reading = getReading(question, outcome);
+    kind = question.ask === "table" ? "table.read" : "table.read.grid";
+    root.hidden = !reading;
+    if (reading) draw();
+  }
+  return { root, update };
+}
+
+/** @param {Reading} reading @param {string} kind tag and classes of the table */
+function makeReadTable({ columns, rows, cell, unread = 0 }, kind) {
+  const headers = columns.map((name) => h("th", { scope: "col" }, name));
+  const shownRows = rows.slice(0, MAX_ROWS);
+  const body = shownRows.map((name, i) =>
+    makeRow(
+      name,
       columns.map((_, k) => cell(i, k)),
     ),
   );
   const first = rows.length > MAX_ROWS ? `, its first ${MAX_ROWS} of ${rows.length} rows` : "";
-  const odd = unread ? `; ${unread === 1 ? "1 entry" : `${unread} entries`} could not be` : "";
-  const caption = h("caption", {}, `How your answer is read${first}${odd}`);
-  const kind = question.ask === "table" ? "table.read" : "table.read.grid";
-  region.replaceChildren(h(kind, {}, caption, h("thead", {}, head), h("tbody", {}, body)));
+  const caption = h("caption", {}, CAPTION, first, describeUnread(unread));
+  const head = h("thead", {}, h("tr", {}, h("td"), headers));
+  return h(kind, {}, caption, head, h("tbody", {}, body));
 }
+
+/** @param {Reading} reading */
+function makeColumnTables({ columns, rows, cell, unread = 0 }) {
+  const tables = columns.map((column, k) => {
+    const body = rows.slice(0, MAX_ROWS).map((name, i) => makeRow(name, [cell(i, k)]));
+    return h("table.read", {}, h("caption", {}, column), h("tbody", {}, body));
+  });
+  return [h("p.caption", {}, CAPTION, describeUnread(unread)), ...tables];
+}
+
+const makeRow = (name, cells) => h("tr", {}, h("th", { scope: "row" }, name), cells);
+const describeUnread = (count) =>
+  count ? `; ${count === 1 ? "1 entry" : `${count} entries`} could not be` : "";
 
 /**
  * Return the cells of an answer; null if none are shown.
@@ -70,10 +110,15 @@ function getReading(question, outcome) {
 }
 
 /** @param {import("../../../judge/verdict.js").ReadTable} table @returns {Reading} */
-const readTableCells = ({ cells, wrong }) => ({
+const readTableCells = ({ cells, trees, wrong }) => ({
   columns: TABLE_HEADERS,
   rows: cells.map((_, i) => String(i + 1)),
-  cell: (i, k) => makeCell(typesetNumber(cells[i][k]), wrong[i][k]),
+  isSymbolic: true,
+  cell(i, k) {
+    const tree = trees[i]?.[k];
+    const isFormula = tree && symbols(tree).size > 0 && !cells[i][k].includes("q_");
+    return makeCell(typesetEntry(isFormula ? tree : null, cells[i][k]), wrong[i][k]);
+  },
 });
 
 /** @param {ReturnType<typeof getMatrix>} matrix @returns {Reading | null} */
@@ -82,16 +127,28 @@ function readMatrixCells(matrix) {
   const { typed, wrong, shape } = matrix;
   return {
     ...matrix,
+    isSymbolic: typed.symbolic,
     cell(i, k) {
       const at = i * shape[1] + k;
-      const value = typesetNumber(formatEntryValue(typed, at));
-      const { text = "" } = typed.entries[at] ?? {};
-      const formula = typed.symbolic && !/^[-+−\d.,\s]*$/.test(text);
-      const under = formula && [...typeset(text), h("span.value", {}, "= ", value)];
-      return makeCell(under || value, wrong[at]);
+      const tree = typed.symbolic ? typed.formulas?.[at] : null;
+      const isFormula = tree && (typed.entries[at]?.text ?? "").length <= MAX_FORMULA_LENGTH;
+      const value = formatEntryValue(typed, at);
+      return makeCell(typesetEntry(isFormula && !isNumeral(tree) ? tree : null, value), wrong[at]);
     },
   };
 }
+
+const isNumeral = ([kind, first]) => kind === "num" || (kind === "neg" && first[0] === "num");
+
+/**
+ * Typeset an entry: its formula, if it is one, above its value.
+ * @param {any[] | null} tree
+ * @param {string} value
+ */
+const typesetEntry = (tree, value) =>
+  tree
+    ? [typesetFormula(tree), h("span.value", {}, "= ", typesetNumber(value))]
+    : typesetNumber(value);
 
 /**
  * Read an answer that could not be judged, cell by cell.
@@ -177,6 +234,30 @@ export function showVerdict(box, { verdict, error }, { example, buttons }) {
   const mark = h("span.mark", { "aria-hidden": "true" }, `${GRADE_MARKS[grade]} `);
   const headline = h("p.headline", {}, mark, typeset(verdict.headline));
   return box.replaceChildren(...note, headline, ...list, ...offer);
+}
+
+const GRADE_NAMES = {
+  [RIGHT]: "Right",
+  [RIGHT_BY_MAP]: "Right",
+  [SO_FAR]: "Right so far",
+  [ROUNDED]: "Right but for a last digit",
+  [WRONG]: "Not right",
+};
+
+/**
+ * Show the verdict in one line above the answer, for screens on which the verdict itself is below
+ * the keyboard.
+ * @param {HTMLElement} line
+ * @param {import("./question.js").Outcome} outcome
+ * @param {boolean} isExample
+ */
+export function showShortVerdict(line, { verdict, error = "" }, isExample) {
+  const grade = verdict?.mark ?? verdict?.grade ?? "";
+  const [, cause = ""] = /: (.*)/s.exec(verdict?.headline ?? "") ?? [];
+  const parts = [GRADE_NAMES[grade], cause].filter(Boolean).join(": ");
+  const text = verdict ? `${GRADE_MARKS[grade]} ${parts}` : error;
+  line.className = `short ${isExample ? "example" : grade}`;
+  line.replaceChildren(...typeset(isExample ? EXAMPLE : text));
 }
 
 const SYMBOL_PATTERN = /(?<!\w)([A-Za-z]|theta|alpha)_(?:\{([^}]+)\}|(\w+))(?![\w=])/g;

@@ -23,8 +23,7 @@ export function addToolButtons(check, book) {
   });
   // For an exercise's own arm these would show the table, which is the solution.
   if (!given?.table) parts.tools.append(example, link, given ? more : explorer);
-  const clear = button("Clear what I typed", () => check.forgetAnswers());
-  parts.tools.append(clear);
+  check.form.boxes.answer.querySelector(".over").append(button("Clear", () => check.clearAnswer()));
 
   check.onVerdict((question, { arm, q }) => {
     more.href = fullForm + formatQuestionLink(question);
