@@ -115,7 +115,6 @@ def test_judge_replaces_its_div_and_keeps_the_text(built):
     text = find_class(built["page"], "unscripted")
     assert text.astext() == "No script."
     end = text.parent[text.parent.index(text) + 1]
-    assert end["judge"]
     assert '"given":{"ask":"pose","q":"0"}' in end.astext()
 
 

@@ -1,5 +1,5 @@
-// A document with just enough of the DOM for the page's scripts to build live figures and forms as
-// HTML. tools/stills.py writes that HTML into the book, to be shown until the scripts have loaded.
+// A document with just enough of the DOM for the page's script to build live figures as HTML.
+// tools/stills.py writes that HTML into the book, to be shown until the script has loaded.
 
 const ENTITIES = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
 const escapeHtml = (text) => String(text).replace(/[&<>"]/g, (character) => ENTITIES[character]);
@@ -84,28 +84,20 @@ class Element {
   get options() {
     return this.querySelectorAll("option");
   }
-  get selectedOptions() {
-    const chosen = this.options.filter((option) => option.selected);
-    return chosen.length ? chosen : this.options.slice(0, 1);
-  }
   set selectedIndex(index) {
     this.options.forEach((option, i) => (option.selected = i === index));
   }
   get value() {
-    if (this.tag === "textarea") return this.textContent;
     if (this.tag !== "select") return this.getAttribute("value") ?? "";
-    return this.selectedOptions[0]?.getAttribute("value") ?? "";
+    return "";
   }
   set value(text) {
-    if (this.tag === "textarea") this.textContent = String(text);
-    else if (this.tag !== "select") this.setAttribute("value", text);
+    if (this.tag !== "select") this.setAttribute("value", text);
     else for (const option of this.options) option.selected = option.getAttribute("value") === text;
   }
-  /** Find descendants by a tag, a class, or both ("svg.still"), or by an attribute ("[role=status]"). */
+  /** Find descendants by a tag, a class, or both ("svg.still"). */
   querySelectorAll(selector) {
     const matches = (node) => {
-      const [, attribute, value] = selector.match(/^\[(\w+)=(\w+)\]$/) ?? [];
-      if (attribute) return node.getAttribute(attribute) === value;
       const [tag, name] = selector.split(".");
       return (!tag || node.tag === tag) && (!name || node.classList.contains(name));
     };
@@ -186,19 +178,6 @@ Object.assign(globalThis, {
   },
   AbortController: class {
     signal = { aborted: false, addEventListener: doNothing };
-  },
-  URL: class {
-    constructor(path) {
-      this.href = path;
-    }
-  },
-  URLSearchParams: class {
-    constructor(fields) {
-      this.fields = Array.isArray(fields) ? fields : Object.entries(fields);
-    }
-    toString() {
-      return this.fields.map((pair) => pair.map(encodeURIComponent).join("=")).join("&");
-    }
   },
   addEventListener: doNothing,
   setTimeout: doNothing,

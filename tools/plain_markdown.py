@@ -148,7 +148,6 @@ def judge_nodes(question: dict[str, str], content: list[nodes.Node]) -> list[nod
     if "table" in question:
         question["table"] = question["table"].replace("; ", "\n")
     start, end = (nodes.raw("", html, format="html") for html in judge.form_html(question))
-    end["judge"] = True  # tools/stills.py draws the form there
     return [start, nodes.container("", *content, classes=["unscripted"]), end]
 
 
