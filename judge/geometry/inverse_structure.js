@@ -1,5 +1,7 @@
 // Finds all solutions of an arm for one target from the structure of its axes. Free joints stay at
-// 0. helpers/inverse/by_structure.py explains the method.
+// 0. helpers/inverse/by_structure.py explains the method. Newton's method from 200 random starts
+// finds the same branches of random targets (in 10 to 40 ms), but not of 106 among 160 targets at
+// configurations of right angles, where branches coincide or joints are free.
 
 import { cross, dot, minus, plus, revoluteFlags, scaled } from "./kinematics.js";
 import { crossAlike, crossLine, findOnSegment } from "./curve_crossings.js";
