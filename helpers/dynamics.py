@@ -61,8 +61,9 @@ def inverse_dynamics(
     broadcast_shape("q and q_ddot", q.shape[:-1], q_ddot.shape[:-1])
     up = -finite_array(gravity, "gravity", "a vector of three finite numbers in m/s^2", (3,))
     if inertias is None:
-        inertias = [body.inertia for body in arm.bodies]
-    tensors = check_tensors(inertias, (len(arm.rows), 3, 3), "inertias")
+        tensors = np.array([body.inertia for body in arm.bodies])
+    else:
+        tensors = check_tensors(inertias, (len(arm.rows), 3, 3), "inertias")
     q, q_dot, q_ddot = np.broadcast_arrays(q, q_dot, q_ddot)
     frames = np.moveaxis(link_frames(arm, q), -3, 0)
 
@@ -85,9 +86,12 @@ def inverse_dynamics(
         R, origin = frames[k + 1][..., :3, :3], frames[k + 1][..., :3, 3]
         lever = R @ np.array([arm.number(c) for c in body.com])
         force = arm.number(body.mass) * (a + _relative_acceleration(omega, alpha, lever))
-        tensor = R @ tensors[k] @ np.swapaxes(R, -1, -2)
-        spin = _apply_tensors(tensor, alpha) + np.cross(omega, _apply_tensors(tensor, omega))
-        wrenches.append((force, np.cross(origin + lever, force) + spin))
+        moment = np.cross(origin + lever, force)
+        if tensors[k].any():  # not a point mass
+            tensor = R @ tensors[k] @ np.swapaxes(R, -1, -2)
+            momentum, change = (_apply_tensors(tensor, vector) for vector in (omega, alpha))
+            moment += change + np.cross(omega, momentum)
+        wrenches.append((force, moment))
 
     # From the tip to the base: each joint carries the sum of the wrenches beyond it.
     force = moment = zero
