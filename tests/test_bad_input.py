@@ -1,7 +1,7 @@
 """Call every public function with invalid arguments and check the messages of its ArmErrors.
 
 A message names the argument, shows the invalid value and states what was expected. The functions
-are found by introspection. Each is called with valid arguments, of which one is replaced: RIGHT
+are those of every `__all__`. Each is called with valid arguments, of which one is replaced: RIGHT
 holds values for one function, SHARED holds values for all arguments of a name. `test_inputs.py`
 tests every way in which one kind of argument can be invalid.
 """
@@ -110,11 +110,6 @@ RIGHT = {
     "arm.Joint": dict(kind="revolute", at=None),
     "arm.Row": dict(joint=arm.Joint()),
     "arm.Body": dict(mass=1, com=(0, 0, 0)),
-    "expressions.check_entry": dict(value=1, name="value"),
-    "expressions.symbol_names": dict(text="a + b", name="text"),
-    "expressions.evaluate_entry": dict(text="a", values={"a": 1.0}),
-    "expressions.plain_formula": dict(name="alpha"),
-    "expressions.entry_latex": dict(text="a"),
     "robots.find_arm": dict(name="panda"),
     "robots.restore_lengths": dict(arm=ELBOW, names=["a_2"]),
     "derive.Axis": dict(point=(0, 0, 0), direction=(0, 0, 1), joint="revolute"),
@@ -196,8 +191,7 @@ RIGHT = {
 FREE = {
     *("actual", "ax", "book_only", "colour", "colours", "dashed", "expected", "link", "many"),
     *("negative", "display", "self", "title", "what", "arm.Arm source"),
-    *("arm.Arm.joint_vector name", "expressions.check_entry name", "expressions.symbol_names name"),
-    "expressions.plain_formula name",
+    "arm.Arm.joint_vector name",
     *("inverse.solve limits", "plotting.plot_arm alpha"),
     "plotting.draw_arrow text",
     *("plotting.draw_shoulder_triangles names", "plotting.draw_shoulder_triangles symbols"),
@@ -209,8 +203,7 @@ FREE = {
 CALLED = {
     "arm.Arm.joint_vector q": "anything",
     "arm.Body com": "centre of mass",
-    **dict.fromkeys(("arm.Arm.number value", "expressions.entry_latex text"), "the entry"),
-    "expressions.evaluate_entry text": "the entry",
+    "arm.Arm.number value": "the entry",
     **{
         f"inverse.{name} targets": "a target"
         for name in ("elbow", "rod", "solutions", "solve", "spherical_wrist", "stanford", "ur")
@@ -317,19 +310,14 @@ MADE = {
     "motion.UnreachableError",
     "show.MarkdownOutput", "stepwise.StepwiseFormulas",
 }  # fmt: skip
-# Modules without checks of their own: the checks themselves, and internals of other modules.
-INTERNAL = {
-    "base_and_tool", "deprecated", "formulas", "inputs", "poses", "rows", "polynomials", "program",
-    "sheets",
-}  # fmt: skip
 
 
 def find_public():
-    """Yield name and object of every public function, class, and method of a public class."""
-    names = {module.name for module in pkgutil.iter_modules(helpers.__path__)} - INTERNAL
-    modules = {name: importlib.import_module(f"helpers.{name}") for name in sorted(names)}
+    """Yield name and object of everything callable in an `__all__`, with the methods of classes."""
+    names = sorted(module.name for module in pkgutil.iter_modules(helpers.__path__))
+    modules = {name: importlib.import_module(f"helpers.{name}") for name in names}
     for module_name, module in {**modules, "answers": answers}.items():
-        for name in getattr(module, "__all__", None) or _defined_in(module):
+        for name in getattr(module, "__all__", ()):
             member = getattr(module, name)
             if callable(member) and not isinstance(member, type(motion.Rates)):
                 yield f"{module_name}.{name}", member
@@ -340,17 +328,6 @@ def find_public():
                     for n, m in methods
                     if inspect.isfunction(m) and not n.startswith("_")
                 )
-
-
-def _defined_in(module):
-    """Return the public callables that a module without __all__ defines itself."""
-    return [
-        name
-        for name, member in vars(module).items()
-        if getattr(member, "__module__", "") == module.__name__
-        and not name.startswith("_")
-        and callable(member)
-    ]
 
 
 @pytest.fixture(autouse=True)
