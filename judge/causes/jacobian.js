@@ -3,7 +3,6 @@
 // of homework.md by its number, a chapter, or work that was handed in.
 
 import { jointNumbers } from "../geometry/kinematics.js";
-import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
 import { listConfigurationMistakes, listTableMistakes } from "./chain.js";
 import { combineCauses, makeCause } from "./ranking.js";
@@ -182,20 +181,14 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
   const reorderRows = (from) => (J) =>
     J.map((_, i) => J[from(Math.floor(i / dof)) * dof + (i % dof)]);
   yield [makeCause("J.halves"), reorderRows((i) => (i + 3) % 6)]; // conventions: (omega, v)
-  yield [makeCause("J.wx and wy"), reorderRows((i) => [0, 1, 2, 4, 3, 5][i])]; // handed in
-  yield [makeCause("J.vx and vy"), reorderRows((i) => [1, 0, 2, 3, 4, 5][i])]; // handed in
   // handed in
   yield [makeCause("J.cross"), changeEntries((x, i, k) => (turns[k] && i < 3 ? -x : x))];
   yield [makeCause("J.all signs"), scaleHalves(-1, -1)]; // handed in
-  yield [makeCause("J.angular sign"), scaleHalves(1, -1)]; // handed in
   // slip 26: millimetres in a report in metres
   yield [makeCause("J.millimetres"), scaleHalves(1000, 1)];
-  yield [makeCause("J.angular degrees"), scaleHalves(1, DEG)]; // handed in
   if (!frame) yield* listAngleRates(dof);
   yield [makeCause("J.angular zero"), scaleHalves(1, 0)]; // half an answer
   yield [makeCause("J.linear zero"), scaleHalves(0, 1)];
-  // handed in
-  yield [makeCause("J.per degree"), changeEntries((x, _, k) => (turns[k] ? x * RAD : x))];
   if (dof === 6) yield [makeCause("J.transposed"), (J) => chains.transpose(J, [6, 6])]; // handed in
   // joints named q6 ... q1
   yield [makeCause("J.reversed order"), reorderColumns((k) => dof - 1 - k)];

@@ -91,11 +91,8 @@ def after(m, q, rng):
 
     yield "J.halves", lambda J: np.vstack([J[3:], J[:3]])
     yield "J.all signs", lambda J: -J
-    yield "J.angular sign", scaled(1, -1)
     yield "J.millimetres", scaled(1000, 1)
-    yield "J.wx and wy", lambda J: J[[0, 1, 2, 4, 3, 5]]
     yield "J.angular zero", scaled(1, 0)
-    yield "J.per degree", lambda J: np.where(m.turns, J * math.pi / 180, J)
     if m.dof == 6:
         yield "J.transposed", lambda J: J.T
     yield "J.reversed order", lambda J: J[:, ::-1]
