@@ -186,7 +186,6 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
   yield [makeCause("J.all signs"), scaleHalves(-1, -1)]; // handed in
   // slip 26: millimetres in a report in metres
   yield [makeCause("J.millimetres"), scaleHalves(1000, 1)];
-  if (!frame) yield* listAngleRates(dof);
   yield [makeCause("J.angular zero"), scaleHalves(1, 0)]; // half an answer
   yield [makeCause("J.linear zero"), scaleHalves(0, 1)];
   if (dof === 6) yield [makeCause("J.transposed"), (J) => chains.transpose(J, [6, 6])]; // handed in
@@ -200,46 +199,6 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
       yield [makeCause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];
     }
   }
-}
-
-/**
- * List rates of angles in place of the angular velocity (Siciliano et al., Robotics, 3.6). They are
- * rates of ZYZ angles, and of roll, pitch and yaw in both orders. Singular angles give no such
- * mistake.
- * @param {number} dof @returns {Generator<[Cause, Writing]>}
- */
-function* listAngleRates(dof) {
-  const withRates = (rates) => (J, T) => {
-    const changed = J.slice();
-    for (let k = 0; k < dof; k++) {
-      const omega = [3, 4, 5].map((i) => J[i * dof + k]);
-      rates(T.at(-1), omega).forEach((rate, i) => (changed[(3 + i) * dof + k] = rate));
-    }
-    return changed;
-  };
-  yield [makeCause("J.zyz rates"), withRates(computeZyzRates)];
-  yield [makeCause("J.rpy rates"), withRates(computeRollPitchYawRates)];
-  yield [makeCause("J.rpy rates"), withRates((T, w) => computeRollPitchYawRates(T, w).reverse())];
-}
-
-const SMALLEST_SINE = 1e-6; // of the middle angle; below it the rates are not defined
-
-// Return (phi, theta, psi) of Rz(phi) Ry(theta) Rz(psi).
-function computeZyzRates({ z }, omega) {
-  const sine = Math.hypot(z[0], z[1]);
-  if (sine < SMALLEST_SINE) return omega;
-  const [c, s] = [z[0] / sine, z[1] / sine];
-  const psi = (c * omega[0] + s * omega[1]) / sine;
-  return [omega[2] - z[2] * psi, c * omega[1] - s * omega[0], psi];
-}
-
-// Return (roll, pitch, yaw) of Rz(yaw) Ry(pitch) Rx(roll).
-function computeRollPitchYawRates({ x }, omega) {
-  const cosine = Math.hypot(x[0], x[1]);
-  if (cosine < SMALLEST_SINE) return omega;
-  const [c, s] = [x[0] / cosine, x[1] / cosine];
-  const roll = (c * omega[0] + s * omega[1]) / cosine;
-  return [roll, c * omega[1] - s * omega[0], omega[2] - x[2] * roll];
 }
 
 /**
