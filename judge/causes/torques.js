@@ -4,7 +4,7 @@
 // handed in.
 
 import * as chains from "../geometry/chains.js";
-import { jointNumbers, movingRows, plus, scaled } from "../geometry/kinematics.js";
+import { jointNumbers, movingRows } from "../geometry/kinematics.js";
 import { subtractEach } from "../geometry/linear.js";
 import { rowsOf } from "../reading/numbers.js";
 import { formatNumber, joinList } from "../sentences.js";
@@ -209,15 +209,6 @@ function* listWritingMistakes(arm) {
     }
 }
 
-// Read each centre of mass as coordinates in the frame that is `shift` after its link's own.
-const moveCentres =
-  (shift) =>
-  ({ centres, T }) =>
-    centres.map((centre, row) => {
-      const frame = T[Math.min(row + 1 + shift, T.length - 1)];
-      return chains.changeFrame(frame, T[row + 1], centre);
-    });
-
 // Compute for each joint the torque of its own link alone, without the links after it.
 function computeOwnLinkTorques(at) {
   const alone = at.masses.map((_, i) => at.masses.map((mass, k) => (k === i ? mass : 0)));
@@ -287,7 +278,8 @@ function* listBodyMistakes(arm, load) {
   // masses in kilograms taken for forces
   if (g) yield makeBodyMistake("tau.no g", (at) => ({ ...at, ...withGravity(1) }), { _here });
   yield* listMassMistakes(arm, load, makeBodyMistake);
-  yield* listCentreMistakes(arm, load, makeBodyMistake);
+  const paperCentres = (at) => ({ ...at, centres: arm.paper });
+  if (arm.paper) yield makeBodyMistake("tau.paper centres", paperCentres); // slip 7
   if (arm.lumped) {
     const { report, links, gravity } = arm.lumped;
     // In a pair of mistakes, the links that are not lumped keep the masses of the first mistake.
@@ -340,59 +332,3 @@ function* listMassMistakes(arm, load, makeBodyMistake) {
 // Move a list by `step` rows. Entry k + step takes the position of entry k, and `end` fills the
 // gap.
 const moveList = (list, step, end) => list.map((_, k) => list[k + step] ?? end);
-
-function* listCentreMistakes(arm, { centres: all, masses }, makeBodyMistake) {
-  const withCentres = (centres) => (at) => ({ ...at, centres });
-  if (arm.paper) yield makeBodyMistake("tau.paper centres", withCentres(arm.paper)); // slip 7
-  const origin = [0, 0, 0];
-  const atOrigins = withCentres(all.map(() => origin));
-  yield makeBodyMistake("tau.centres at origins", atOrigins); // handed in
-  yield* listFrameMistakes({ centres: all, masses }, makeBodyMistake);
-  // An index that is one off; Python's list[-1] is the last entry, and np.roll moves both ends.
-  for (const [step, end] of [
-    [1, origin],
-    [1, all[0]],
-    [-1, all.at(-1)],
-  ])
-    yield makeBodyMistake("tau.centres moved", withCentres(moveList(all, step, end)));
-  for (const { name, other, rows } of arm.alike ?? []) {
-    // handed in: a centre in the paper's frame minus the wrong length
-    const shifted = all.map(([x, y, z], i) => [x + arm.rows[i].a - rows[i].a, y, z]);
-    yield makeBodyMistake("tau.centres other length", withCentres(shifted), { name, other });
-  }
-}
-
-/**
- * List centres of mass in the frame before or after their link's frame. Somebody counts T_0 as
- * frame 1 or leaves it out of the list of frames. With torques from P by g = dP/dq the link moves
- * with that frame.
- */
-function* listFrameMistakes({ centres, masses }, makeBodyMistake) {
-  for (const [key, shift] of /** @type {const} */ ([
-    ["tau.centres one frame off", -1], // handed in
-    ["tau.centres one frame late", 1],
-  ])) {
-    const moved = moveCentres(shift);
-    yield { cause: makeCause(key), weight: (at) => computeWeight({ ...at, centres: moved(at) }) };
-    const bodies = moveBodies(masses, centres, shift);
-    yield makeBodyMistake(key, (at) => ({ ...at, ...bodies }));
-  }
-}
-
-// Move each link's mass and centre to the row that is `shift` after its own. The base carries the
-// first link, and the last row also the links that would lie behind it.
-function moveBodies(masses, centres, shift) {
-  const last = masses.length - 1;
-  const moved = { masses: masses.map(() => 0), centres: centres.map(() => [0, 0, 0]) };
-  masses.forEach((mass, k) => {
-    const row = Math.min(k + shift, last);
-    if (row < 0 || !mass) return;
-    const total = moved.masses[row] + mass;
-    moved.centres[row] = plus(
-      scaled(moved.masses[row] / total, moved.centres[row]),
-      scaled(mass / total, centres[k]),
-    );
-    moved.masses[row] = total;
-  });
-  return moved;
-}

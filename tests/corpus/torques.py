@@ -80,7 +80,6 @@ def mistakes(m, links, q, F, rng):
     yield "tau.weight sign", -W - P
     yield "tau.gravity:9.8", W * 9.8 / 9.81 - P
     yield "tau.force in tool", W - force(m, turned(R, F), q)
-    yield "tau.centres at origins", weight(m, [(mass, 0, 0, 0) for mass, *_ in links], q) - P
     if links == PANDA:
         yield "tau.paper centres", weight(m, PAPER, q) - P
     yield "tau.grams", 1000 * W - P
@@ -108,7 +107,7 @@ def pairs(m, links, q, F, rng):
     """Yield (causes, torques) for pairs of mistakes."""
     mistaken_weights = {
         "tau.gravity:9.8": weight(m, links, q, 9.8),
-        "tau.centres at origins": weight(m, [(b[0], 0, 0, 0) for b in links], q),
+        "tau.weight sign": -weight(m, links, q),
     }
     P = force(m, F, q)
     for name, W in mistaken_weights.items():
