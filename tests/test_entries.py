@@ -201,7 +201,6 @@ SWAPPED = [
         (tau_of(PAPERS, 9.8), "tau.paper centres + tau.report"),
         (tau_of(loads.PAPER), "tau.paper centres"),
         (tau_of(SWAPPED), "tau.masses exchanged:2:3"),
-        (1000 * tau_of() - 999 * FORCE, "tau.grams"),
     ],
 )  # fmt: skip
 def test_models_of_the_report_are_named(tau, cause):

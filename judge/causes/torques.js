@@ -247,12 +247,6 @@ function* listForceMistakes({ wrenches, c }) {
   yield makeForceMistake("tau.force sign", (F) => multiply(-1, F)); // section 4
   yield makeForceMistake("tau.force missing", (F) => multiply(0, F)); // half an answer
   yield makeForceMistake("tau.force in tool", (F, T) => chains.wrenchFromFrame(T, F)); // handed in
-  for (const [i, component] of ["Fx", "Fy", "Fz", "Mx", "My", "Mz"].entries())
-    if (wrenches.some((F) => F[i] && F.some((x, k) => x && k !== i)))
-      // handed in
-      yield makeForceMistake("tau.component sign", (F) => F.map((x, k) => (k === i ? -x : x)), {
-        component,
-      });
   const untransposed = (at) =>
     chains.multiplyByTranspose(chains.transpose(computeJacobian(at), [c.dof, 6]), at.F);
   if (c.dof === 6) yield { cause: makeCause("tau.J for J^T"), force: untransposed }; // handed in
@@ -275,8 +269,6 @@ function* listBodyMistakes(arm, load) {
     if (g && Math.abs(g - other) > 1e-9)
       yield makeBodyMistake("tau.gravity", otherGravity, { g: other, _here });
   }
-  // masses in kilograms taken for forces
-  if (g) yield makeBodyMistake("tau.no g", (at) => ({ ...at, ...withGravity(1) }), { _here });
   yield* listMassMistakes(arm, load, makeBodyMistake);
   const paperCentres = (at) => ({ ...at, centres: arm.paper });
   if (arm.paper) yield makeBodyMistake("tau.paper centres", paperCentres); // slip 7
@@ -299,8 +291,6 @@ function* listBodyMistakes(arm, load) {
 function* listMassMistakes(arm, load, makeBodyMistake) {
   const { masses } = load;
   const withMasses = (change) => (at) => ({ ...at, masses: at.masses.map(change) });
-  const inGrams = withMasses((mass) => 1000 * mass); // handed in
-  yield makeBodyMistake("tau.grams", inGrams);
   // handed in: an index that is one off
   for (const [step, end] of [
     [1, 0],

@@ -82,7 +82,6 @@ def mistakes(m, links, q, F, rng):
     yield "tau.force in tool", W - force(m, turned(R, F), q)
     if links == PANDA:
         yield "tau.paper centres", weight(m, PAPER, q) - P
-    yield "tau.grams", 1000 * W - P
     alone = [weight(m, [(b[0] * (k == i), *b[1:]) for k, b in enumerate(links)], q)
              for i in m.joints]  # fmt: skip
     yield "tau.own link", np.array([alone[k][k] for k in range(m.dof)]) - P
