@@ -187,7 +187,9 @@ function nameEntryMistake(column, row, typed, expected) {
   if (!isMissing && !isReversed) return makeCause("course.entry", { column, row });
   if (column === "alpha") return makeCause(isMissing ? "table.no twist" : "table.twist", { row });
   if (column === "theta")
-    return makeCause(isMissing ? "table.offset" : "table.offset sign", { row });
+    return isMissing
+      ? makeCause("table.offset", { row })
+      : makeCause("course.entry", { column, row });
   if (column === jointColumn(typed.kind) && !isMissing)
     return makeCause("course.entry", { column, row });
   return makeCause(isMissing ? "table.missing" : "table.sign", { column, row });

@@ -106,17 +106,15 @@ function listRowMistakes(row, index) {
     );
     mistakes.push(makeRowMistake("table.missing", { column, ...rowField }, { [column]: 0 }));
   }
-  if (row.theta && row.kind === "revolute") {
+  if (row.theta && row.kind === "revolute")
     mistakes.push(makeRowMistake("table.offset", rowField, { theta: 0 }));
-    mistakes.push(makeRowMistake("table.offset sign", rowField, { theta: -row.theta }));
-  }
   return mistakes;
 }
 
 /**
  * List mistakes in the joint values. All joints may be in degrees for radians or the reverse, or
- * have the maker's signs. A single joint may have the wrong sign, or be in degrees, in millimetres
- * or converted once too often. All were handed in.
+ * have the maker's signs. A single joint may have the wrong sign, or be in degrees or in
+ * millimetres. All were handed in.
  * @param {string} degreesKey of the message on degrees
  * @param {Arm} arm
  * @returns {ChainMistake[]}
@@ -134,11 +132,10 @@ export function listConfigurationMistakes(degreesKey, arm) {
   for (const [k, joint] of jointNames(arm).entries()) {
     const change = (factor) => changeJoints((x, i) => (i === k ? factor * x : x));
     mistakes.push([makeCause("ik.sign", { joint }), change(-1)]);
-    const [key, factor, _unit] = isRevolute[k]
-      ? ["ik.joint degrees", DEG, "radians"]
-      : ["ik.joint millimetres", 1000, "metres"];
+    const [key, factor] = isRevolute[k]
+      ? ["ik.joint degrees", DEG]
+      : ["ik.joint millimetres", 1000];
     mistakes.push([makeCause(key, { joint }), change(factor)]);
-    mistakes.push([makeCause("ik.joint converted", { joint, _unit }), change(1 / factor)]);
   }
   return mistakes;
 }
