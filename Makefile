@@ -100,7 +100,7 @@ lint: $(BIN)/.installed-dev ## check code, notebooks, types and bundles (needs N
 	$(BIN)/mypy
 	npm ci --silent
 	npm run lint --silent
-	$(BIN)/python -m pytest -q -m npm tests/test_ablate.py tests/test_explorer.py
+	$(BIN)/python -m pytest -q -m npm tests/test_explorer.py
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python -m tools.pdf

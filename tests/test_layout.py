@@ -200,7 +200,7 @@ def test_judge_folders_import_only_folders_below():
 INTRODUCTIONS = [
     "helpers/README.md", "answers/__init__.py", "course/__init__.py", "judge/README.md",
     "judge/reading/README.md", "page/README.md", "tools/README.md", "tests/README.md",
-    "benchmarks/README.md", "book/_toc.yml",
+    "tests/measure/README.md", "benchmarks/README.md", "book/_toc.yml",
 ]  # fmt: skip
 
 
@@ -222,8 +222,8 @@ def test_readme_of_reading_names_each_module():
 
 
 def test_text_of_each_planted_fault_occurs_once():
-    """A fault of `python -m tests.faults` whose text has gone would plant nothing."""
-    faults = json.loads((ROOT / "tests/faults.json").read_text("utf-8"))["faults"]
+    """A fault of `python -m tests.measure.faults` whose text has gone would plant nothing."""
+    faults = json.loads((ROOT / "tests/measure/faults.json").read_text("utf-8"))["faults"]
     counts = {
         fault["old"]: (ROOT / fault["file"]).read_text("utf-8").count(fault["old"])
         for fault in faults

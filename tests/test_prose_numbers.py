@@ -19,7 +19,7 @@ from tools.numbering import list_notebooks
 
 BOOK = Path(__file__).parents[1] / "book"
 NOTEBOOKS = list_notebooks()
-# Pages whose numbers a program measures in minutes: benchmarks/ and tests/random_answers/.
+# Pages whose numbers a program measures in minutes: benchmarks/ and tests/measure/random_answers/.
 MEASURED_PAGES = {"benchmarks", "judging"}
 MARKDOWN = [path for path in sorted(BOOK.glob("*.md")) if path.stem not in MEASURED_PAGES]
 # Numbers that no cell prints.

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.random_answers.draws import draw_answer, draw_twin, shows_mistake
-from tests.random_answers.numbers import NumberFormat, write_number
+from tests.measure.random_answers.draws import draw_answer, draw_twin, shows_mistake
+from tests.measure.random_answers.numbers import NumberFormat, write_number
 
 DRAWS = range(60)
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from helpers.inputs import ArmError
-from tests.honest import judge_work
+from tests.measure.works import judge_work
 
 FOLDER = Path(__file__).with_name("works")
 FILES = ("a", "a-closed", "b", "b-closed")

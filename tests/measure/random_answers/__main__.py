@@ -1,4 +1,4 @@
-"""Measure a judge on generated answers: ``python -m tests.random_answers --seed 1``."""
+"""Measure a judge on generated answers: ``python -m tests.measure.random_answers --seed 1``."""
 
 import argparse
 import sys
@@ -16,7 +16,7 @@ TWIN_OUTCOMES = (
 
 def _measure_index(task: tuple[int, int]) -> tuple:
     """Judge one right answer and its twin."""
-    from tests.random_answers.draws import draw_answer, draw_twin
+    from tests.measure.random_answers.draws import draw_answer, draw_twin
 
     seed, index = task
     answer, twin = draw_answer(seed, index), draw_twin(seed, index)
@@ -33,7 +33,7 @@ def _measure_index(task: tuple[int, int]) -> tuple:
 
 def _outcome(draw) -> tuple[str, object]:
     from helpers.inputs import ArmError
-    from tests.random_answers.questions import ask_judge
+    from tests.measure.random_answers.questions import ask_judge
 
     try:
         report = ask_judge(draw.question, draw.text, draw.angles)
@@ -67,7 +67,7 @@ def _print_features(results: list[tuple]) -> None:
 
 def _print_draws(seed: int, indices: range) -> None:
     """Print draws as Markdown."""
-    from tests.random_answers.draws import draw_answer
+    from tests.measure.random_answers.draws import draw_answer
 
     for index in indices:
         draw = draw_answer(seed, index)
@@ -112,7 +112,7 @@ def main() -> None:
 
 
 def _write_failures(path: str, seed: int, results: list[tuple]) -> None:
-    from tests.random_answers.draws import draw_answer, draw_twin
+    from tests.measure.random_answers.draws import draw_answer, draw_twin
 
     parts = []
     for index, outcome, message, twin, mistake, _ in results:

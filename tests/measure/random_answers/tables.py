@@ -5,7 +5,7 @@ from random import Random
 import numpy as np
 
 from helpers.arm import Arm
-from tests.random_answers import cells, layouts
+from tests.measure.random_answers import cells, layouts
 
 _HEADERS = {
     "a": ("a", "a_i", "a", "r"),

@@ -4,7 +4,7 @@ from random import Random
 
 import numpy as np
 
-from tests.random_answers.questions import Question
+from tests.measure.random_answers.questions import Question
 
 _SUBJECT = {
     "table": "DH table", "jacobian": "Jacobian", "torques": "Static torques",

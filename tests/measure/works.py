@@ -1,11 +1,11 @@
 """Count how the judge grades works that people wrote without having seen it.
 
-    python -m tests.honest FILE.jsonl ... [--kind jacobian] [--show refused]
+    python -m tests.measure.works FILE.jsonl ... [--kind jacobian] [--show refused]
 
 Each line of a file is a work: its kind, arm, question and text, whether it is right, and else its
 slips by name. A table is "right by map" if its slips only choose other zeros or directions of the
-joints. `honest_slips.json` holds for each slip the causes that name it ("so far" where asking for
-more is the right answer).
+joints. `causes_of_slips.json` holds for each slip the causes that name it ("so far" where asking
+for more is the right answer).
 """
 
 import argparse
@@ -19,7 +19,7 @@ import numpy as np
 from helpers import checks, inverse, motion, robots
 from helpers.inputs import ArmError
 
-CAUSES_OF_SLIP = json.loads(Path(__file__).with_name("honest_slips.json").read_text("utf-8"))
+CAUSES_OF_SLIP = json.loads(Path(__file__).with_name("causes_of_slips.json").read_text("utf-8"))
 RIGHT = ("right", "so far", "refused", "called wrong")
 WRONG = ("named", "located", "so far", "passed", "false cause", "refused")
 _CLOSED = {"UR10E": inverse.ur, "STANF": inverse.stanford, "ELBOW": inverse.elbow}

@@ -10,7 +10,7 @@ import numpy as np
 
 from helpers import kinematics, statics
 from helpers.arm import Arm
-from tests.random_answers.questions import Question, joint_kinds
+from tests.measure.random_answers.questions import Question, joint_kinds
 
 _LEAST = 0.02
 

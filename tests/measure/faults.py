@@ -1,6 +1,6 @@
 """Plant faults in the code one at a time and see whether a test fails.
 
-`python -m tests.faults` clones the committed state, plants a fault of tests/faults.json there and
+`python -m tests.measure.faults` clones the committed state, plants a fault of faults.json there and
 runs the tests of its file, which stand in the same list. `--only WORD` chooses the faults that have
 this word in their file or their reason, `--part 2/5` the second fifth of the list. The tests of a
 fault are stopped after `--seconds`, and the fault then counts as not caught. With `--all`, where
@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 LIST = Path(__file__).with_name("faults.json")
 BUILT = ("browser", "test_book.py")  # these read the built book
 

@@ -5,11 +5,11 @@ from random import Random
 
 import numpy as np
 
-from tests.random_answers import cells, labels, layouts, numbers
-from tests.random_answers.mistakes import draw_mistake
-from tests.random_answers.questions import TOPICS, Question, draw_question
-from tests.random_answers.surroundings import add_surroundings
-from tests.random_answers.tables import write_table
+from tests.measure.random_answers import cells, labels, layouts, numbers
+from tests.measure.random_answers.mistakes import draw_mistake
+from tests.measure.random_answers.questions import TOPICS, Question, draw_question
+from tests.measure.random_answers.surroundings import add_surroundings
+from tests.measure.random_answers.tables import write_table
 
 #: Layouts whose tool prints numbers in a format of its own.
 TOOL_PRINTS = ("NumPy print", "MATLAB print", "SymPy pretty")
