@@ -23,7 +23,7 @@ from helpers.robots import (
     find_arm,
     restore_lengths,
 )
-from tests.corpus.arms import CATALOGUE
+from tests.corpus.arms import CATALOGUE, LIMITS
 
 SIGNS = np.array([1, -1, 1, -1, 1, 1, -1])  # q_maker = SIGNS * q for the Panda
 
@@ -67,16 +67,6 @@ def test_panda_masses_match_gaz_2019():
         np.testing.assert_allclose(centres(PANDA, q), np.array(wanted)[:, :3], atol=1e-14)
 
 
-def test_panda_limits_match_data_sheet():
-    lower, upper = (SIGNS * limit for limit in PANDA.limits)
-    wanted = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
-    np.testing.assert_array_equal(np.maximum(lower, upper), wanted)
-    wanted = [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]
-    np.testing.assert_array_equal(np.minimum(lower, upper), wanted)
-    np.testing.assert_array_equal(PANDA.effort_limits, [87, 87, 87, 87, 12, 12, 12])
-    np.testing.assert_array_equal(PANDA.speed_limits, [2.175] * 4 + [2.61] * 3)
-
-
 def test_pen_length_moves_the_tip():
     for arm in (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK):
         with_pen, bare = (
@@ -108,13 +98,6 @@ def test_ur10e_masses_match_data_sheet():
     np.testing.assert_allclose([[bare.number(c) for c in b.com] for b in UR10E.bodies], wanted)
 
 
-@pytest.mark.parametrize("arm", [UR10E, UR10E_HOMEWORK], ids=lambda arm: arm.name)
-def test_ur10e_limits_match_data_sheet(arm):
-    np.testing.assert_allclose(np.degrees(arm.limits), [[-360] * 6, [360] * 6])
-    np.testing.assert_allclose(np.degrees(arm.speed_limits), [120, 120, 180, 180, 180, 180])
-    np.testing.assert_allclose(arm.effort_limits, [330, 330, 150, 56, 56, 56])
-
-
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_rows_match_independent_tables(name):
     """Typed anew in the corpus, whose kinematics is the truth about hand-ins too."""
@@ -124,6 +107,15 @@ def test_rows_match_independent_tables(name):
     assert tuple(row.joint.kind[0].upper() for row in arm.rows) == kinds
     found = [[arm.number(entry) for entry in row.entries] for row in arm.rows]
     np.testing.assert_allclose(found, numbers, atol=1e-15)
+
+
+@pytest.mark.parametrize("name", [name for name in CATALOGUE if hasattr(robots, name)])
+def test_limits_match_independent_numbers(name):
+    """An arm with limits has them typed anew in LIMITS of tests/corpus/arms.py."""
+    joints = [row.joint for row in getattr(robots, name).rows]
+    actual = [(joint.lower, joint.upper, joint.speed, joint.effort) for joint in joints]
+    unlimited = [(-np.inf, np.inf, np.inf, np.inf)] * len(joints)
+    np.testing.assert_allclose(actual, LIMITS.get(name, unlimited), rtol=1e-15)
 
 
 def test_catalogue_has_unique_arms_in_menu_order():

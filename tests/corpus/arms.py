@@ -64,6 +64,35 @@ CATALOGUE = KNOWN | {
     "THREE_LINK": Machine([*_TWO_LINK, ("R", 0.2, 0, 0, 0)], "THREE_LINK"),
 }
 
+_EVERYWHERE, _STRONG = (-math.inf, math.inf), (math.inf, math.inf)
+_UR_TURNS = (-math.radians(360), math.radians(360))
+# Lower and upper limit, largest speed and largest torque of each joint, in rad, m, s and N m: from
+# Franka's data sheet, q_2 and q_4 in the signs of the table, and from Universal Robots' manual.
+_PANDA_LIMITS = [
+    (-2.8973, 2.8973, 2.175, 87),
+    (-1.7628, 1.7628, 2.175, 87),
+    (-2.8973, 2.8973, 2.175, 87),
+    (0.0698, 3.0718, 2.175, 87),
+    (-2.8973, 2.8973, 2.61, 12),
+    (-0.0175, 3.7525, 2.61, 12),
+    (-2.8973, 2.8973, 2.61, 12),
+]
+_UR_LIMITS = [
+    *[(*_UR_TURNS, math.radians(120), 330)] * 2,
+    (*_UR_TURNS, math.radians(180), 150),
+    *[(*_UR_TURNS, math.radians(180), 56)] * 3,
+]
+# An arm that is not here has no limits. The Stanford arm's rod is ours.
+LIMITS = {
+    "PANDA": _PANDA_LIMITS,
+    "PANDA_HOMEWORK": _PANDA_LIMITS,
+    "UR10E": _UR_LIMITS,
+    "UR10E_HOMEWORK": _UR_LIMITS,
+    "STANFORD": [
+        (0.1, 1.0, *_STRONG) if kind == "P" else (*_EVERYWHERE, *_STRONG) for kind, *_ in _STANFORD
+    ],
+}
+
 
 def random_machine(rng, rows=None):
     """Return a random table of mixed joints and angles.
