@@ -118,28 +118,6 @@ def test_coarse_digits_earn_by_right_numbers_only(arm):
                 assert earned == 0 if not is_right.any() else earned < 1
 
 
-def leave_out_some_blocks(part, written, rng):
-    """Write 0 for half of the columns' halves, columns or numbers, whichever count."""
-    if part.kind == "jacobian":
-        is_left_out = np.repeat(rng.random((2, written.shape[1])) < 0.5, 3, axis=0)
-    elif part.kind == "rotation":
-        is_left_out = np.broadcast_to(rng.random(3) < 0.5, (3, 3))
-    else:
-        is_left_out = rng.random(written.shape) < 0.5
-    return np.where(is_left_out, 0, written)
-
-
-@laws
-def test_leaving_out_never_beats_writing(arm):
-    own, rng = get_sheet(arm), np.random.default_rng(3)
-    for part in list_measured_parts(own):
-        wrong = np.asarray(part.value) * 1.05 + 0.02
-        for _ in range(4):
-            written = np.where(rng.random(np.shape(part.value)) < 0.5, part.value, wrong)
-            left = leave_out_some_blocks(part, written, rng)
-            assert mark_text(own, part, left, 6).credit <= mark_text(own, part, written, 6).credit
-
-
 @laws
 def test_wrong_additions_never_raise(arm):
     own, rng = get_sheet(arm), np.random.default_rng(4)
