@@ -310,7 +310,7 @@ def test_page_solutions_equal_python(name):
             assert largest_difference(arm, np.array(list(known.values())), theirs).max() < 1e-7
 
 
-def test_seven_joints_are_told_to_lock_one():
+def test_seven_joints_get_the_advice_to_lock_a_joint():
     with pytest.raises(ArmError, match=r"7 joints, more than the six .* arm.lock\(3\)"):
         solutions(PANDA, forward_kinematics(PANDA, PANDA.home))
 

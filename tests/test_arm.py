@@ -57,7 +57,7 @@ def test_with_row_changes_one_entry():
     assert replace(bent, rows=PANDA.rows) == PANDA
 
 
-def test_with_bodies_of_nothing_removes_bodies():
+def test_with_bodies_of_an_empty_list_removes_bodies():
     assert PANDA.with_bodies(()) == replace(PANDA, bodies=())
 
 

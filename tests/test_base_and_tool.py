@@ -76,7 +76,7 @@ def test_solutions_reach_targets_with_base_and_tool():
     ],
     ids=["three numbers", "zeros", "mirrored", "two digits", "a symbol"],
 )
-def test_pose_that_is_none_is_refused(pose, message):
+def test_matrix_that_is_no_rigid_transform_is_refused(pose, message):
     for mount in (PANDA.with_base, PANDA.with_tool):
         with pytest.raises(ArmError, match=message):
             mount(pose)

@@ -273,7 +273,7 @@ def test_wild_trace_names_no_mistake_of_velocity():
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
-def test_rounded_entry_does_not_excuse_others():
+def test_rounded_entry_does_not_loosen_other_entries():
     q = trace_of_elbow((0, 0, 0))
     typed = [[f"{x:.4f}" for x in row] for row in q]
     typed[5][0] = f"{q[5, 0]:.1f}"

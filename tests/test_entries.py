@@ -168,7 +168,7 @@ def of_panda(tau, digits=4, arm=PANDA):
     return checks.compare_torques(write_rows(tau, digits), arm, Q, [-5, 0, 0, 0, 0, 0])
 
 
-def test_digits_that_a_known_mistake_shares_are_too_few():
+def test_digits_that_also_fit_a_mistake_are_too_few():
     assert of_panda(tau_of(), 2).agrees
     few = of_panda(tau_of(), 0)  # g = 9.8 changes 29 N m by 0.03
     assert few.grade == "so far"

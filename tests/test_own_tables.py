@@ -92,7 +92,7 @@ def test_right_angle_of_four_decimals_is_reported_in_source():
 
 
 @pytest.mark.parametrize("typed", ["1.5", "1.55", "1.5730"])
-def test_other_angle_is_kept(typed):
+def test_angle_away_from_right_angles_is_kept(typed):
     arm = Arm.from_table(f"a alpha d theta\n0.3 {typed} 0.1 q1\n0.2 0 0 q2")
     assert arm.rows[0].alpha == float(typed)
 

@@ -79,7 +79,7 @@ def way_out():
     return self_motion(PANDA, TURNED, -way, 2.45)
 
 
-def test_steps_and_times_are_even():
+def test_steps_and_times_are_equally_spaced():
     run = way_out()
     lengths = np.linalg.norm(np.diff(run.q, axis=0), axis=1)
     assert lengths == pytest.approx(0.01, rel=1e-2)

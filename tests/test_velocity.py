@@ -79,7 +79,7 @@ def test_lost_directions_of_ur10e_at_home():
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e6])
-def test_cutoff_of_lost_directions_is_a_share(scale):
+def test_cutoff_is_relative_to_the_largest_singular_value(scale):
     lost = lost_directions(scale * np.diag([1.0, 0.3, 0.05]), cutoff=0.1)
     np.testing.assert_allclose(np.abs(lost), [[0, 0, 1]], atol=1e-12)
 

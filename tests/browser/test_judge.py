@@ -700,7 +700,7 @@ def test_checked_path_is_drawn_beside_the_wanted_one(page):
 
 
 @phone
-def test_numbers_are_filled_in_one_by_one_on_phone(page):
+def test_numbers_are_typed_in_a_grid_on_a_phone(page):
     page.get_by_label("Question").select_option("torques")
     page.get_by_label("Arm", exact=True).select_option("ELBOW")
     answer = page.get_by_label("Your answer", exact=True)
@@ -767,7 +767,7 @@ def test_unread_number_is_put_behind_a_hash(page):
 
 
 @wide
-def test_one_of_several_answers_is_chosen(page):
+def test_answer_number_chooses_among_several_answers(page):
     page.get_by_label("Question", exact=True).select_option("torques")
     page.get_by_label("Arm", exact=True).select_option("UR10E")
     answer = page.get_by_label("Your answer", exact=True)

@@ -80,7 +80,7 @@ def test_notebooks_differ_in_questions_only(two_sheets):
     assert course.secret not in (folder / "ab12" / "homework.ipynb").read_text("utf-8")
 
 
-def test_sheet_cannot_be_drawn_without_secret(two_sheets):
+def test_sheet_needs_the_secret(two_sheets):
     course, _ = two_sheets
     first = course.sheet("ab12")
     for guess in ("ab12", "Ada", course.title, ""):
@@ -216,7 +216,7 @@ def test_unknown_student_is_refused():
 
 
 @pytest.mark.parametrize("failures", [0, 1, 20])
-def test_sheet_that_fails_its_proof_is_drawn_again(here, monkeypatch, failures):
+def test_sheet_whose_right_answers_fail_is_drawn_again(here, monkeypatch, failures):
     drawn = []
 
     def mark(sheet, answers):
@@ -264,7 +264,7 @@ def test_bad_weights_are_reported(here, weights, message):
         store.load_course(Path("hw"))
 
 
-def test_weights_count_and_last(here):
+def test_weights_change_the_total_and_are_kept(here):
     make_course("ab")
     data = json.loads(Path("hw/course.json").read_bytes())
     Path("hw/course.json").write_text(json.dumps({**data, "weights": {"p": 2.5}}), "utf-8")
@@ -273,7 +273,7 @@ def test_weights_count_and_last(here):
     assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == [3.5, 0]
 
 
-def test_dropped_student_changes_no_other_sheet(here, capsys):
+def test_dropped_student_leaves_other_sheets_unchanged(here, capsys):
     course = make_course("ab", "cd", "ef")
     assert run_command("drop hw --id cd", capsys) == "2 sheets are left\n"
     left = store.load_course(Path("hw"))
@@ -282,7 +282,7 @@ def test_dropped_student_changes_no_other_sheet(here, capsys):
     assert make_course("cd", secret=course.secret).sheets["cd"] == course.sheets["cd"]
 
 
-def test_reissued_sheet_has_other_numbers(here, capsys):
+def test_reissued_sheet_has_new_numbers(here, capsys):
     old = make_course("ab", "cd")
     notebook = Path("hw/ab/homework.ipynb").read_bytes()
     write_answers(
@@ -323,7 +323,7 @@ def test_interrupted_course_is_completed(here, monkeypatch):
     assert all(Path(f"hw/{s}/homework.ipynb").exists() for s in students)
 
 
-def test_two_arms_have_parts_of_their_own(two_sheets):
+def test_each_of_two_arms_has_its_own_parts(two_sheets):
     course, _ = two_sheets
     own = course.sheet("ab12")
     assert list(own.parts) == ["p", "R", "J", "xi", "J_column", "g", "tau", "p_2", "R_2"]
@@ -384,7 +384,7 @@ def test_grading_again_reports_changes(here, capsys):
     ]  # fmt: skip
 
 
-def test_marks_by_hand_last(here):
+def test_marks_by_hand_survive_regrading(here):
     course = make_course("ab")
     Path("hw/marks.csv").write_text("id,part,points,remark\nab,p,0.75,on paper\n", "utf-8")
     assert list_totals(grade_hand_ins(Path("hw"), Path("out"), jobs=1)) == [0.75]
@@ -467,7 +467,7 @@ def test_late_csv_with_unknown_students_is_refused(here):
         grade_hand_ins(Path("hw"), Path("out"), jobs=1)
 
 
-def test_hints_show_no_mark_and_end_after_three(here):
+def test_hints_hide_marks_and_stop_after_three(here):
     course = make_course("ab")
     key = make_right_answers(course.sheet("ab"))
     for number in range(5):
@@ -480,7 +480,7 @@ def test_hints_show_no_mark_and_end_after_three(here):
     assert "Hints are given for 3 hand-ins" in hints
 
 
-def test_hand_in_of_another_course_is_not_marked(here):
+def test_hand_in_to_a_different_course_is_not_marked(here):
     course = make_course("ab")
     name = store.name_sheet(course, "ab")
     write_answers("ab", {**make_right_answers(course.sheet("ab")), "sheet": "ffffff/ab"})
@@ -491,14 +491,14 @@ def test_hand_in_of_another_course_is_not_marked(here):
     )
 
 
-def test_reader_that_breaks_is_reported(here, monkeypatch):
+def test_crash_while_reading_a_hand_in_is_reported(here, monkeypatch):
     course = make_course("ab")
     monkeypatch.setattr("course.grading.read_hand_in", lambda *_: 1 / 0)
     record = mark_student(Path("hw"), Path("out"), course)
     assert record["note"] == "marking it stopped; please look at it by hand (ZeroDivisionError)"
 
 
-def test_process_that_ends_costs_its_author_only(here, monkeypatch):
+def test_crashed_process_affects_only_that_student(here, monkeypatch):
     make_course("ab", "cd")
     monkeypatch.setattr(processes, "START_METHOD", "fork")
     real = grading.read_hand_in

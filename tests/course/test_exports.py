@@ -183,14 +183,14 @@ def test_bad_gradescope_list_is_reported_and_passed_over(text):
     assert messages[0].startswith("passed over: submission_metadata.yml cannot be read: ")
 
 
-def test_gradescope_labels_are_texts():
+def test_gradescope_labels_are_read_as_texts():
     entries = "submission_1: {':submitters': [{':sid': 007}]}\n"
     files = {"submission_metadata.yml": entries, "submission_1/a.json": "{}"}
     handed = [Member(name, lambda n=name: HandedFile(n, files[n].encode())) for name in files]
     assert [*collect.sort_by_student(handed, {"007": "Bo", "7": "Al"}).files] == ["007"]
 
 
-def test_no_text_in_table_is_a_formula():
+def test_texts_in_csv_files_are_never_formulas():
     rows = [{"id": "ab", "name": "Ada", "total": 2.0235}, {"id": "cd", "name": "=1", "total": 0}]
     text = grading.format_csv(rows)
     assert text == "id,name,total\r\nab,Ada,2.0235\r\ncd,'=1,0\r\n"
@@ -259,7 +259,7 @@ def unpacked(course, tmp_path_factory):
     return root, modes
 
 
-def test_autograder_holds_course_without_secret(unpacked):
+def test_autograder_contains_the_course_without_its_secret(unpacked):
     root, modes = unpacked
     assert modes["setup.sh"] == modes["run_autograder"] == 0o755
     assert {*modes} > {"setup.sh", "run_autograder", "course.json"}

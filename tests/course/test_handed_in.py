@@ -180,7 +180,7 @@ def test_read_hand_in_finds_answers(kind, tmp_path):
 
 
 @pytest.mark.parametrize("kind", TROUBLE)
-def test_read_hand_in_reports_trouble(kind, tmp_path):
+def test_unreadable_hand_in_is_reported(kind, tmp_path):
     files, message = TROUBLE[kind]
     write_files(tmp_path, files)
     hand_in = read_hand_in(read_files(tmp_path), PARTS)
@@ -203,7 +203,7 @@ def test_marked_line_of_another_cell_is_ignored():
     assert read_hand_in([HandedFile("a.ipynb", book.encode())], PARTS).answers == ANSWERS
 
 
-def test_last_marked_line_counts():
+def test_last_marked_answer_line_is_read():
     text = f'{MARKED_LINE}{{"p": 9}}\n{MARKED_LINE}{KEY}\nmore\n'
     book = make_notebook((MARKED_LINE, text))
     assert read_hand_in([HandedFile("a.ipynb", book.encode())], PARTS).answers == ANSWERS
@@ -220,7 +220,7 @@ def test_last_marked_line_counts():
         (["x"], "this answers the sheet of"),
     ],
 )
-def test_compare_sheet_names(found, message):
+def test_answers_to_a_wrong_sheet_are_reported(found, message):
     result = compare_sheet_names(found, "0a1b/ab")
     assert result.startswith(message)
     assert bool(result) == bool(message)

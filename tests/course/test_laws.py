@@ -38,7 +38,7 @@ def spoil(value, rng):
 
 
 @each_sheet
-def test_what_is_left_out_never_earns_more_than_what_is_written(seed):
+def test_leaving_out_entries_never_raises_the_credit(seed):
     sheet, rng = draw(seed), np.random.default_rng(seed)
     for part in list_number_parts(sheet):
         wrong = spoil(part.value, rng)
@@ -56,7 +56,7 @@ def test_what_is_left_out_never_earns_more_than_what_is_written(seed):
 
 
 @each_sheet
-def test_more_digits_than_asked_never_pay(seed):
+def test_extra_digits_never_raise_the_credit(seed):
     """An error of at most half a unit is right either way, one above a unit is wrong in full."""
     sheet, rng = draw(seed), np.random.default_rng(seed)
     for part in list_number_parts(sheet):

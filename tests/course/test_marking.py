@@ -79,7 +79,7 @@ def mark(name, answer, own=ELBOWS):
 
 
 @laws
-def test_right_answer_in_asked_digits_is_worth_one(arm):
+def test_right_answer_in_asked_digits_earns_full_credit(arm):
     own = get_sheet(arm)
     for part in list_measured_parts(own):
         assert f"`{part.name}`: {part.description}; {part.digits} decimals; " in "\n".join(
@@ -92,7 +92,7 @@ def test_right_answer_in_asked_digits_is_worth_one(arm):
 
 
 @laws
-def test_named_mistakes_are_worth_the_same(arm):
+def test_every_named_mistake_earns_the_same_credit(arm):
     """A mistake that only copies known numbers is worth nothing."""
     own = get_sheet(arm)
     for part in list_measured_parts(own):
@@ -104,7 +104,7 @@ def test_named_mistakes_are_worth_the_same(arm):
 
 
 @laws
-def test_coarse_digits_earn_by_right_numbers_only(arm):
+def test_coarse_digits_earn_only_by_right_numbers(arm):
     own, rng = get_sheet(arm), np.random.default_rng(1)
     for digits in (0, 1, 2):
         for part in list_measured_parts(own):
@@ -119,7 +119,7 @@ def test_coarse_digits_earn_by_right_numbers_only(arm):
 
 
 @laws
-def test_wrong_additions_never_raise(arm):
+def test_wrong_additional_numbers_never_raise_the_credit(arm):
     own, rng = get_sheet(arm), np.random.default_rng(4)
     for part in list_measured_parts(own):
         some = np.where(rng.random(np.shape(part.value)) < 0.5, part.value, 0)
@@ -146,7 +146,7 @@ def list_guesses(right, question):
 
 
 @pytest.mark.parametrize("arm", [HANGING, RODS], ids=str)
-def test_no_work_earns_nothing(arm):
+def test_answers_without_work_earn_nothing(arm):
     own = get_sheet(arm)
     right = make_right_answers(own)
     kinds = set()
@@ -239,16 +239,16 @@ def test_table_mistake_costs_the_same_in_any_frames(frames, row, column, entry):
     assert mark("table", table) == MISTAKE_SHARE
 
 
-def test_table_of_another_shape_is_worth_nothing():
+def test_table_of_wrong_shape_earns_nothing():
     for other in ([row[:3] for row in TABLE], "a b"):
         assert mark("table", other) == 0
 
 
-def test_row_too_many_costs_as_much_as_a_wrong_row():
+def test_extra_row_costs_as_much_as_a_wrong_row():
     assert mark("table", [*TABLE, TABLE[3]]) == mark("table", TABLE[:3])
 
 
-def test_rows_of_first_joints_earn_half_their_share():
+def test_first_rows_of_a_table_earn_half_their_share():
     assert mark("table", TABLE[:3]) == MISTAKE_SHARE * 3 / 4
 
 
@@ -266,7 +266,7 @@ def test_rows_of_first_joints_earn_half_their_share():
         (lambda four: four.round(1), 0),
     ],
 )
-def test_branches_count_one_by_one(change, expected):
+def test_each_right_branch_earns_its_share(change, expected):
     assert mark("q", change(get_value("q")).tolist()) == expected
 
 
@@ -277,13 +277,13 @@ def test_coarse_branches_are_reported():
 
 
 @pytest.mark.parametrize("turns", [[1, 0, 0], [-1, 0, 0], [3, 0, -3], [40, 0, 0]])
-def test_whole_turns_do_not_count(turns):
+def test_whole_turns_are_ignored(turns):
     q = np.array(ONE_SOLUTION) + 2 * np.pi * np.array(turns)
     assert mark("q", q.tolist(), SLIDER) == 1
     assert mark("q", (q + 0.02).tolist(), SLIDER) == 0
 
 
-def test_branches_beyond_limits_are_not_asked_for():
+def test_branches_beyond_limits_are_not_required():
     rows = [replace(row, joint=replace(row.joint, lower=-2, upper=2)) for row in ELBOW.rows]
     limited = Section(replace(ELBOW, rows=rows), {"inverse kinematics": TARGET})
     near = Sheet((limited,))
@@ -293,7 +293,7 @@ def test_branches_beyond_limits_are_not_asked_for():
     assert mark("q", two.tolist(), near) == 1
 
 
-def test_reader_that_breaks_costs_its_own_part(monkeypatch):
+def test_crash_while_marking_affects_only_that_part(monkeypatch):
     def fail(*_):
         raise RecursionError
 
@@ -321,7 +321,7 @@ def test_hints_show_no_number_and_no_right_entry(arm):
             assert not NUMBER.search(hint.replace("8000", "")), hint
 
 
-def test_hint_is_equal_for_right_and_unknown_work():
+def test_hint_does_not_tell_right_answers_from_unknown_ones():
     right = mark_part(ELBOWS, "p", get_value("p").tolist())
     wrong = mark_part(ELBOWS, "p", (get_value("p") + 0.05).tolist())
     assert right.hint == wrong.hint
@@ -329,7 +329,7 @@ def test_hint_is_equal_for_right_and_unknown_work():
 
 
 @pytest.mark.parametrize("arm", [ELBOW, UR10E], ids=lambda arm: arm.name)
-def test_draws_are_even(arm):
+def test_random_sheets_are_equally_long(arm):
     drawn = [draw_sheet(arm, f"even {n}", ("Jacobian", "inverse kinematics")) for n in range(6)]
     lengths = [len("".join(one.parts["J_column"].formulas)) for one in drawn]
     assert max(lengths) <= 1.6 * min(lengths)  # 1.25 either way of the usual, and camera numbers

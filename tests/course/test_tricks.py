@@ -78,7 +78,7 @@ def honest():
     return {student: {"answers.json": answer(student, 1)} for student in NAMES}
 
 
-def test_all_tricks_of_one_student_change_no_other(tmp_path, honest):
+def test_tricks_of_a_student_leave_other_marks_unchanged(tmp_path, honest):
     plain = make_download(tmp_path / "plain.zip", **honest)
     tricked = make_download(tmp_path / "tricked.zip", **honest | {"s01": TRICKS})
     collect_hand_ins(plain, NAMES, tmp_path / "a")
@@ -101,7 +101,7 @@ def test_platform_name_ends_at_its_first_number(tmp_path, name):
     assert [*collect_hand_ins(tmp_path / "d", NAMES, tmp_path / "hw").files] == ["s02"]
 
 
-def test_earlier_collection_is_not_replaced_by_nothing(tmp_path, honest):
+def test_empty_collection_keeps_the_earlier_one(tmp_path, honest):
     folder = tmp_path / "hw"
     collect_hand_ins(make_download(tmp_path / "1.zip", **honest), NAMES, folder)
     before = read_collected(folder)["s05"]
@@ -120,7 +120,7 @@ def make_course(folder, *students, **options):
     return making.make_course(roster, exercises, folder, jobs=1, **options)
 
 
-def test_student_is_told_of_a_file_over_the_limit(tmp_path):
+def test_feedback_names_a_file_over_the_limit(tmp_path):
     make_course(tmp_path / "hw", "s01")
     sheet = (tmp_path / "hw/s01/homework.ipynb").read_text("utf-8")
     assert "A file may have 20 MB" in sheet
@@ -134,7 +134,7 @@ def test_student_is_told_of_a_file_over_the_limit(tmp_path):
 # Making a course
 
 
-def test_course_that_lost_its_file_is_not_drawn_over_its_notebooks(tmp_path):
+def test_new_course_keeps_notebooks_of_a_lost_course_file(tmp_path):
     first = make_course(tmp_path, "ab")
     saved = (tmp_path / "course.json").read_bytes()
     (tmp_path / "course.json").unlink()
@@ -211,7 +211,7 @@ def test_markup_in_a_name_is_shown_as_it_is(tmp_path):
 # Hints and marks by hand
 
 
-def test_broken_hand_in_counts_towards_the_hints(tmp_path, monkeypatch):
+def test_unreadable_hand_in_uses_up_a_hint(tmp_path, monkeypatch):
     course = make_course(tmp_path / "hw", "ab")
     key = make_right_answers(course.sheet("ab"))
     path = tmp_path / "hw/ab/answers.json"
@@ -228,7 +228,7 @@ def test_broken_hand_in_counts_towards_the_hints(tmp_path, monkeypatch):
     assert "Hints are given for 4 hand-ins" in feedback.read_text("utf-8")
 
 
-def test_part_by_hand_is_marked_remarked_and_told(tmp_path):
+def test_part_marked_by_hand_appears_in_feedback(tmp_path):
     folder, out = tmp_path / "hw", tmp_path / "out"
     course = make_course(folder, "ab", "cd", by_hand={"derivation": 4.0})
     book = json.loads((folder / "ab/homework.ipynb").read_bytes())
@@ -262,12 +262,12 @@ def test_part_by_hand_is_marked_remarked_and_told(tmp_path):
         grade_hand_ins(folder, out, jobs=1)
 
 
-def test_part_by_hand_may_not_have_the_name_of_a_part(tmp_path):
+def test_part_by_hand_with_a_name_in_use_is_refused(tmp_path):
     with pytest.raises(ArmError, match="p is a part that the sheet has"):
         make_course(tmp_path, "ab", by_hand={"p": 1.0})
 
 
-def test_file_of_overrides_is_named_with_what_replaces_it(tmp_path):
+def test_error_on_overrides_csv_names_its_replacement(tmp_path):
     make_course(tmp_path / "hw", "ab")
     (tmp_path / "hw/overrides.csv").write_text("id,part,credit,why\n", "utf-8")
     with pytest.raises(ArmError, match=r"earlier edition; expected marks.csv"):

@@ -130,7 +130,7 @@ def test_arm_without_regular_configurations_is_refused():
 
 
 @every_arm
-def test_keys_of_tip_and_jacobian(arm):
+def test_right_tip_and_jacobian_match_numeric_derivatives(arm):
     found = get_question("forward kinematics", arm)
     (q,) = read_matrices(found.text)
     T = compute_tip(found.arm, q)
@@ -158,7 +158,7 @@ def test_keys_of_tip_and_jacobian(arm):
 
 
 @pytest.mark.parametrize("arm", [PANDA.lock(3), UR10E], ids=lambda a: a.name)
-def test_keys_of_torques(arm):
+def test_right_torques_match_numeric_derivatives(arm):
     found = get_question("static torque", arm)
     q, force = read_matrices(found.text)
     g = central_differences(lambda q: slow_energy(found.arm, q), q)
@@ -171,7 +171,7 @@ def test_keys_of_torques(arm):
 
 
 @pytest.mark.parametrize("arm", [PANDA.lock(3), UR10E_HOMEWORK, STANFORD], ids=lambda a: a.name)
-def test_keys_of_circle(arm):
+def test_right_circle_matches_a_runge_kutta_trace(arm):
     """Trace the circle of the sentence by Runge and Kutta's method with other steps."""
     found = get_question("circle tracing", arm)
     (q,) = read_matrices(found.text)
@@ -189,7 +189,7 @@ def test_keys_of_circle(arm):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_key_of_table_has_the_printed_axes(seed):
+def test_right_table_has_the_printed_axes(seed):
     found = draw_question("DH table", ELBOW, seed)
     arm = found.parts[0].value
     lines = [line for line in found.text.splitlines() if re.match(r"\| \d", line)]
@@ -221,7 +221,7 @@ def test_topics_suit_the_arm():
 
 
 @every_arm
-def test_printed_numbers_are_those_judged(arm):
+def test_printed_numbers_equal_the_judged_numbers(arm):
     printed, found = draw_once(arm)
     lengths = re.findall(r"= (-?[\d.]+)\$", printed.arm._repr_markdown_())
     assert {*map(float, lengths)} <= {*printed.arm.values.values()}
@@ -343,8 +343,8 @@ def compute_answers(topic, arm, drawn, q):
     [(ELBOW, "Jacobian", 16), (PANDA, "static torque", 28)],
     ids=str,
 )
-def test_mistake_hidden_by_first_draw_is_found(arm, topic, seed):
-    """With each of these seeds the first draw hides a mistake.
+def test_sheet_shows_every_mistake_that_changes_something(arm, topic, seed):
+    """With each of these seeds the first random numbers hide a mistake.
 
     A mistake that changes nothing at two other configurations changes nothing anywhere.
     """
