@@ -202,11 +202,11 @@ test("a question keeps its last answer until cleared", () => {
     arm: "PANDA",
     answer: ask,
   }));
-  memory.save(first);
-  memory.save(second);
+  memory.save(first, true);
+  memory.save(second, true);
   assert.deepEqual([memory.load(first), memory.loadLast()], [first, second]);
   assert.equal(new AnswerMemory("02_jacobian-judge-0").loadLast(), null);
-  memory.save({ ...second, answer: " " });
+  memory.save({ ...second, answer: "" }, false);
   assert.equal(memory.load(second), null);
   clearAnswers();
   assert.equal(memory.load(first), null);
@@ -215,7 +215,7 @@ test("a question keeps its last answer until cleared", () => {
 test("a refused storage keeps and raises nothing", () => {
   give({ get: () => { throw new Error("refused"); } }); // prettier-ignore
   const memory = new AnswerMemory("check");
-  memory.save({ ...EMPTY, answer: "1" });
+  memory.save({ ...EMPTY, answer: "1" }, true);
   assert.equal(memory.loadLast(), null);
   clearAnswers();
 });
