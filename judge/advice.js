@@ -18,6 +18,7 @@
 const ADVICE_BY_CAUSE = {
   "J.halves": (_, { angularFirst }) => ({ field: "angularFirst", value: !angularFirst }),
   "J.frame": (frame) => ({ field: "frame", value: Number(frame) }),
+  "J.millimetres": () => ({ field: "lengths", value: "mm" }),
   "J.degrees": () => ({ field: "angles", value: "deg" }),
   "tau.degrees": () => ({ field: "angles", value: "deg" }),
   "ik.degrees": () => ({ field: "angles", value: "deg" }),

@@ -40,6 +40,16 @@ def test_jacobian_tolerance_is_applied():
     assert checks.compare_jacobian(off, ELBOW, Q, tolerance=0.9e-3).grade == "wrong"
 
 
+def test_jacobian_in_millimetres_is_right_once_its_unit_is_set():
+    in_millimetres = np.vstack([1000 * J3[:3], J3[3:]]).round(2)
+    wrong = checks.compare_jacobian(in_millimetres, ELBOW, Q)
+    assert wrong.causes == ("J.millimetres",)
+    assert wrong.advice == ('If that is what you mean, say lengths="mm"',)
+    right = checks.compare_jacobian(in_millimetres, ELBOW, Q, lengths="mm")
+    assert right.grade == "right"
+    assert right.taken == ("linear rows in mm",)
+
+
 # Forms of the input
 
 

@@ -180,6 +180,7 @@ def compare_jacobian(
     angular_first: bool = False,
     frame: int = 0,
     angles: str = "rad",
+    lengths: str = "m",
     values: Mapping[str, float] | None = None,
     tolerance: float | None = None,
     answer_number: int | None = None,
@@ -196,6 +197,7 @@ def compare_jacobian(
         angular_first: whether your rows are (omega, v) rather than (v, omega).
         frame: the link frame in whose axes your rows are, 0 for the base.
         angles: "deg" where `q` is in degrees.
+        lengths: "cm" or "mm" where your linear rows are, unless the text itself says so.
         values: numbers for symbols of yours that the arm does not have.
         tolerance: the largest deviation of an entry; inferred from the digits typed unless given.
         answer_number: where a text holds several answers that differ, the number of the one to
@@ -208,6 +210,7 @@ def compare_jacobian(
     if not isinstance(angular_first, int | np.bool_):
         raise ArmError(f"angular_first is {shorten(angular_first)}; expected True or False")
     options |= {"angularFirst": bool(angular_first), "frame": _check_frame(frame, arm)}
+    options["lengths"] = require_choice(lengths, "lengths", ("m", "cm", "mm"))
     options["generic"] = q is None
     at = to_plain_data(_generic_configuration(arm) if q is None else q)
     given = dict(arm=judge_data(arm), q=at)

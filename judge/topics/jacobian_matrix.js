@@ -5,7 +5,7 @@ import { listGeneralConfigurations } from "../geometry/general_configurations.js
 import { isPlanar, movableLinearRows, movableRows } from "../geometry/task_rows.js";
 import { formulaSlack, symbols, value } from "../reading/formula.js";
 import { lengthFactor, lookup, numbers, unitsOf } from "../reading/numbers.js";
-import { nameLengthUnit } from "../reading/units.js";
+import { LENGTH_UNITS, nameLengthUnit } from "../reading/units.js";
 import { ArmError, describeShape, formatMessage } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -19,17 +19,19 @@ const ANSWER_NAMES = /^(?:j|ans$)/i; // variables that may hold the answer
  * @param {Arm} arm
  * @param {any} question `generic` if q is unknown, so that only formulas can be judged; `computed`
  *   if the entries are values of a function, which count as formulas; `wants` has the shapes that
- *   are read, if they are not the usual ones
+ *   are read, if they are not the usual ones; `lengths` is the unit of the linear rows, for a text
+ *   that states none
  */
 export function readMatrix(mine, known, arm, question) {
-  const { typedQ, which, generic = false, computed = false } = question;
+  const { typedQ, which, lengths, generic = false, computed = false } = question;
   const [what, dof] = [`${arm.name}: your Jacobian`, typedQ.values.length];
   const wants = question.wants ?? [
     ...listShapes(dof, arm.rows.length),
     ...listReducedShapes(arm, dof),
   ];
   const request = { wants, names: ANSWER_NAMES, given: [typedQ.values], which };
-  const read = convertToMetres(numbers(mine, what, known, undefined, request), arm);
+  const typed = numbers(mine, what, known, undefined, request);
+  const read = convertToMetres(lengths ? setLengthUnit(typed, LENGTH_UNITS[lengths]) : typed, arm);
   const isEverywhere = read.hasJoints || (generic && computed);
   if (generic && !isEverywhere) throw new ArmError(formatMessage("J needs q"));
   const extraAxis = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
@@ -58,6 +60,13 @@ const listShapes = (dof, all) => [
 function listReducedShapes(arm, columns) {
   const counts = [movableRows(arm).length, movableLinearRows(arm).length];
   return counts.flatMap((rows) => (rows > 1 && rows < 6 ? [{ rows, columns, by: "row" }] : []));
+}
+
+// Set the unit of lengths, unless the text states one.
+function setLengthUnit(typed, factor) {
+  const { angles = null, lengths, moments = null } = typed.statedUnits ?? {};
+  const stated = lengths ?? (factor === 1 ? null : factor);
+  return { ...typed, statedUnits: { angles, lengths: stated, moments } };
 }
 
 // Convert the linear rows to metres if the text states a different unit of lengths.

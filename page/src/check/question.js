@@ -34,7 +34,7 @@ import { checkTable } from "./topics/table.js";
 export const QUESTIONS = {
   jacobian: {
     title: "Jacobian at a configuration",
-    fields: ["q", "unit", "frame", "first", "values"],
+    fields: ["q", "unit", "frame", "first", "lengths", "values"],
     checker: checkJacobian,
   },
   torques: {
