@@ -8,7 +8,7 @@ libraries have for the functions.
 import importlib
 from typing import Any
 
-__version__ = "5.0.0"  # CITATION.cff and CHANGELOG.md name it too; a test holds them equal
+__version__ = "6.0.0"  # CITATION.cff and CHANGELOG.md name it too; a test holds them equal
 
 _PUBLIC = {
     "helpers.arm": ("Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"),
