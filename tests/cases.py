@@ -10,7 +10,9 @@ of NumPy, MATLAB, LaTeX, spreadsheets and people once. Each of its `questions` f
 the judge's page. It also has a topic (`about`), the expected `grade` (or "refused"), the expected
 `cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`).
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
-`judge/`. A question that the judge does not answer as expected has the reason under `fails`.
+`judge/`. Each of the tables `pasted` is read as its rows by the form, the explorer, `Arm.from_table`
+and `compare_tables`; one without rows is read by none of them without a question. A case that
+fails has the reason under `fails`.
 """
 
 import json
@@ -21,6 +23,7 @@ import pytest
 _CASES = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="utf-8"))
 ENTRIES, QUESTIONS = _CASES["entries"], _CASES["questions"]
 FORMULAS, MATRICES, TABLES = _CASES["formulas"], _CASES["matrices"], _CASES["tables"]
+PASTED_TABLES = _CASES["pasted"]
 _EXPECTED = ("about", "grade", "cause", "said", "unsaid", "fails")
 
 

@@ -5,11 +5,17 @@ import warnings
 import numpy as np
 import pytest
 
-from helpers.arm import Arm
+from helpers.arm import Arm, Joint, Row
+from helpers.checks import compare_tables
 from helpers.explorer import judge
+from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics
-from tests.cases import expect_failures, questions_about
+from helpers.robots import ELBOW
+from tests.cases import PASTED_TABLES, expect_failures, questions_about
 from tests.corpus.arms import CATALOGUE
+from tests.node import ask_node, needs_node
+
+ENTRIES = ("a", "alpha", "d", "theta")
 
 
 def make_machine(name):
@@ -38,3 +44,76 @@ def test_homework_table_makes_the_arm_of_the_homework(case):
     assert arm.dof == machine.dof
     for q in np.random.default_rng(68).uniform(-1.2, 1.2, (4, machine.dof)):
         np.testing.assert_allclose(forward_kinematics(arm, q), machine.tip(q), atol=1e-9)
+
+
+# One reading, or one question, at every input
+
+KINDS = {"R": "revolute", "P": "prismatic", "F": "fixed"}
+
+
+def make_expected_arm(rows):
+    """Return the arm of rows such as ["R", a, alpha in degrees, d, theta in degrees]."""
+    return Arm(
+        "the arm",
+        tuple(
+            Row(a, np.radians(alpha), d, np.radians(theta), Joint(KINDS[kind]))
+            for kind, a, alpha, d, theta in rows
+        ),
+    )
+
+
+def list_rows(arm):
+    """Return kind, a, alpha, d and theta (m, rad) of each row."""
+    return [
+        (row.joint.kind, *(arm.number(getattr(row, name)) for name in ENTRIES)) for row in arm.rows
+    ]
+
+
+def read_on_page(text):
+    """Return what the explorer and the form make of a table, with either unit chosen there."""
+    for unit in ("deg", "rad"):
+        for place, answer in ask_node("pasted_tables.mjs", {"text": text, "unit": unit}).items():
+            rows = [
+                (row["kind"], *(row[name] for name in ENTRIES)) for row in answer.get("rows", ())
+            ]
+            yield f"{place} in {unit}", rows, answer.get("error", "")
+
+
+def read_in_python(text):
+    """Return the rows of `Arm.from_table` and its question: a refusal or a warning of a guess."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            rows = list_rows(Arm.from_table(text))
+        except ArmError as refusal:
+            return [], str(refusal)
+    return rows, next((str(w.message) for w in caught if "a guess reads it" in str(w.message)), "")
+
+
+def assert_same_rows(place, rows, expected):
+    assert [row[0] for row in rows] == [row[0] for row in expected], place
+    numbers, wanted = ([row[1:] for row in table] for table in (rows, expected))
+    np.testing.assert_allclose(numbers, wanted, atol=1e-5, err_msg=place)  # 1.5708 may be pi/2
+
+
+@needs_node
+@pytest.mark.parametrize("case", expect_failures(PASTED_TABLES), ids=lambda case: case["about"])
+def test_pasted_table_is_read_or_asked_about_alike(case):
+    """A table with rows is read as these everywhere; one without is read nowhere unasked."""
+    text = case["text"]
+    python_rows, python_question = read_in_python(text)
+    if "rows" in case:
+        arm = make_expected_arm(case["rows"])
+        assert_same_rows("Arm.from_table", python_rows, list_rows(arm))
+        for place, rows, _ in read_on_page(text):
+            assert_same_rows(place, rows, list_rows(arm))
+        assert compare_tables(text, arm).grade == "right"
+        return
+    assert python_question
+    for place, rows, question in read_on_page(text):
+        assert question, (place, rows)
+    try:
+        verdict = str(compare_tables(text, ELBOW))
+    except ArmError:
+        return
+    assert "Taken as columns" in verdict
