@@ -269,9 +269,9 @@ class Arm:
         offset, as ``"q1 - pi/2"``. A row without one is fixed. Symbols with a value stay symbols.
 
         In a text, options that are not given are guessed, and the arm's `source` says how the table
-        was read. A warning says where a guess may be wrong: numbers without column headers and
-        joint variables, angles such as 1.57 that are taken as right angles, a table that may follow
-        Craig's convention.
+        was read. A warning says where a guess may be wrong: columns without headers, unless they
+        are a, alpha, d and a joint variable; angles such as 1.57 that are taken as right angles; a
+        table that may follow Craig's convention.
 
         A warning also names joints that have other numbers in the table than here: the arm numbers
         a joint by its row, and fixed rows count.
@@ -329,7 +329,7 @@ class Arm:
         )
         if table.has_guessed_order:
             warn_caller(
-                "the table has no column headers and no joint variables, so a guess reads it as:"
+                "the table has no column headers, so a guess reads it as:"
                 f" {table.reading}; say columns='theta d a alpha' or your order, and"
                 " convention='standard' or 'craig'"
             )

@@ -11,7 +11,8 @@ the judge's page. It also has a topic (`about`), the expected `grade` (or "refus
 `cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`).
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
 `judge/`. Each of the tables `pasted` is read as its rows by the form, the explorer, `Arm.from_table`
-and `compare_tables`; one without rows is read by none of them without a question. A case that
+and `compare_tables`, which agrees with a `reference` of other rows
+within the typed digits; one without rows is read by none of them without a question. A case that
 fails has the reason under `fails`.
 """
 

@@ -190,9 +190,11 @@ def test_long_slide_does_not_warn_of_degrees():
 
 
 def test_numbers_without_headers_warn_of_guessed_order():
-    with pytest.warns(UserWarning, match=r"no column headers .*: columns θ d a α; the standard"):
+    with pytest.warns(UserWarning, match=r"no column headers, .*: columns θ d a α; the standard"):
         Arm.from_table("0.4 5 0.1 0\n0.4 0 0 0")
-    Arm.from_table("q1 5 0 0")
+    with pytest.warns(UserWarning, match=r"no column headers, .*: columns θ d a α"):
+        Arm.from_table("q1 5 0 0")
+    Arm.from_table("0 0 5 q1")
     Arm.from_table("0.4 5 0 0", columns="theta d a alpha")
 
 

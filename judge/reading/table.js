@@ -351,23 +351,22 @@ function readOrder(cells, order, known, isStated) {
  * Read the table that a reader types for an arm of her own. The page asks for the columns in the
  * order a, alpha, d, theta, so a table without headers is read in this order if possible.
  * @param {string} text
- * @param {string} unit "deg" or "rad", of bare angles
  * @param {[string, number][]} values of its symbols
- * @param {string | null} length the unit of bare lengths; guessed if null
- * @returns {{ rows: TableRow[], assumptions: string[], isOrderGuessed: boolean, reading: string }}
- *   standard rows in m and rad, and how the text was read
+ * @returns {{ rows: TableRow[], reading: string }} standard rows in m and rad, and how the text was
+ *   read
  */
-export function readOwnTable(text, unit, values = [], length = null) {
-  const fieldOrder = formatMessage("taken: columns", { columns: "a alpha d theta" });
+export function readOwnTable(text, values = []) {
   const tables = readTables(text, {}, values);
-  const table = tables.find((one) => one.assumptions.includes(fieldOrder)) ?? tables[0];
-  const angles = table.angles ?? (unit === "deg" || length ? unit : null);
-  const converted = convertTable({ ...table, lengths: table.lengths ?? length, angles }, []);
-  const isFieldOrder = table.assumptions.includes(fieldOrder);
-  return {
-    rows: converted.rows,
-    assumptions: converted.assumptions.filter((phrase) => phrase !== fieldOrder),
-    isOrderGuessed: Boolean(table.isOrderGuessed) && !isFieldOrder,
-    reading: describeReading(table, converted),
-  };
+  const table = tables.find(isInFieldOrder) ?? tables[0];
+  if (table.isOrderGuessed && !isInFieldOrder(table))
+    throw new ArmError(formatMessage("order of columns", { taken: table.assumptions[0] }));
+  const converted = convertTable(table, []);
+  return { rows: converted.rows, reading: describeReading(table, converted) };
 }
+
+/**
+ * Return whether a table was read in the order in which the page shows the columns.
+ * @param {TypedTable} table
+ */
+export const isInFieldOrder = ({ assumptions }) =>
+  assumptions.includes(formatMessage("taken: columns", { columns: "a alpha d theta" }));

@@ -1,12 +1,13 @@
 // Reads a Denavit-Hartenberg table as an arm, and describes how it was read. Arm.from_table in
 // Python calls this.
 
-import { ANGLE_TOLERANCE } from "../geometry/rows.js";
-import { readTables } from "../reading/table.js";
+import { ANGLE_TOLERANCE, snapAngle } from "../geometry/rows.js";
+import { isInFieldOrder, readTables } from "../reading/table.js";
 import { convertTable, describeReading } from "../reading/table_conversion.js";
 import { dropOtherColumns } from "../reading/table_other_columns.js";
 import { formatMessage, joinList } from "../sentences.js";
 import { makeTable, snapTypedAngles } from "./table.js";
+import { entryUnit } from "./table_messages.js";
 import { noteRightAngles } from "./table_same.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -27,7 +28,7 @@ export function readArmTable(text, options) {
   const whole = dropOtherColumns(text);
   const typed = readTables(whole.rest.text, options, options.values)[0];
   const converted = convertTable(typed, []);
-  const table = makeTable(typed, converted);
+  const table = keepCoarseAngles(makeTable(typed, converted));
   const rows = snapTypedAngles(table);
   const renumbered = noteRenumberedJoints(typed, table, rows);
   const headers = whole.others.map(({ header }) => header);
@@ -40,14 +41,29 @@ export function readArmTable(text, options) {
     ...renumbered,
     ...noteRightAngles(table),
   ];
-  // The warning about a guessed order asks for the convention too.
-  const guessed = !options.columns && Boolean(typed.isOrderGuessed) && !JOINT_NAME.test(text);
+  // The warning about a guessed order asks for the convention too. The page's order is no guess if
+  // a joint variable shows it.
+  const isShown = isInFieldOrder(typed) && JOINT_NAME.test(text);
+  const guessed = !options.columns && Boolean(typed.isOrderGuessed) && !isShown;
   const warnings = [
     ...renumbered,
     ...(guessed ? [] : noteLikelyCraig(typed, text, rows)),
     ...noteRightAngles(table, ANGLE_TOLERANCE),
   ];
   return { rows, reading: parts.join("; "), guessed, warnings };
+}
+
+// Return a table whose angles of few decimals stay as typed if a right angle has four or more:
+// a 1.57 beside 1.570796 is no rounded right angle.
+function keepCoarseAngles(table) {
+  const isFine = (row, k, column) => {
+    const isTyped = entryUnit(table, k + 1, column) > 0;
+    return isTyped && row[column] !== snapAngle(row[column]);
+  };
+  const hasFineAngle = table.rows.some(
+    (row, k) => isFine(row, k, "alpha") || isFine(row, k, "theta"),
+  );
+  return hasFineAngle ? { ...table, angleScale: 0 } : table; // decimals count as exact
 }
 
 // Note the joints whose typed numbers differ from the numbers of their rows. The arm uses the

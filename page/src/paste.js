@@ -10,14 +10,13 @@ const TABLE_PATTERN = /[\n\t;&|]|\]\s*,|,\s*\[|\d +[-\d]/;
 /**
  * Read a pasted table.
  * @param {string} text
- * @param {string} unit of angles without a unit
  * @returns {{ rows: any[], reading: string } | { error: string } | null} the rows and how the text
  *   was read; null for a single entry
  */
-export function readPastedTable(text, unit) {
+export function readPastedTable(text) {
   try {
     if (!TABLE_PATTERN.test(text.trim())) return null;
-    const { rows, reading } = readOwnTable(text, unit);
+    const { rows, reading } = readOwnTable(text);
     const fault = findRowsFault(rows);
     return fault ? { error: `${fault}.` } : { rows, reading };
   } catch (error) {

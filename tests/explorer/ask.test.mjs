@@ -44,11 +44,11 @@ test("a typed table takes joint kinds from its variables", () => {
   const { rows } = findArm(own, []);
   assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
   assert.equal(rows[1].alpha, -Math.PI / 2);
-  assert.equal(findArm({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta, Math.PI / 2);
+  assert.equal(findArm({ ...own, table: "0, 90, 0.5, q1 + 90" }, []).rows[0].theta, Math.PI / 2);
   const headed = "theta d(mm) a alpha(deg)\nq1 500 0 90\nq2 0 400 0"; // by the column headers, in their units
   assert.deepEqual(findArm({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]), [[0, 0.5], [0.4, 0]]);
-  for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "0, 0, 1000, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
-    assert.throws(() => findArm({ ...own, table }, []), /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/);
+  for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
+    assert.throws(() => findArm({ ...own, table }, []), /Type the table|entries|no value for|are these the columns theta d a alpha/);
   }
 });
 

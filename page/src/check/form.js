@@ -230,7 +230,7 @@ function offerArms(list, { ask, arm: chosen }, arms) {
 // Show the fields of the question, with the hints for its arm.
 export function adaptForm({ fields, boxes, told, folded }, question, arms) {
   const asked = new Set(["ask", "arm", "answer", ...QUESTIONS[question.ask].fields]);
-  if (question.arm === OWN_ARM) asked.add("table").add("unit");
+  if (question.arm === OWN_ARM) asked.add("table");
   for (const [key, box] of Object.entries(boxes)) box.hidden = !asked.has(key);
   offerArms(fields.arm, question, arms);
   fields.answer.placeholder = ANSWER_HINTS[question.ask];

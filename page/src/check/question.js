@@ -76,8 +76,6 @@ const MAX_FIELD_LENGTH = {
   joints: 1500,
 };
 const MAX_ANSWER_LENGTH = 30_000; // characters
-const HEADER_ADVICE =
-  "Write a row with the names of its columns first, such as a, alpha (deg), d (mm), theta";
 const UNNAMED_ARM = "the arm asked about"; // name of an arm that has none
 export const OWN_ARM = "own"; // key of the arm whose table is typed
 const GUESS_CHOICE = { "": "as it looks" };
@@ -102,7 +100,7 @@ export const CHOICES = {
  * @property {string} arm key in the page's list, or OWN_ARM
  * @property {string} table typed table of the reader's own arm
  * @property {string} q
- * @property {string} unit of q, and of angles without a unit in the table
+ * @property {string} unit of q, and of joint angles in the answer
  * @property {string} frame number of the frame whose axes the rows refer to
  * @property {string} first half of the Jacobian that comes first: "v" or "omega"
  * @property {string} wrench
@@ -221,13 +219,7 @@ export function findArm(question, arms) {
   const symbols = QUESTIONS[question.ask].fields.includes("values")
     ? readSymbolValues(question.values)
     : [];
-  const { rows, assumptions, isOrderGuessed, reading } = readOwnTable(
-    question.table,
-    question.unit,
-    symbols,
-    "m",
-  );
-  if (isOrderGuessed) throw new ArmError(`Are these the ${assumptions[0]}? ${HEADER_ADVICE}.`);
+  const { rows, reading } = readOwnTable(question.table, symbols);
   const fault = findRowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
   return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: UNNAMED_ARM, reading };

@@ -172,7 +172,7 @@ function findFocusedCell(body) {
 // Replace the table by one pasted into any of its fields.
 function handlePaste(event, store, { replace, complain }) {
   const text = event.clipboardData?.getData("text/plain") ?? "";
-  const table = readPastedTable(text, store.state.unit);
+  const table = readPastedTable(text);
   if (!table) return;
   event.preventDefault();
   complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
