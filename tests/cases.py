@@ -12,7 +12,9 @@ the judge's page. It also has a topic (`about`), the expected `grade` (or "refus
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
 `judge/`. Each of the tables `pasted` is read as its rows by the form, the explorer, `Arm.from_table`
 and `compare_tables`, which agrees with a `reference` of other rows
-within the typed digits; one without rows is read by none of them without a question. A case that
+within the typed digits; one without rows is read by none of them without a question. Each case of
+`public` is a table or a Jacobian that somebody published, with the rows in the standard convention
+or what its verdict says; `refused` is what a refusal quotes instead. A case that
 fails has the reason under `fails`.
 """
 
@@ -24,7 +26,7 @@ import pytest
 _CASES = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="utf-8"))
 ENTRIES, QUESTIONS = _CASES["entries"], _CASES["questions"]
 FORMULAS, MATRICES, TABLES = _CASES["formulas"], _CASES["matrices"], _CASES["tables"]
-PASTED_TABLES = _CASES["pasted"]
+PASTED_TABLES, PUBLIC = _CASES["pasted"], _CASES["public"]
 _EXPECTED = ("about", "grade", "cause", "said", "unsaid", "fails")
 
 

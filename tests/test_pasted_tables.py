@@ -1,18 +1,20 @@
 """Test that a pasted table is read alike wherever it can be pasted."""
 
+import re
 import warnings
 
 import numpy as np
 import pytest
 
 from helpers.arm import Arm, Joint, Row
-from helpers.checks import compare_tables
+from helpers.checks import compare_jacobian, compare_tables
 from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW
-from tests.cases import PASTED_TABLES, expect_failures, questions_about
+from tests.cases import PASTED_TABLES, PUBLIC, expect_failures, questions_about
 from tests.corpus.arms import CATALOGUE
+from tests.corpus.machine import Machine
 from tests.node import ask_node, needs_node
 
 ENTRIES = ("a", "alpha", "d", "theta")
@@ -31,19 +33,42 @@ def make_machine(name):
 HOMEWORK_TABLES = [case for case in questions_about("homework: table") if case["grade"] == "right"]
 
 
-@pytest.mark.parametrize("case", expect_failures(HOMEWORK_TABLES), ids=lambda case: case["about"])
-def test_homework_table_makes_the_arm_of_the_homework(case):
-    machine = make_machine(case["arm"])
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        arm = Arm.from_table(
-            case["answer"],
-            columns=case.get("columns"),
-            values=judge.catalogue_arm(case["arm"]).values,
-        )
+def assert_same_arm(arm, machine, tolerance):
     assert arm.dof == machine.dof
     for q in np.random.default_rng(68).uniform(-1.2, 1.2, (4, machine.dof)):
-        np.testing.assert_allclose(forward_kinematics(arm, q), machine.tip(q), atol=1e-9)
+        np.testing.assert_allclose(forward_kinematics(arm, q), machine.tip(q), atol=tolerance)
+
+
+@pytest.mark.filterwarnings("ignore")  # they say what was guessed
+@pytest.mark.parametrize("case", expect_failures(HOMEWORK_TABLES), ids=lambda case: case["about"])
+def test_homework_table_makes_the_arm_of_the_homework(case):
+    values = judge.catalogue_arm(case["arm"]).values
+    arm = Arm.from_table(case["answer"], columns=case.get("columns"), values=values)
+    assert_same_arm(arm, make_machine(case["arm"]), 1e-9)
+
+
+@pytest.mark.filterwarnings("ignore")  # they say what was guessed
+@pytest.mark.parametrize("case", expect_failures(PUBLIC), ids=lambda case: case["about"])
+def test_public_answer_is_judged_right_or_refused_for_its_reason(case):
+    refusal = ""
+    try:
+        if case["ask"] == "table":
+            arm = Arm.from_table(case["answer"], **case.get("options", {}))
+        else:
+            arm = Arm.from_table(case["table"])
+            verdict = compare_jacobian(
+                case["answer"], arm, case.get("q"), values=case.get("values")
+            )
+    except ArmError as error:
+        refusal = str(error)
+    if refusal:
+        assert re.search(case.get("refused", "no refusal is expected"), refusal)
+        return
+    if case["ask"] == "jacobian":
+        assert re.search(case["said"], str(verdict), re.DOTALL)
+        return
+    rows = [(k, a, np.radians(alpha), d, np.radians(t)) for k, a, alpha, d, t in case["rows"]]
+    assert_same_arm(arm, Machine(rows), 2e-4)  # the sources round to 0.1 mm and 1e-4 rad
 
 
 # One reading, or one question, at every input
