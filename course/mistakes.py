@@ -10,12 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.checks.arms import judge_data
-from helpers.checks.engine import ask_judge, format_sentence
+from helpers.checks.engine import ask_judge
 
 Array = NDArray[np.float64]
 
 MILLIMETRES = "The lengths are in millimetres: use metres"
 DEGREES = "The angles are in degrees: use radians"
+OTHER_SIDE = "The path is drawn on the other side of its start: check the sign of the velocity"
+BACKWARDS = "The path is drawn in the opposite direction: check the sign of the velocity"
 _ROUND_OFF = 1e-9  # a smaller difference from the right answer is no difference
 
 
@@ -62,11 +64,6 @@ def list_mistakes(
         for answer in answers
         if None not in answer["values"]  # a mistake that leads to no number
     ]
-
-
-def name_mistake(key: str, values: Array) -> Mistake:
-    """Return a mistake of the judge's catalogue whose numbers the caller computed."""
-    return Mistake(key, format_sentence(key), values)
 
 
 def list_other_units(right: Array, lengths: ArrayLike) -> list[Mistake]:

@@ -14,10 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course.mistakes import (
+    BACKWARDS,
+    OTHER_SIDE,
     Mistake,
     list_mistakes,
     list_other_units,
-    name_mistake,
     select_visible,
 )
 from helpers import inverse, symbolic
@@ -303,10 +304,10 @@ def _write_circle_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part,
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
     other_side = 2 * forward_kinematics(arm, start)[:3, 3] - right["centre"]
-    centres = [name_mistake("trace.other side", other_side)]
+    centres = [Mistake("trace.other side", OTHER_SIDE, other_side)]
     centres += list_other_units(right["centre"], lengths=True)
     half, quarter = (list_other_units(right[x], ~arm.turning) for x in ("half", "quarter"))
-    quarter.append(name_mistake("trace.backwards", right["three quarters"]))
+    quarter.append(Mistake("trace.backwards", BACKWARDS, right["three quarters"]))
     return text, (
         Part("centre", "the circle's centre (m)", "numbers", right["centre"], tuple(centres)),
         Part("quarter", joints.format("a quarter"), "numbers", right["quarter"], tuple(quarter),

@@ -1,12 +1,12 @@
 // Answers questions from Python, which come and go as JSON text.
 
-import { sampledPath } from "./geometry/path.js";
+import { makeSampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
 import { ENTRIES } from "./reading/table_rows.js";
 import { numbers, readConfiguration } from "./reading/numbers.js";
 import { getShownKind, listMarks, MARK_NAMES, splitAtMarks } from "./marks.js";
 import { evaluateFormulas, findTableMistake, listMistakes } from "./mistakes.js";
-import { ArmError, formatMessage } from "./sentences.js";
+import { ArmError } from "./sentences.js";
 import { readArmTable } from "./topics/arm_table.js";
 import { compareBranches } from "./topics/branches.js";
 import { compareJacobian } from "./topics/jacobian.js";
@@ -31,7 +31,7 @@ const TOPICS = {
   pose: ({ mine, arm, target, options }) => comparePose(mine, arm, target, options),
   table: ({ mine, arm, options }) => compareTables(mine, arm, options),
   torques: ({ mine, arm, q, options }) => compareTorques(mine, arm, q, options),
-  trace: judgeSampledTrace,
+  trace: ({ mine, arm, path, options }) => compareTrace(mine, arm, makeSampledPath(path), options),
   joints: ({ q, arm, angles }) => readConfiguration(q, arm, angles),
   configurations: ({ q, arm, angles }) => readConfigurations(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
@@ -40,18 +40,7 @@ const TOPICS = {
   mistakes: (question) => listMistakes(/** @type {any} */ (question)),
   formulas: (question) => evaluateFormulas(/** @type {any} */ (question)),
   "table mistake": (question) => findTableMistake(/** @type {any} */ (question)),
-  words: ({ key, fields }) => formatMessage(key, fields),
 };
-
-// Judge a trajectory along a path that Python samples. If the judge needs the path at more times,
-// the answer is the list of these times, and Python asks again.
-/** @param {Question} question */
-function judgeSampledTrace(question) {
-  const { mine, arm, path, options } = question;
-  const wanted = new Set();
-  const verdict = compareTrace(mine, arm, sampledPath(path, wanted), options);
-  return wanted.size ? { wanted: [...wanted] } : verdict;
-}
 
 /**
  * Remove the fields that only the page shows, and list the numbers that were read.

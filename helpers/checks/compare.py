@@ -5,6 +5,7 @@ Each comparison turns the answer into plain data, asks the judge and returns its
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -14,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, require_joints
 from helpers.checks.arms import judge_data
-from helpers.checks.engine import ask_judge, format_sentence
+from helpers.checks.engine import ask_judge
 from helpers.checks.functions import call_student_function
 from helpers.checks.plain_data import to_plain_data
 from helpers.checks.student_arm import make_joint_map
@@ -38,6 +39,7 @@ from helpers.statics import GRAVITY, check_wrench, static_torque
 Array = NDArray[Any]
 
 _NO_WRENCH = (0.0,) * 6
+_FEWEST_SAMPLES = 400  # of a path: a cubic between them is off by 1e-9 of a circle's radius
 
 
 # Shared by all comparisons
@@ -142,8 +144,10 @@ def compare_tables(
         )
     reading_options = check_reading_options(columns, lengths, angles, convention)
     if isinstance(answer, Arm) and reading_options:
+        settings = ", ".join(map(shorten, reading_options.values()))
         raise ArmError(
-            format_sentence("arm is read", given=", ".join(map(shorten, reading_options.values())))
+            "your table is an Arm, whose units are metres and radians, so"
+            f" {settings} would change nothing; leave it out"
         )
     if start_configuration is not None:
         options["startConfiguration"] = reference.joint_vector(
@@ -335,7 +339,8 @@ def compare_branches(
     options = _check_options(angles, tolerance, answer_number=answer_number)
     if solutions.valid.ndim != 1:
         raise ArmError(
-            format_sentence("one target", arm=solutions.arm.name, count=solutions.distance.size)
+            f"{solutions.arm.name}: solutions hold {solutions.distance.size} targets;"
+            " expected the branches of one target"
         )
     branches = [
         {"name": str(name), "q": q.tolist(), "free": free.tolist(), "times": int(times)}
@@ -416,29 +421,29 @@ def compare_trace(
     require_type(arm, Arm, "arm")
     require_type(path, Path, "path")
     options = _check_options(angles, tolerance, answer_number=answer_number)
-    given = dict(mine=to_plain_data(answer), arm=judge_data(arm), options=options)
-    samples = {"times": path.times.tolist(), "normal": path.normal.tolist(), "at": []}
-    missing_times = _likely_times(path.times)
-    while len(missing_times):
-        samples["at"] += _sample_path(path, np.asarray(missing_times))
-        reply = ask_judge("trace", path=samples, **given)
-        missing_times = reply.get("wanted", ())
+    reply = ask_judge(
+        "trace",
+        mine=to_plain_data(answer),
+        arm=judge_data(arm),
+        path=_sample_path(path),
+        options=options,
+    )
     joints = reply.get("figures", {}).pop("q", None)
     figures = {} if joints is None else {"run": _report_read_joints(arm, path, joints)}
     return make_verdict(reply, **figures)
 
 
-def _likely_times(times: Array) -> Array:
-    """Return the times of the path's steps and their midpoints, which most verdicts need."""
-    step = np.diff(times)
-    middles = times[:-1] + 0.5 * step
-    return np.unique(np.concatenate([times, times[:-1] + step, middles, middles + step]))
+def _sample_path(path: Path) -> dict[str, list]:
+    """Return the path as samples of time, position (m) and velocity (m/s).
 
-
-def _sample_path(path: Path, times: Array) -> list:
-    """Return time, position (m) and velocity (m/s) of the path at each time."""
+    Each step is divided into an even number of parts, so that its middle is among the samples.
+    """
+    starts, durations = path.times[:-1, None], np.diff(path.times)[:, None]
+    parts = 2 * math.ceil(_FEWEST_SAMPLES / (2 * max(1, len(starts))))
+    times = np.append(starts + durations * (np.arange(parts) / parts), path.times[-1])
     columns = times, path.position(times.copy()), path.velocity(times.copy())
-    return [list(row) for row in zip(*(c.tolist() for c in columns), strict=True)]
+    samples = [list(row) for row in zip(*(c.tolist() for c in columns), strict=True)]
+    return {"times": path.times.tolist(), "normal": path.normal.tolist(), "samples": samples}
 
 
 def _report_read_joints(arm: Arm, path: Path, joints: list) -> Any:

@@ -37,11 +37,6 @@ def ask_judge(topic: str, **question: Any) -> Any:
     return answer["answer"]
 
 
-def format_sentence(key: str, **fields: object) -> str:
-    """Return a sentence of judge/sentences.json with its fields filled in."""
-    return ask_judge("words", key=key, fields=fields)
-
-
 def _start_engine() -> Callable[[str], str]:
     script = _SCRIPT.read_text(encoding="utf-8")
     return _start_in_browser(script) if sys.platform == "emscripten" else _start_quickjs(script)

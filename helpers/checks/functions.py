@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.checks.engine import format_sentence
 from helpers.inputs import ArmError
 
 Array = NDArray[Any]
@@ -34,9 +33,9 @@ def call_student_function(function: Callable, q: Array, name: str) -> Any:
             raise
         except Exception as error:
             failures.append(error)
-    message = f"{type(failures[0]).__name__}: {failures[0]}"
     raise ArmError(
-        format_sentence("function failed", what=name, error=message, dof=len(q))
+        f"{name}: your function failed ({type(failures[0]).__name__}: {failures[0]}); it was called"
+        f" with q of {len(q)} values. Wrap it, as in lambda q: f(q, ...)"
     ) from failures[0]
 
 

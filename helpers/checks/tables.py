@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
-from helpers.checks.engine import ask_judge, format_sentence
+from helpers.checks.engine import ask_judge
 from helpers.inputs import ArmError, numbers_by_name, require_choice, shorten, tuple_of_items
 from helpers.rows import Joint, Row
 
@@ -103,7 +103,7 @@ def format_table(source: Any) -> str:
         return _format_markdown(source.columns, source.to_numpy().tolist())
     table = _to_list(source)
     if not isinstance(table, list | tuple):
-        raise ArmError(format_sentence("no table", given=shorten(source)))
+        raise ArmError(f"the table is {shorten(source)}; expected rows or text")
     if table and all(isinstance(row, Mapping) for row in table):
         headers = list(dict.fromkeys(name for row in table for name in row))
         return _format_markdown(headers, [[row.get(name, 0) for name in headers] for row in table])
@@ -113,7 +113,7 @@ def format_table(source: Any) -> str:
     if rows and all(_is_matrix(row) for row in rows):
         rows = [_to_list(line) for matrix in rows for line in matrix]
     if not rows or not all(map(_is_row, rows)):
-        raise ArmError(format_sentence("no rows", given=shorten(source)))
+        raise ArmError(f"the table is {shorten(source)}; expected rows of four entries")
     return f"[{', '.join(map(_format_row, rows))}]"
 
 
@@ -137,14 +137,18 @@ def _format_mapping(table: Mapping[str, Any]) -> str:
     """Print a mapping of column headers to lists, or of entry names such as a_1 to numbers."""
     lists = list(table.values())
     if not table or not (all(map(_is_list, lists)) or not any(map(_is_list, lists))):
-        raise ArmError(format_sentence("no entries", given=shorten(table)))
+        raise ArmError(
+            f"the table is {shorten(table)};"
+            " expected lists such as 'a': [...], or entries such as 'd1': 0.3"
+        )
     if not _is_list(lists[0]):
         return "{" + ", ".join(f"'{name}': {_format_cell(x)}" for name, x in table.items()) + "}"
     counts = sorted({len(column) for column in lists})
     if len(counts) > 1:
-        raise ArmError(format_sentence("uneven lists", counts=", ".join(map(str, counts))))
+        sizes = ", ".join(map(str, counts))
+        raise ArmError(f"the table's lists have {sizes} entries; expected as many in each")
     if counts == [0]:
-        raise ArmError(format_sentence("no rows", given=shorten(table)))
+        raise ArmError(f"the table is {shorten(table)}; expected rows of four entries")
     return _format_markdown(table, zip(*lists, strict=True))
 
 

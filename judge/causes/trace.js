@@ -18,7 +18,6 @@ import { listTableMistakes } from "./chain.js";
 import { makeCause } from "./ranking.js";
 import {
   listDisplacedPaths,
-  isPathKnown,
   listPathsWithOneMistake,
   listPathsWithTwoMistakes,
 } from "./trace_paths.js";
@@ -81,7 +80,6 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  */
 export function findTraceCause(trace, tip, allowed, { isOff, hasSymptoms }) {
   const { path } = trace;
-  if (isOff && !isPathKnown(path)) return null;
   const [shiftedPaths, wrongPaths] = isOff
     ? [listDisplacedPaths(path, tip[0], allowed[0]), listPathsWithOneMistake(path)]
     : [[], []];

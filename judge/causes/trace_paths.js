@@ -86,18 +86,6 @@ export function* listPathsWithTwoMistakes(path) {
 }
 
 /**
- * Return whether the data of all these paths is known. If not, Python is asked for all of it at
- * once.
- * @param {Path} path
- */
-export const isPathKnown = (path) =>
-  listTimeMistakes(path)
-    .flatMap(({ rate, from }) => path.times.map((t) => from + rate * t))
-    .concat(middleTime(path))
-    .map(path.position)
-    .every(([x]) => !Number.isNaN(x));
-
-/**
  * List the path shifted to the point where the trajectory begins. There is none if that is the
  * right point. The shift leaves out coordinates of the circle's centre (slip 11) or has any other
  * cause (handed in).

@@ -1,7 +1,7 @@
 // Makes paths of the tip, as helpers/motion/paths.py does. A path has a position and a velocity at
 // any time.
 
-import { cross, linkFrames } from "./kinematics.js";
+import { cross, linkFrames, minus, norm } from "./kinematics.js";
 
 /**
  * @typedef {object} Path
@@ -17,22 +17,47 @@ const UNIT = [
   [0, 0, 1],
 ];
 
+const SAME_POINT = 1e-9; // m: a path whose ends are nearer to each other is closed
+
 /**
- * Make a path of samples from Python. It is NaN at all times without a sample.
- * @param {{ times: number[], at: [number, number[], number[]][], normal: number[] }} samples
- *   `at` has the time, the position and the velocity of each sample
- * @param {Set<number>} wanted collects the times that were asked for and have no sample
+ * Make a path of samples from Python. Between two samples it is a cubic, and from its end a closed
+ * path goes round again.
+ * @param {{ times: number[], samples: [number, number[], number[]][], normal: number[] }} path each
+ *   sample has a time, the position and the velocity; the times of the path are among them
  * @returns {Path}
  */
-export function sampledPath({ times, at, normal }, wanted) {
-  const known = new Map(at.map(([t, ...both]) => [t, both]));
-  const nowhere = [NaN, NaN, NaN];
-  const lookUp = (k) => (t) => {
-    if (!known.has(t)) wanted.add(t);
-    return known.get(t)?.[k] ?? nowhere;
+export function makeSampledPath({ times, samples, normal }) {
+  const [[begin, first], [end, last]] = [samples[0], samples.at(-1)];
+  const isClosed = norm(minus(last, first)) < SAME_POINT;
+  const interpolate = (time) => {
+    const isBeyond = time < begin || time > end;
+    const t = isClosed && isBeyond ? begin + modulo(time - begin, end - begin) : time;
+    const next = samples.findIndex(([sampleTime]) => sampleTime > t);
+    const k = next < 0 ? samples.length - 2 : Math.max(0, next - 1);
+    const [[t0, p0, v0], [t1, p1, v1]] = [samples[k], samples[k + 1]];
+    const [h, s] = [t1 - t0, (t - t0) / (t1 - t0)];
+    if (s === 0 || s === 1) return s ? [p1, v1] : [p0, v0];
+    const rise = 3 * s ** 2 - 2 * s ** 3;
+    return [
+      p0.map((x, i) => {
+        const bend = s * (1 - s) ** 2 * v0[i] - s ** 2 * (1 - s) * v1[i];
+        return x + rise * (p1[i] - x) + h * bend;
+      }),
+      p0.map((x, i) => {
+        const ends = (1 - s) * (1 - 3 * s) * v0[i] + s * (3 * s - 2) * v1[i];
+        return (6 * s * (1 - s) * (p1[i] - x)) / h + ends;
+      }),
+    ];
   };
-  return { times, position: lookUp(0), velocity: lookUp(1), normal };
+  const cache = new Map();
+  const at = (t) => {
+    if (!cache.has(t)) cache.set(t, interpolate(t));
+    return cache.get(t);
+  };
+  return { times, position: (t) => at(t)[0], velocity: (t) => at(t)[1], normal };
 }
+
+const modulo = (x, period) => ((x % period) + period) % period;
 
 /**
  * Make a circle at constant speed.
