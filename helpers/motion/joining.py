@@ -43,20 +43,8 @@ def join_traces(runs: Iterable[Trace]) -> Trace:
                 f"run {number} ends at {first.q[-1]}, the next begins at {second.q[0]}; expected"
                 " the same"
             )
-    return Trace(
-        traces[0].arm,
-        _join_paths([trace.path for trace in traces]),
-        np.concatenate([traces[0].q, *(trace.q[1:] for trace in traces[1:])]),
-        np.concatenate([*(trace.q_dot[:-1] for trace in traces), traces[-1].q_dot[-1:]]),
-        np.concatenate([traces[0].poses, *(trace.poses[1:] for trace in traces[1:])]),
-    )
-
-
-def _join_paths(paths: list[Path]) -> Path:
-    """Join paths in time.
-
-    The first path begins at 0 s.
-    """
+    # The joined path begins at 0 s.
+    paths = [trace.path for trace in traces]
     ends = list(accumulate(path.times[-1] - path.times[0] for path in paths))
     begins = [0.0, *ends[:-1]]
 
@@ -74,5 +62,11 @@ def _join_paths(paths: list[Path]) -> Path:
         return value
 
     later = [path.times[1:] - path.times[0] + begins[k] for k, path in enumerate(paths)]
-    times = np.concatenate([[0.0], *later])
-    return Path(times, join_functions("position"), join_functions("velocity"), paths[0].normal)
+    times, normal = np.concatenate([[0.0], *later]), paths[0].normal
+    return Trace(
+        traces[0].arm,
+        Path(times, join_functions("position"), join_functions("velocity"), normal),
+        np.concatenate([traces[0].q, *(trace.q[1:] for trace in traces[1:])]),
+        np.concatenate([*(trace.q_dot[:-1] for trace in traces), traces[-1].q_dot[-1:]]),
+        np.concatenate([traces[0].poses, *(trace.poses[1:] for trace in traces[1:])]),
+    )

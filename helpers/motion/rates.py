@@ -135,7 +135,14 @@ def pseudo_inverse(cutoff: float = 1e-9) -> Rates:
     Source: Whitney (1969).
     """
     _require_nonnegative(cutoff=cutoff)
-    return lambda J, twist, q: _apply_pseudoinverse(J, twist, cutoff)
+
+    def rates(J: Array, twist: Array, q: Array) -> Array:
+        # From the singular values, without the matrix J^+ itself.
+        U, sizes, V = np.linalg.svd(J, full_matrices=False)
+        is_nonzero = sizes > cutoff * sizes[0]
+        return (np.divide(twist @ U, sizes, out=np.zeros_like(sizes), where=is_nonzero)) @ V
+
+    return rates
 
 
 def damped(damping: float) -> Rates:
@@ -181,13 +188,6 @@ def format_size(value: float) -> str:
 def _require_nonnegative(**numbers: float) -> None:
     for name, value in numbers.items():
         finite_number(value, name, "a finite number of 0 or more", least=0)
-
-
-def _apply_pseudoinverse(J: Array, twist: Array, cutoff: float) -> Array:
-    """Compute J^+ xi from the singular values, without the matrix J^+ itself."""
-    U, sizes, V = np.linalg.svd(J, full_matrices=False)
-    is_nonzero = sizes > cutoff * sizes[0]
-    return (np.divide(twist @ U, sizes, out=np.zeros_like(sizes), where=is_nonzero)) @ V
 
 
 def _apply_damped_inverse(J: Array, twist: Array, squared: float) -> Array:

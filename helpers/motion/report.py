@@ -132,51 +132,37 @@ def report_trace(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> 
     beyond = np.maximum(q - upper, lower - q).max(axis=0)
     speed = np.abs(q_dot).max(axis=0)
     sizes = np.linalg.svd(jacobian(arm, q), compute_uv=False)
+    axis, axes = poses[0, :3, 2], poses[:, :3, 2]
+    tilts = np.arctan2(np.linalg.norm(np.cross(axes, axis), axis=-1), axes @ axis)
+    # The last rate repeats the rate before.
+    accelerations = np.abs(np.diff(q_dot[:-1], axis=0)) / np.diff(path.times)[:-1, None]
+    # Limits do not count for what is within reach, since a trace exceeds them too.
+    distances, reach = np.linalg.norm(error, axis=1), 0.0
+    worst = int(distances.argmax())
+    if distances[worst] >= _LARGE_ERROR:
+        nearest = solve(arm, path.positions[worst], start=q[worst], limits=False, restarts=8)
+        distance = float(nearest.position_error)
+        reach = distance if distance > _LARGE_ERROR / 10 else 0.0
     return TraceReport(
         arm=arm.name,
-        position_error=float(np.linalg.norm(error, axis=1).max()),
+        position_error=float(distances[worst]),
         off_wall=float(np.abs(error @ path.normal).max()),
-        pen_tilt=float(_angles_between(poses[:, :3, 2], poses[0, :3, 2]).max()),
+        pen_tilt=float(tilts.max()),
         closing_gap=float(np.linalg.norm(poses[-1, :3, 3] - poses[0, :3, 3])),
         joint_gap=float(np.abs(q[-1] - q[0]).max()),
         smallest_singular_value=float(sizes[:, -1].min()),
         largest_condition=float((sizes[:, 0] / np.maximum(sizes[:, -1], 1e-300)).max()),
         largest_speed=float(speed.max()),
         speed_share=float((speed / arm.speed_limits).max()),
-        largest_acceleration=float(_compute_accelerations(path, q_dot).max(initial=0.0)),
+        largest_acceleration=float(accelerations.max(initial=0.0)),
         speed_from_rest=float(np.abs(q_dot[[0, -1]]).max()),
         beyond_limits=_positive_excess(arm, beyond),
         beyond_speed=_positive_excess(arm, speed - arm.speed_limits),
         sliding=tuple(arm.joints[k] for k in np.flatnonzero(~arm.turning)),
         ranges=bool(np.isfinite([lower, upper]).any()),
         speeds=bool(np.isfinite(arm.speed_limits).any()),
-        out_of_reach=_distance_out_of_reach(arm, path, q, error),
+        out_of_reach=reach,
     )
-
-
-def _distance_out_of_reach(arm: Arm, path: Path, q: Array, error: Array) -> float:
-    """Return how far the point of the largest error is out of the arm's reach, in m.
-
-    Limits do not count, since a trace exceeds them too.
-    """
-    worst = int(np.linalg.norm(error, axis=1).argmax())
-    if np.linalg.norm(error[worst]) < _LARGE_ERROR:
-        return 0.0
-    nearest = solve(arm, path.positions[worst], start=q[worst], limits=False, restarts=8)
-    distance = float(nearest.position_error)
-    return distance if distance > _LARGE_ERROR / 10 else 0.0
-
-
-def _angles_between(axes: Array, axis: Array) -> Array:
-    return np.arctan2(np.linalg.norm(np.cross(axes, axis), axis=-1), axes @ axis)
-
-
-def _compute_accelerations(path: Path, q_dot: Array) -> Array:
-    """Compute accelerations from step to step.
-
-    The last rate repeats the rate before.
-    """
-    return np.abs(np.diff(q_dot[:-1], axis=0)) / np.diff(path.times)[:-1, None]
 
 
 def _positive_excess(arm: Arm, excess: Array) -> tuple[tuple[int, float], ...]:

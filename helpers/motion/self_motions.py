@@ -57,21 +57,38 @@ def self_motion(
     step = finite_number(step, "step", "a finite length > 0 in joint space", above=0)
     speed = finite_number(speed, "speed", "a finite joint speed > 0", above=0)
     pose, steps = forward_kinematics(arm, start), max(1, round(length / step))
+    lower, upper = arm.limits
     ahead = _find_tangent(arm, start, direction)
     q: list[Array] = [start]
     for _ in range(steps):
-        moved = _bring_back(arm, q[-1] + length / steps * ahead, pose)
+        moved = q[-1] + length / steps * ahead
+        for _ in range(20):
+            error = tip_error(forward_kinematics(arm, moved), pose[:3, 3], pose[:3, :3])
+            if np.abs(error).max() < 1e-13:
+                break
+            moved = moved + np.linalg.pinv(jacobian(arm, moved), rcond=_CUTOFF) @ error
+        else:
+            raise ArmError("step is too long: the tip was not brought back; expected a shorter one")
         if not np.linalg.norm(moved - q[-1]) < 2 * length / steps:
             raise ArmError(
                 f"step is {step}, after which the tip is far off; expected a shorter one"
             )
-        if not _within_limits(arm, moved):
+        if (moved < lower).any() or (moved > upper).any():
             break
         ahead = _find_tangent(arm, moved, ahead)
         q.append(moved)
     if len(q) == 1:  # no room: it stands still
         q.append(start)
-    return _trace_at_rest(arm, np.array(q), length / steps / speed)
+
+    seconds = length / steps / speed
+    rates, poses = np.diff(q, axis=0) / seconds, forward_kinematics(arm, np.array(q))
+    path = Path(
+        seconds * np.arange(len(q)),
+        lambda t: np.broadcast_to(poses[0, :3, 3], (*np.shape(t), 3)),
+        lambda t: np.zeros((*np.shape(t), 3)),
+        poses[0, :3, 2],
+    )
+    return Trace(arm, path, np.array(q), np.vstack([rates, rates[-1]]), poses)
 
 
 def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
@@ -106,33 +123,28 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
             "expected one null direction, or two at a configuration of lost rank"
         )
     if len(null) == 2:
-        forms = np.array([[lost @ _compute_bilinear_form(J, u, v) for u in null] for v in null])
-        null = _common_zeros(forms, f"q = {np.asarray(q)}") @ null
+        # A unit vector x in the plane of both solves x . F x = 0, F being the largest form.
+        forms = [
+            [lost @ (_compute_acceleration(J, u + v) - _compute_acceleration(J, u - v)) / 4
+             for u in null]
+            for v in null
+        ]  # fmt: skip
+        largest = np.abs(forms).max(axis=(0, 1)).argmax()
+        (low, high), axes = np.linalg.eigh(np.array(forms)[:, :, largest])
+        if min(abs(low), abs(high)) < _CUTOFF:
+            raise ArmError(
+                f"second order does not tell the directions at q = {np.asarray(q)}; expected"
+                " another configuration"
+            )
+        if low * high > 0:
+            null = null[:0]
+        else:
+            null = np.sqrt([high, -low] / (high - low)) * [[1, 1], [1, -1]] @ axes.T @ null
     keeps_tip = [np.abs(lost @ _compute_acceleration(J, v)).max(initial=0) < _CUTOFF for v in null]
     directions = null[np.array(keeps_tip, dtype=bool)]
     directions = directions[np.lexsort(-np.abs(directions.T[::-1]))]
     forwards = [v * np.sign(v[np.abs(v) > 1e-6][0]) for v in directions]
     return np.array(forwards).reshape(directions.shape)
-
-
-def _common_zeros(forms: Array, place: str) -> Array:
-    """Solve x . F x = 0 for unit vectors x, shape (2 or 0, 2).
-
-    F is the largest of the forms, shape (2, 2, number).
-    """
-    largest = np.abs(forms).max(axis=(0, 1)).argmax()
-    (low, high), axes = np.linalg.eigh(forms[:, :, largest])
-    if min(abs(low), abs(high)) < _CUTOFF:
-        raise ArmError(
-            f"second order does not tell the directions at {place}; expected another pose"
-        )
-    if low * high > 0:
-        return np.empty((0, 2))
-    return np.sqrt([high, -low] / (high - low)) * [[1, 1], [1, -1]] @ axes.T
-
-
-def _compute_bilinear_form(J: Array, u: Array, v: Array) -> Array:
-    return (_compute_acceleration(J, u + v) - _compute_acceleration(J, u - v)) / 4
 
 
 def _compute_acceleration(J: Array, rates: Array) -> Array:
@@ -154,36 +166,3 @@ def _find_tangent(arm: Arm, q: Array, ahead: Array) -> Array:
             " it alone"
         )
     return along / np.linalg.norm(along)
-
-
-def _bring_back(arm: Arm, q: Array, pose: Array) -> Array:
-    """Find joint values near q that give the tip its pose, by Newton's method with J^+."""
-    for _ in range(20):
-        error = tip_error(forward_kinematics(arm, q), pose[:3, 3], pose[:3, :3])
-        if np.abs(error).max() < 1e-13:
-            break
-        q = q + np.linalg.pinv(jacobian(arm, q), rcond=_CUTOFF) @ error
-    else:
-        raise ArmError("step is too long: the tip was not brought back; expected a shorter one")
-    return q
-
-
-def _within_limits(arm: Arm, q: Array) -> bool:
-    lower, upper = arm.limits
-    return bool(((lower <= q) & (q <= upper)).all())
-
-
-def _trace_at_rest(arm: Arm, q: Array, seconds: float) -> Trace:
-    """Return q (steps + 1, dof), a step every `seconds`, as a trace whose path stands still."""
-    poses = forward_kinematics(arm, q)
-    point, times = poses[0, :3, 3], seconds * np.arange(len(q))
-
-    def position(t: ArrayLike) -> Array:
-        return np.broadcast_to(point, (*np.shape(t), 3))
-
-    def velocity(t: ArrayLike) -> Array:
-        return np.zeros((*np.shape(t), 3))
-
-    rates = np.diff(q, axis=0) / seconds
-    path = Path(times, position, velocity, poses[0, :3, 2])
-    return Trace(arm, path, q, np.vstack([rates, rates[-1]]), poses)

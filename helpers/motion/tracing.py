@@ -213,27 +213,17 @@ def _newton_step(
         if np.abs(error).max() < 1e-13:
             break
         end = end + steering.joint_rates(arm, end, error)
-    _require_arrival(error)
-    _require_small_step(arm, end - q)
-    return (end - q) / samples.h[k], end
-
-
-def _require_arrival(error: Array) -> None:
-    """Raise UnreachableError where Newton's method has not reached the path."""
     metres, radians = np.linalg.norm(error.reshape(2, 3), axis=1)
     if not max(metres, radians) < _TOLERANCE:
         raise UnreachableError(
             f"after {_ITERATIONS} iterations of Newton's method the tip is {1e3 * metres:.3g} mm"
             f" and {np.degrees(radians):.3g}° off the path: {_REASONS}"
         )
-
-
-def _require_small_step(arm: Arm, step: Array) -> None:
-    """Raise UnreachableError where a joint turns by more than half a turn in one step."""
-    leaps = np.where(arm.turning, np.abs(step), 0.0)
+    leaps = np.where(arm.turning, np.abs(end - q), 0.0)
     if leaps.max() > np.pi:
         joint, leap = arm.joints[leaps.argmax()], leaps.max()
         raise UnreachableError(
             f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most:"
             f" {_REASONS}"
         )
+    return (end - q) / samples.h[k], end
