@@ -171,25 +171,22 @@ def plot_regions(
     which = finite_array(which, "which", f"whole numbers ({len(y)}, {len(x)})", (len(y), len(x)))
     require_type(names, dict, "names")
     hatches = ("", "//", "\\\\", "--", "||")
+    half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
+    codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
     for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
-        patch = PathPatch(_make_region_path(x, y, which == value), lw=0, label=name)
+        # A rectangle for each unbroken row of grid points inside the region.
+        edge = np.diff(np.pad((which == value).astype(int), ((0, 0), (1, 1))), axis=1)
+        rows, first = np.nonzero(edge == 1)
+        last = np.nonzero(edge == -1)[1] - 1
+        low, high = y[rows] - half_y, y[rows] + half_y
+        left, right = x[first] - half_x, x[last] + half_x
+        corners = np.array([[left, low], [right, low], [right, high], [left, high], [left, low]])
+        outline = Path(corners.transpose(2, 0, 1).reshape(-1, 2), codes * len(rows))
+        patch = PathPatch(outline, lw=0, label=name)
         patch.set(facecolor=colour, alpha=0.45, hatch=hatch)
         ax.add_patch(patch)
     ax.autoscale_view()
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
-
-
-def _make_region_path(x: NDArray, y: NDArray, inside: NDArray) -> Path:
-    """Return a rectangle for each unbroken row of grid points inside a region."""
-    half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
-    edge = np.diff(np.pad(inside.astype(int), ((0, 0), (1, 1))), axis=1)
-    rows, first = np.nonzero(edge == 1)
-    last = np.nonzero(edge == -1)[1] - 1
-    low, high = y[rows] - half_y, y[rows] + half_y
-    left, right = x[first] - half_x, x[last] + half_x
-    corners = np.array([[left, low], [right, low], [right, high], [left, high], [left, low]])
-    codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
-    return Path(corners.transpose(2, 0, 1).reshape(-1, 2), codes * len(rows))
 
 
 def draw_wrist_triangles(ax: Axes, twists: tuple[float, float], apart: float) -> None:

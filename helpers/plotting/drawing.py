@@ -154,20 +154,10 @@ def draw_lengths(
         first = 2 * i - (2 if kind == "d" else 1)
         ends = project_points(points[[first, first + 1]], view)[:, :2]
         length = 1000 * float(np.linalg.norm(np.diff(points[[first, first + 1]], axis=0)))
-        draw_dimension(
-            ax,
-            ends[0],
-            ends[1],
-            shift,
-            f"${_format_step_symbol(arm, i, kind)} = {round(length, 2):g}$",
-        )
-
-
-def _format_step_symbol(arm: Arm, i: int, kind: str) -> str:
-    row = arm.rows[i - 1]
-    if kind == "d" and row.joint.kind == "prismatic" and not arm.numeric[i - 1].d:
-        return f"q_{{{i}}}"
-    return entry_latex(getattr(row, kind)).strip("-()")
+        row, symbol = arm.rows[i - 1], f"q_{{{i}}}"
+        if kind == "a" or row.joint.kind != "prismatic" or arm.numeric[i - 1].d:
+            symbol = entry_latex(getattr(row, kind)).strip("-()")
+        draw_dimension(ax, ends[0], ends[1], shift, f"${symbol} = {round(length, 2):g}$")
 
 
 def draw_dimension(
@@ -326,11 +316,15 @@ def draw_row(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
         raise ArmError(f"row is {row}; expected one of 1 to {len(derivation.steps)}")
     step = derivation.steps[row - 1]
     before, foot, origin = step.before[:3, 3], *step.normal
-    middle, half, reach = _choose_window(
-        derivation, project_points([before, foot, origin], view)[:, :2]
-    )
+    # The window is a square around the row; arrows reach no farther than its rim.
+    corners = skeleton(derivation.arm, derivation.frames)
+    points = project_points([before, foot, origin], view)[:, :2]
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = float((high - low).max())
+    middle, half = (low + high) / 2, max(0.8 * extent, 0.19 * _measure_extent(corners))
+    reach = min(0.65 * half, 1.15 * half - 0.5 * extent)
     ax.plot(
-        *project_points(_list_arm_corners(derivation), view).T[:2],
+        *project_points(corners, view).T[:2],
         color=_PALE,
         lw=5,
         solid_joinstyle="round",
@@ -364,14 +358,6 @@ _DASHED = (0, (8, 3, 2, 3))
 _SPAN = np.array([-1.35, 1.35])
 
 
-def _choose_window(derivation: Derivation, points: Array) -> tuple[Array, float, float]:
-    """Return middle and half side of a square around a row, and the greatest reach of arrows."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    extent = float((high - low).max())
-    half = max(0.8 * extent, 0.19 * _measure_extent(_list_arm_corners(derivation)))
-    return (low + high) / 2, half, min(0.65 * half, 1.15 * half - 0.5 * extent)
-
-
 def _list_frame_arrows(step: DerivationStep, reach: float) -> dict[tuple, list[int]]:
     """Return the x and z arrows of a step's two frames, with the indices of their frames.
 
@@ -390,11 +376,6 @@ def _list_frame_arrows(step: DerivationStep, reach: float) -> dict[tuple, list[i
         tips = (tuple(np.round(p, 9) + 0.0) for p in (origin, origin + 0.75 * reach * x))
         arrows["x", *tips].append(index)
     return arrows
-
-
-def _list_arm_corners(derivation: Derivation) -> Array:
-    """Return the corners of the arm's line along the steps of its table, shape (n, 3)."""
-    return skeleton(derivation.arm, derivation.frames)
 
 
 def draw_postures(

@@ -99,15 +99,37 @@ def format_svg(figure: Figure) -> str:
         bbox_inches="tight",
         metadata={"Date": None, "Creator": None},
     )
-    text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", _round_to_hundredths, file.getvalue().decode())
-    text = _number_ids(_shorten_svg(re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)))
+    text = re.sub(
+        r"\b[1-9]\d*\.\d{3,}(?![\de])",
+        lambda number: f"{round(float(number[0]), 2):.15g}",
+        file.getvalue().decode(),
+    )
+    text = re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)
+    # Line ends cost most, since a notebook stores each line as a string. Figure and axes keep their
+    # ids for the tests.
+    text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->|<\?xml.*?\?>|<!DOCTYPE.*?>", "", text)
+    text = re.sub(r'(<g) id="(?!figure_|axes_)[^"]*"', r"\1", re.sub(r"\s*\n\s*", "", text))
+    text = re.sub(r' xmlns:xlink="[^"]*"|\bxlink:(?=href=)|(?<=[MLQC]) (?=[-\d])', "", text)
+    # Matplotlib's ids are hashes of unrounded numbers. They become numbers, unique on a page.
+    ids = {name: str(k) for k, name in enumerate(dict.fromkeys(_HASHED_ID.findall(text)))}
+    figure_name = sha256(_replace_ids(text, ids, "").encode()).hexdigest()[:8]
+    text = _replace_ids(text, ids, f"f{figure_name}-")
     text = text.replace('<g id="figure_1">', f'{_format_panel_views(figure)}<g id="figure_1">', 1)
     return text.replace("<path", "\n<path")  # lines short enough for a diff of two notebooks
 
 
 def _format_panel_views(figure: Figure) -> str:
     """Return an SVG view of each panel for a phone, or "" if the panels form a column."""
-    panels = _list_panel_boxes(figure)
+    bars = {
+        ax: [artist.colorbar.ax for artist in (*ax.collections, *ax.images) if artist.colorbar]
+        for ax in figure.axes
+        if ax.get_visible()
+    }
+    # A legend of the figure is a panel, and so are axes with their colour bar.
+    groups: list[list[Artist]] = [[legend] for legend in figure.legends]
+    groups += [[ax, *bars[ax]] for ax in bars if not any(ax in others for others in bars.values())]
+    boxes = ([part.get_tightbbox() for part in group] for group in groups)
+    panels = [Bbox.union([box for box in group if box is not None]) for group in boxes]
     if all(below.y1 < (above.y0 + above.y1) / 2 for above, below in pairwise(panels)):
         return ""
     page = figure.get_tightbbox().padded(mpl.rcParams["savefig.pad_inches"])  # in inches
@@ -120,49 +142,12 @@ def _format_panel_views(figure: Figure) -> str:
     return "".join(views)
 
 
-def _list_panel_boxes(figure: Figure) -> list[Bbox]:
-    """Return the bounding boxes of the figure's legends and of each axes with its colour bar."""
-    bars = {
-        ax: [artist.colorbar.ax for artist in (*ax.collections, *ax.images) if artist.colorbar]
-        for ax in figure.axes
-        if ax.get_visible()
-    }
-    panels: list[list[Artist]] = [
-        [ax, *bars[ax]]
-        for ax in bars
-        if not any(ax in colour_bars for colour_bars in bars.values())
-    ]
-    legends: list[list[Artist]] = [[legend] for legend in figure.legends]
-    boxes = ([part.get_tightbbox() for part in group] for group in [*legends, *panels])
-    return [Bbox.union([box for box in group if box is not None]) for group in boxes]
+_HASHED_ID = re.compile(r'id="([mp][0-9a-f]{10})"')
 
 
-def _round_to_hundredths(number: re.Match[str]) -> str:
-    return f"{round(float(number[0]), 2):.15g}"
-
-
-def _shorten_svg(text: str) -> str:
-    """Remove line ends, comments and names from an SVG without changing the picture.
-
-    Line ends cost most, since a notebook stores each line as a string. Figure and axes keep their
-    ids for the tests.
-    """
-    text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->|<\?xml.*?\?>|<!DOCTYPE.*?>", "", text)
-    text = re.sub(r'(<g) id="(?!figure_|axes_)[^"]*"', r"\1", re.sub(r"\s*\n\s*", "", text))
-    return re.sub(r' xmlns:xlink="[^"]*"|\bxlink:(?=href=)|(?<=[MLQC]) (?=[-\d])', "", text)
-
-
-def _number_ids(text: str) -> str:
-    """Replace Matplotlib's ids, hashes of unrounded numbers, by numbers unique on a page."""
-    hashed_ids = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
-    order = {name: str(number) for number, name in enumerate(hashed_ids)}
-
-    def replace_ids(prefix: str) -> str:
-        return re.sub(
-            r"\b[mp][0-9a-f]{10}\b",
-            lambda name: prefix + order[name[0]] if name[0] in order else name[0],
-            text,
-        )
-
-    figure = sha256(replace_ids("").encode()).hexdigest()[:8]
-    return replace_ids(f"f{figure}-")
+def _replace_ids(text: str, ids: dict[str, str], prefix: str) -> str:
+    return re.sub(
+        r"\b[mp][0-9a-f]{10}\b",
+        lambda name: prefix + ids[name[0]] if name[0] in ids else name[0],
+        text,
+    )
