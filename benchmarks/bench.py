@@ -168,8 +168,8 @@ How the best ways are called:
 
 The helpers are plain NumPy. They are quick where many configurations are computed in one call; a trace, too, is computed at all of its steps at once, wherever
 rates are the plain inverse of the arm's own Jacobian. Machine code is faster where it does the same: CasADi's expressions compiled by gcc, and EAIK's C++ for all
-branches of a structure, except the UR10e's. One pose alone costs the interpreter up to a tenth of a millisecond, several times what Pinocchio and
-MuJoCo take: a loop of your own around single poses is faster with one of those.
+branches of a structure, except the UR10e's. One configuration alone costs the interpreter up to a tenth of a millisecond, several times what Pinocchio and
+MuJoCo take: a loop of your own around single configurations is faster with one of those.
 """
 
 

@@ -257,7 +257,9 @@ def list_batch_cases(Case):
             ("Jacobian", jacobian, jacobians),
         ):
             works = {peer: partial(work, batch) for peer, work in peers.items()}
-            yield Case(f"{name}, {count} poses", partial(ours, BARE, batch), works, 1e-12, rounds)
+            yield Case(
+                f"{name}, {count} configurations", partial(ours, BARE, batch), works, 1e-12, rounds
+            )
 
 
 def list_single_pose_cases(Case):
@@ -281,7 +283,9 @@ def list_single_pose_cases(Case):
         ("FK", forward_kinematics, poses),
         ("Jacobian", jacobian, jacobians),
     ):
-        yield Case(f"{name}, one pose", partial(ours, BARE, x), peers, 1e-12, 31, calls=100)
+        yield Case(
+            f"{name}, one configuration", partial(ours, BARE, x), peers, 1e-12, 31, calls=100
+        )
 
 
 def list_cases(Case):

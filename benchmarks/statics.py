@@ -149,11 +149,13 @@ def list_cases(Case):
         "Pinocchio, rneaInParallel at rest, 2 threads": make_newton_euler_at_rest(q, 2),
         "MuJoCo, in a loop": make_mujoco_gravity(q),
     }
-    yield Case("gravity torque, 1 000 poses", partial(gravity_torque, PANDA, q), peers, 1e-9, 31)
+    yield Case(
+        "gravity torque, 1 000 configurations", partial(gravity_torque, PANDA, q), peers, 1e-9, 31
+    )
     single_pose = q[:1]
     peers = {
         "Pinocchio": make_pinocchio_gravity(single_pose),
         "MuJoCo": make_mujoco_gravity(single_pose),
     }
     ours = partial(gravity_torque, PANDA, single_pose)
-    yield Case("gravity torque, one pose", ours, peers, 1e-9, 31, calls=100)
+    yield Case("gravity torque, one configuration", ours, peers, 1e-9, 31, calls=100)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import os
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -21,6 +21,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.base_and_tool import split_pose
+from helpers.deprecated import warn_renamed
 from helpers.expressions import Entry, check_entry, entry_latex, evaluate_entry, symbol_names
 from helpers.inputs import (
     LARGEST,
@@ -535,7 +536,7 @@ class Arm:
         listing = ", ".join(map(str, allowed))
         raise ArmError(f"{self.name}: {message.format(shorten(number))} {listing}")
 
-    def to_free(self, q: ArrayLike) -> Array:
+    def insert_locked(self, q: ArrayLike) -> Array:
         """Insert the values of the locked joints.
 
         Args:
@@ -546,7 +547,7 @@ class Arm:
 
         Example:
             >>> from helpers.robots import PANDA
-            >>> PANDA.lock(3, at=0.5).to_free([1, 2, 4, 5, 6, 7])
+            >>> PANDA.lock(3, at=0.5).insert_locked([1, 2, 4, 5, 6, 7])
             array([1. , 2. , 0.5, 4. , 5. , 6. , 7. ])
         """
         q = self.joint_vector(q)
@@ -557,10 +558,10 @@ class Arm:
             free[..., numbers.index(i)] = at
         return free
 
-    def from_free(self, q: ArrayLike) -> Array:
+    def remove_locked(self, q: ArrayLike) -> Array:
         """Leave out the values of the locked joints.
 
-        This is the inverse of `to_free`.
+        This is the inverse of `insert_locked`.
 
         Args:
             q: Joint values of the arm whose joints this one locks, shape (..., dof + locked).
@@ -570,7 +571,7 @@ class Arm:
 
         Example:
             >>> from helpers.robots import PANDA
-            >>> PANDA.lock(3).from_free([1, 2, 3, 4, 5, 6, 7])
+            >>> PANDA.lock(3).remove_locked([1, 2, 3, 4, 5, 6, 7])
             array([1., 2., 4., 5., 6., 7.])
         """
         numbers = sorted([*self.joints, *self.locked])
@@ -578,6 +579,18 @@ class Arm:
         expected = f"(..., {len(numbers)}), one value for each of joints {listing}"
         free = finite_array(q, f"{self.name}: q", expected, (len(numbers),), many=True)
         return free[..., [numbers.index(i) for i in self.joints]]
+
+    @property
+    def to_free(self) -> Callable[[ArrayLike], Array]:
+        """The old name of `insert_locked`."""
+        warn_renamed("Arm.to_free", "Arm.insert_locked")
+        return self.insert_locked
+
+    @property
+    def from_free(self) -> Callable[[ArrayLike], Array]:
+        """The old name of `remove_locked`."""
+        warn_renamed("Arm.from_free", "Arm.remove_locked")
+        return self.remove_locked
 
     # Numbers to compute with
 

@@ -109,7 +109,7 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
     """
     F = check_wrench(wrench)
     g = gravity_torque(arm, q, gravity)
-    broadcast_shape("poses and wrenches", g.shape[:-1], F.shape[:-1])
+    broadcast_shape("configurations and wrenches", g.shape[:-1], F.shape[:-1])
     return g - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
 
 
@@ -161,7 +161,8 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
 
     Args:
         frames_to: Frames in which the points are asked for, at one configuration, shape (n, 4, 4).
-        frames_from: Frames in which the points are given, at the same pose, shape (n, 4, 4).
+        frames_from: Frames in which the points are given, at the same
+            configuration, shape (n, 4, 4).
         centres: The points, shape (n, 3), in m.
 
     Returns:

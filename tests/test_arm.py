@@ -39,16 +39,16 @@ def test_values_are_a_read_only_dict():
         ELBOW.values["a_2"] = 1.0
 
 
-def test_to_free_and_from_free_are_inverse():
+def test_insert_locked_and_remove_locked_are_inverse():
     locked = STANFORD.lock(3, at=0.5).lock(np.int64(1), at="pi/6")
     assert locked.locked == {1: np.pi / 6, 3: 0.5}
     q = joint_vectors(locked, (4,))
-    free = locked.to_free(q)
+    free = locked.insert_locked(q)
     np.testing.assert_array_equal(free[:, [0, 2]], [[np.pi / 6, 0.5]] * 4)
     np.testing.assert_allclose(
         forward_kinematics(STANFORD, free), forward_kinematics(locked, q), atol=1e-15
     )
-    np.testing.assert_array_equal(locked.from_free(free), q)
+    np.testing.assert_array_equal(locked.remove_locked(free), q)
 
 
 def test_with_row_changes_one_entry():

@@ -15,6 +15,14 @@ def test_old_name_of_jacobian_in_tool_axes_still_works():
     assert np.array_equal(old_name(ELBOW, q, 3), kinematics.jacobian(ELBOW, q, "tool"))
 
 
+def test_old_names_of_locked_values_still_work():
+    locked = ELBOW.lock(2, at=0.5)
+    with pytest.warns(DeprecationWarning, match=r"Arm.to_free is now Arm.insert_locked;"):
+        assert locked.to_free([1, 3]).tolist() == [1, 0.5, 3]
+    with pytest.warns(DeprecationWarning, match=r"Arm.from_free is now Arm.remove_locked;"):
+        assert locked.from_free([1, 2, 3]).tolist() == [1, 3]
+
+
 def test_unknown_name_of_a_module_is_no_attribute():
     with pytest.raises(AttributeError, match="has no attribute 'gone'"):
         deprecated_names("helpers.motion", old="join_traces")("gone")

@@ -37,7 +37,8 @@ def format_setup_note(
         f"> A notebook of the {book}. Run it, change it, try things; *Run All* takes a minute."
         " It needs the package `helpers`, which `make lab` in the repository installs. Elsewhere"
         f" (Colab, VS Code, a folder of your own) run this in a new cell first{hint}:\n>\n"
-        f'> ```\n> %pip install "{source}"\n> ```'
+        f'> ```\n> %pip install "{source}"\n> ```\n>\n'
+        "> A file `helpers.py` of your own beside the notebook hides the package: rename it."
         + ("\n>\n> Its links to answer sheets work once the book is built." * links_to_answers)
     )
 

@@ -18,8 +18,8 @@ def check(
         actual, expected: numbers or arrays, SymPy's too, which agree if no entry differs by more
             than `tolerance`; anything else, such as a matrix with symbols, must be equal.
         tolerance: largest difference of an entry.
-        book_only: the expected value holds only for the book's own arms and poses. A difference is
-            printed and does not raise.
+        book_only: the expected value holds only for the book's own arms and configurations. A
+            difference is printed and does not raise.
 
     Apart from the commands no other function of the helpers prints.
     """

@@ -264,18 +264,20 @@ def compare_torques(
 
     Args:
         answer: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
-            column vectors are transposed. A function of q is called at each pose.
+            column vectors are transposed. A function of q is called at each
+            configuration.
         arm: with masses.
         q: joints of shape (..., dof), or text.
-        wrench: on the tool, by the world, shape (6,), or (..., 6) with one for each pose.
+        wrench: on the tool, by the world, shape (6,), or (..., 6) with one for each
+            configuration.
         gravity: the vector of its acceleration in base axes (m/s^2).
         angles: "deg" where `q` is in degrees.
         tolerance: the largest deviation (N m); inferred from the digits typed unless given.
         answer_number: where a text holds several answers that differ, the number of the one to
             judge, from 1.
 
-    One pose can hide a mistake that a whole path shows. Raises ArmError where `answer` is not
-    numbers or the arm has no masses.
+    One configuration can hide a mistake that a whole path shows. Raises ArmError where `answer` is
+    not numbers or the arm has no masses.
     """
     require_joints(arm)
     options = _check_options(angles, tolerance, answer_number=answer_number)
@@ -299,7 +301,7 @@ def compare_torques(
 
 
 def _call_at_configurations(function: Callable, configurations: Array, name: str) -> Any:
-    """Return the torques that a student's function gives at each pose."""
+    """Return the torques that a student's function gives at each configuration."""
     rows = [
         read_numbers(call_student_function(function, q, name), name).values.ravel()
         for q in configurations

@@ -45,7 +45,8 @@ def derive(
     negative: bool = False,
     tolerance: float = 1e-9,
 ) -> Derivation:
-    """Derive the table of an arm from its joint axes in a drawn pose, which becomes q = 0.
+    """Derive the table of an arm from its joint axes in a drawn configuration, which becomes
+    q = 0.
 
     A fixed row comes first where axis 1 is not the base's z axis, and last where the last common
     normal misses the tip. Lengths become symbols with values (``a_2``, ``d_4``), and so do angles

@@ -48,8 +48,8 @@ class ArmFigure(LiveWidget):
             `wrench` at the tool, its `words`, and others of `SETTINGS`.
 
     Raises:
-        ArmError: No such figure or setting exists, or the figure does not show this arm, pose or
-            joint.
+        ArmError: No such figure or setting exists, or the figure does not show this arm,
+            configuration or joint.
     """
 
     _esm = widget_module("figureWidget")

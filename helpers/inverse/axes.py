@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 
 class JointAxis(NamedTuple):
-    """The axis of one joint at a reference pose.
+    """The axis of one joint at a reference configuration.
 
     Attributes:
         direction: unit vector along the axis, (3, 1, 1) or (3, 1, batch).

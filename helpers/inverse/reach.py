@@ -113,7 +113,7 @@ def _gap_and_step(
 ) -> tuple[Array, Array]:
     """Return the gap p - E_1 E_2 E_3 w and the damped Newton step that makes it smaller.
 
-    The second derivatives of the point count, since the gap stays large at the nearest pose:
+    The second derivatives of the point count, since the gap stays large at the nearest one:
     d2x / dq_i dq_j = z_i x (dx / dq_j) for i <= j, where joint i turns about z_i.
     """
     point = w + 0 * p

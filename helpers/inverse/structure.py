@@ -36,7 +36,7 @@ class Structure:
 
     Attributes:
         kind: WRIST, FIRST_THREE_MEET, PARALLEL, PLANAR_3R, SCARA, PLANAR_2R or POSITION.
-        axes: one `JointAxis` for each joint, at the pose `reference`.
+        axes: one `JointAxis` for each joint, at the configuration `reference`.
         size: the length of the arm from axis to axis, in m.
         reference: the generic configuration, (dof,).
         tip: the tip's pose there, (4, 4).
@@ -113,11 +113,14 @@ def find_structure(arm: Arm) -> Structure:
 
 
 def axes_at_generic_configuration(arm: Arm) -> tuple[tuple[JointAxis, ...], float, Array, Array]:
-    """Return the axes as lines, the arm's size in m, the pose (dof,) and the tip's pose (4, 4).
+    """Return the axes as lines at a configuration, which is returned too.
 
-    The pose is a generic one: at q = 0 axes that differ are often one line. Each axis has the foot
-    of the perpendicular from the point before as its point, since the common normals of nearly
-    parallel axes may lie far away.
+    The configuration is a generic one: at q = 0 axes that differ are often one line. Each axis has
+    the foot of the perpendicular from the point before as its point, since the common normals of
+    nearly parallel axes may lie far away.
+
+    Returns:
+        The axes, the arm's size in m, the configuration (dof,) and the tip's pose (4, 4).
     """
     reference = np.random.default_rng(7).uniform(0.3, 1.2, arm.dof)
     frames = link_frames(arm, reference)

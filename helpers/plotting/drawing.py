@@ -407,11 +407,11 @@ def draw_postures(
     rim = 0.12 * float((high - low).max()) + tool
     half = max(np.ptp(line[:, 0]) for line in lines) / 2 + rim
     origins = [i - 1 for i in arm.joints]
-    for ax, q, pose, line, title in zip(axes, configurations, T, lines, titles, strict=True):
+    for ax, q, frames, line, title in zip(axes, configurations, T, lines, titles, strict=True):
         _draw_ground(ax, line[0], rim - tool)
         ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
         ax.plot(
-            *project_points(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3
+            *project_points(frames[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3
         )
         middle = (line[:, 0].min() + line[:, 0].max()) / 2
         ax.set(xlim=(middle - half, middle + half), ylim=(low[1] - rim, high[1] + rim))

@@ -58,12 +58,12 @@ def animate_trace(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: in
     """Return an animated SVG of the arm drawing its path, seen in two planes.
 
     The animation is part of the SVG and needs no script. It lasts as long as the trajectory.
-    Readers who prefer reduced motion see the start pose with the finished path.
+    Readers who prefer reduced motion see the start with the finished path.
 
     Args:
         run: The traced path.
         planes: The two planes.
-        frames: Number of poses in the animation.
+        frames: Number of configurations in the animation.
     """
     require_type(run, Trace, "run")
     whole_number(frames, "frames", least=1)
@@ -100,7 +100,7 @@ def _format_panel(bones: Array, tips: Array, plane: str, seconds: float, left: f
             for line in zip(x, y, strict=True)
         ]
 
-    poses, (path,) = points(bones), points(tips[None])
+    postures, (path,) = points(bones), points(tips[None])
     repeat = f'dur="{seconds:g}s" repeatCount="indefinite"'
     pieces = np.linalg.norm(np.diff(tips[:, [i, j]], axis=0), axis=1)
     to_draw = np.append(pieces[::-1].cumsum()[::-1], 0.0)
@@ -109,14 +109,14 @@ def _format_panel(bones: Array, tips: Array, plane: str, seconds: float, left: f
     arm = f'{look} stroke="{GREY}" stroke-width="7"'
     ink = f'{look} stroke="{RED}" stroke-width="2.5"'
     drawn = f'<animate attributeName="stroke-dashoffset" values="{hidden}" {repeat}/>'
-    moved = f'<animate attributeName="points" values="{";".join(poses)}" {repeat}/>'
+    moved = f'<animate attributeName="points" values="{";".join(postures)}" {repeat}/>'
     return (
         f'<text x="{left}" y="302" font-size="16">{plane[0]}–{plane[1]} plane</text>'
         f'<polyline points="{path}" {look} stroke="{GREY}" stroke-width="1" stroke-dasharray="3'
         ' 3"/>'
-        f'<g class="moving"><polyline points="{poses[0]}" {arm}>{moved}</polyline>'
+        f'<g class="moving"><polyline points="{postures[0]}" {arm}>{moved}</polyline>'
         f'<polyline points="{path}" {ink}'
         f' stroke-dasharray="{to_draw[0]:.1f}">{drawn}</polyline></g>'
-        f'<g class="still"><polyline points="{poses[0]}" {arm}/><polyline points="{path}"'
+        f'<g class="still"><polyline points="{postures[0]}" {arm}/><polyline points="{path}"'
         f" {ink}/></g>"
     )

@@ -28,7 +28,7 @@ const STRUCTURE_TOLERANCE = 1e-4;
 // The largest gap that round-off leaves; the closed form then needs no steps of Newton's method.
 export const EXACT = 1e-10;
 // Joint values (rad or m) at which no two axes coincide by chance.
-const GENERIC_POSE = [0.86, 1.11, 0.99, 0.5, 0.57, 1.08];
+const GENERIC_CONFIGURATION = [0.86, 1.11, 0.99, 0.5, 0.57, 1.08];
 
 /** @type {WeakMap<Arm, Structure | null>} */
 const structures = new WeakMap();
@@ -93,7 +93,7 @@ function classifySix(configuration) {
  */
 function axesAtGenericConfiguration(arm) {
   const moving = movingRows(arm);
-  const reference = moving.map((_, k) => GENERIC_POSE[k % 6]);
+  const reference = moving.map((_, k) => GENERIC_CONFIGURATION[k % 6]);
   const frames = linkFrames(arm, reference);
   let [last, size] = [frames[0].o, 0];
   // Each axis gets the point nearest to the previous axis's point, since common normals of nearly
