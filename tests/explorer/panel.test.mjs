@@ -1,10 +1,11 @@
-// The panel: labels of axes, ticks of plots, and keys.
+// The panel: labels of axes, ticks of plots, keys, spoken values and directions of motion.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { getStepOfKey } from "../../page/src/panel/head.js";
 import { findBranches } from "../../page/src/motion.js";
 import { findLabelSpot } from "../../page/src/labels.js";
+import { describeMotion, formatSpokenValue } from "../../page/src/text.js";
 import { formatTimeTicks } from "../../page/src/views/plots.js";
 import { ELBOW, STANFORD } from "./arms.mjs";
 
@@ -45,4 +46,16 @@ test("keys trigger undo and redo", () => {
   assert.deepEqual([press("z"), press("Z", { shiftKey: true }), press("y"), press("a")], ["undo", "redo", "redo", null]);
   assert.equal(press("y", { ctrlKey: false, metaKey: true }), "redo");
   assert.equal(press("z", { ctrlKey: false }), null);
+});
+
+test("a spoken value has its sign and unit in words", () => {
+  const [turning, sliding] = [STANFORD.rows[0], STANFORD.rows[2]];
+  assert.equal(formatSpokenValue(turning, -Math.PI / 4, "deg"), "minus 45.0 degrees");
+  assert.equal(formatSpokenValue(turning, -0.5, "rad"), "minus 0.500 radians");
+  assert.equal(formatSpokenValue(sliding, 0.5, "deg"), "0.500 metres");
+});
+
+test("a direction names each share above two percent", () => {
+  assert.equal(describeMotion([0, 0.999, 0, 0.01, 0, 0]), "move along y");
+  assert.equal(describeMotion([0, 0.999, 0, 0.03, 0, 0]), "1.00 along y, 0.03 about x");
 });
