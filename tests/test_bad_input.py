@@ -283,7 +283,7 @@ SPECIAL = [
     ("motion.circle_below", dict(plane="xy"), "plane is 'xy'; expected one with z"),
     ("inverse.ur", dict(start=np.zeros((3, 6))), 'targets and start have shapes (2,) and (3,)'),
     ("inverse.follow", dict(targets=[0.1, 0.1]), 'targets have shape (2,); expected (n, 3)'),
-    ("checks.compare_torques", dict(arm=MASSLESS), 'Panda has no masses; give bodies'),
+    ("checks.compare_torques", dict(arm=MASSLESS), 'Panda has no masses and no wrench'),
     ("checks.compare_torques", dict(q=[PANDA.home] * 2, wrench=np.zeros((3, 1, 6))),
      'configurations and wrenches have shapes (2,) and (3,); expected the same or one of one'),
     ("checks.compare_torques", dict(answer=[10**400] * 7),

@@ -11,7 +11,10 @@ import pytest
 import sympy as sp
 
 from helpers import checks, robots, symbolic
+from helpers.checks.arms import judge_data
+from helpers.checks.engine import ask_judge
 from helpers.inputs import ArmError
+from helpers.kinematics import jacobian
 from tests.laws import ALL_ARMS, arm_id
 
 _CHANGES_PER_ARM = 12
@@ -90,7 +93,16 @@ def test_verdict_on_lengths_alone_names_the_configuration():
     lengths = "0 0 0\na_2+a_3 0 0\n0 a_2+a_3 a_3\n0 0 0\n0 -1 -1\n1 0 0"
     report = checks.compare_jacobian(lengths, robots.ELBOW, [0, 0, 0])
     assert report.headline == "The Jacobian of Elbow arm is right at q = (0, 0, 0)."
-    assert "usual mistakes would not change the Jacobian: try q = (" in report.notes[0]
+
+
+def test_note_on_hidden_mistakes_leaves_out_other_q_if_the_page_fixes_it():
+    arm, q = judge_data(robots.PANDA), [0.0] * 7
+    J = jacobian(robots.PANDA, q).tolist()
+    for is_fixed in (False, True):
+        options = {"isConfigurationFixed": is_fixed}
+        note = ask_judge("jacobian", mine=J, arm=arm, q=q, options=options)["notes"][0]
+        assert "usual mistakes would not change the Jacobian" in note
+        assert ("try q = " in note) is not is_fixed
 
 
 # Tables in symbols

@@ -14,7 +14,7 @@ from helpers.arm import ArmError
 from helpers.checks import compare_torques
 from helpers.robots import UR10E
 from tests.corpus.torques import force, weight
-from tests.mixed import HEAVY, MIXED, add_masses
+from tests.mixed import HEAVY, MIXED, add_masses, make_arm
 
 ARM = add_masses(MIXED, HEAVY)
 F = np.array([3.0, -7, 11, 0.5, -2, 1.5])
@@ -40,6 +40,13 @@ def compare(mine, q=BENT, **options):
     report = compare_torques(mine, ARM, q, **({"wrench": F} | options))
     assert (report.topic, report.arm) == ("torques", "your arm")
     return report
+
+
+def test_wrench_alone_loads_an_arm_without_masses():
+    arm, right = make_arm(MIXED), -force(MIXED, F, BENT)
+    assert compare_torques(right.round(4), arm, BENT, F).grade == "right"
+    assert compare_torques(-right.round(4), arm, BENT, F).causes[0] == "tau.force sign"
+    assert compare_torques(right.round(4), ARM, BENT, F).grade == "wrong"
 
 
 # Layouts

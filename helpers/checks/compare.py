@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, require_joints
+from helpers.arm import Arm, Body, require_joints
 from helpers.checks.arms import judge_data
 from helpers.checks.engine import ask_judge
 from helpers.checks.functions import call_student_function
@@ -262,11 +262,13 @@ def compare_torques(
 ) -> Verdict:
     """Compare your torques at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
 
+    An arm without masses has g = 0: the wrench alone loads its joints.
+
     Args:
         answer: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
             column vectors are transposed. A function of q is called at each
             configuration.
-        arm: with masses.
+        arm: with or without masses.
         q: joints of shape (..., dof), or text.
         wrench: on the tool, by the world, shape (6,), or (..., 6) with one for each
             configuration.
@@ -277,7 +279,7 @@ def compare_torques(
             judge, from 1.
 
     One configuration can hide a mistake that a whole path shows. Raises ArmError where `answer` is
-    not numbers or the arm has no masses.
+    not numbers, or the arm has neither masses nor a wrench.
     """
     require_joints(arm)
     options = _check_options(angles, tolerance, answer_number=answer_number)
@@ -287,7 +289,8 @@ def compare_torques(
     configurations = np.array(
         ask_judge("configurations", q=at, arm=data, angles=angles)["values"]
     ).reshape(-1, arm.dof)
-    static_torque(arm, configurations, F, gravity)  # says what is wrong with the load
+    loaded = arm if arm.bodies else arm.with_bodies([Body(0.0, (0.0, 0.0, 0.0))] * len(arm.rows))
+    static_torque(loaded, configurations, F, gravity)  # says what is wrong with the load
     options |= {"wrench": F.tolist(), "gravity": np.asarray(gravity, float).tolist()}
     given = dict(arm=data, q=at)
     if callable(answer):

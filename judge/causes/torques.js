@@ -40,6 +40,7 @@ import { combineCauses, makeCause } from "./ranking.js";
  * @property {(tau: number[]) => number[]} [write]
  */
 
+const MASSLESS = [0, 0, 0, 0]; // the body of a row without masses
 const keep = (x) => x;
 const multiply = (factor, list) => list.map((x) => factor * x);
 
@@ -59,7 +60,7 @@ const computeForce = (at) =>
 
 /** @param {Arm} arm @param {number[][]} wrenches @param {number[]} gravity @returns {Load} */
 export function makeLoad(arm, wrenches, gravity) {
-  const bodies = arm.rows.map((row) => row.body);
+  const bodies = arm.rows.map(({ body }) => body ?? MASSLESS);
   const zeros = movingRows(arm).map(() => 0);
   return {
     c: chains.makeChain(arm, zeros),
@@ -145,7 +146,7 @@ export const listTorqueSteps = (arm, load) => [
 function listChainMistakes(arm) {
   const tables = listTableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
-  const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
+  const centres = arm.penless?.rows.map(({ body }) => (body ?? MASSLESS).slice(1));
   return [...listConfigurationMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
     const changed = cacheResults(change, new WeakMap());
     const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};

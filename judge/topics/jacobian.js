@@ -213,9 +213,10 @@ function judgeSelectedEntries(typed, request, selection) {
   return { judged: { ...judged, mistakes: judged.mistakes.filter(fitsOthers) }, notes };
 }
 
-// Note how many mistakes in the recipe give the same Jacobian at this configuration, and name a
-// configuration that shows them.
-function noteHiddenMistakes(steps, mistakes, { arm, typedQ, angles }, makeExpected) {
+// Note how many mistakes in the recipe give the same Jacobian at this configuration. Name a
+// configuration that shows them, unless the page fixes q.
+function noteHiddenMistakes(steps, mistakes, question, makeExpected) {
+  const { arm, typedQ, angles, isConfigurationFixed = false } = question;
   const { values: q } = typedQ;
   const expected = makeExpected(q);
   const recipe = mistakes.filter((_, k) => !steps[k].change && !("i" in steps[k].cause.fields[0]));
@@ -224,8 +225,9 @@ function noteHiddenMistakes(steps, mistakes, { arm, typedQ, angles }, makeExpect
     canBeDistinguished({ units: zeros }, expected, make(q)),
   );
   const count = recipe.length - visible.length;
-  const other = describeConfiguration(listGeneralConfigurations(arm)[0], arm, angles);
-  return count ? [formatMessage("J hidden", { count, all: recipe.length, q: other })] : [];
+  const general = describeConfiguration(listGeneralConfigurations(arm)[0], arm, angles);
+  const other = isConfigurationFixed ? "" : formatMessage("J try", { q: general });
+  return count ? [formatMessage("J hidden", { count, all: recipe.length, other })] : [];
 }
 
 // Report a Jacobian that is right, rounded or right so far. `half` is 0 or 1 if only the linear or

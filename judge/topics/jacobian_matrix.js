@@ -2,6 +2,7 @@
 
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { listGeneralConfigurations } from "../geometry/general_configurations.js";
+import { revoluteFlags } from "../geometry/kinematics.js";
 import { isPlanar, movableLinearRows, movableRows } from "../geometry/task_rows.js";
 import { formulaSlack, symbols, value } from "../reading/formula.js";
 import { lengthFactor, lookup, numbers, unitsOf } from "../reading/numbers.js";
@@ -69,12 +70,16 @@ function setLengthUnit(typed, factor) {
   return { ...typed, statedUnits: { angles, lengths: stated, moments } };
 }
 
-// Convert the linear rows to metres if the text states a different unit of lengths.
+// Convert the linear rows to metres if the text states a different unit of lengths. The column of a
+// joint that slides is a length per length, which has no unit.
 function convertToMetres(typed, arm) {
   const { shape, statedUnits } = typed;
-  const count = countLinearRows(shape[0], arm) * shape[1];
+  const width = shape[1];
+  const count = countLinearRows(shape[0], arm) * width;
   if (!statedUnits?.lengths || !count) return typed;
-  const convert = (list) => list.map((x, i) => (i < count ? x * lengthFactor(typed, i) : x));
+  const turns = revoluteFlags(arm);
+  const hasLength = (i) => i < count && (width !== turns.length || turns[i % width]);
+  const convert = (list) => list.map((x, i) => (hasLength(i) ? x * lengthFactor(typed, i) : x));
   const unit = nameLengthUnit(statedUnits.lengths);
   const taken = [...typed.taken, formatMessage("taken: linear rows", { unit })];
   return { ...typed, values: convert(typed.values), units: convert(typed.units), taken };

@@ -49,8 +49,6 @@ export const compareTorques = completeVerdicts(judgeAllTorques);
 
 function judgeAllTorques(mine, arm, q, options = {}) {
   const { tolerance = null, gravity = GRAVITY, isGradeOnly } = options;
-  if (!arm.rows.every((row) => row.body))
-    throw new ArmError(formatMessage("no masses", { arm: arm.name, rows: arm.rows.length }));
   const dof = movingRows(arm).length;
   const [typedQ, wrenches] = pairConfigurationsWithWrenches(
     readConfigurations(q, arm, options.angles),
@@ -58,6 +56,8 @@ function judgeAllTorques(mine, arm, q, options = {}) {
     options.wrench,
   );
   const load = makeLoad(arm, wrenches, gravity);
+  if (![...load.masses, ...wrenches.flat()].some(Boolean))
+    throw new ArmError(formatMessage("no load", { arm: arm.name }));
   const given = [...rowsOf(typedQ.values, dof), ...wrenches];
   const request = { names: ANSWER_NAMES, given, which: options.which };
   const taken = [...(typedQ.locked ?? []), ...describeModel(load)];
@@ -156,10 +156,12 @@ export function readConfigurations(q, arm, angles) {
 
 // Describe the masses that are used for comparison.
 const describeModel = ({ masses, gravity }) => [
-  formatMessage("taken: masses", {
-    masses: masses.map((mass) => formatNumber(mass, 3)).join(", "),
-    g: formatNumber(Math.hypot(...gravity), 4),
-  }),
+  masses.some(Boolean)
+    ? formatMessage("taken: masses", {
+        masses: masses.map((mass) => formatNumber(mass, 3)).join(", "),
+        g: formatNumber(Math.hypot(...gravity), 4),
+      })
+    : formatMessage("taken: no masses"),
 ];
 
 // Return the torques with a row for each configuration, or null if their shape is wrong. Lists for
