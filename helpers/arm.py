@@ -631,11 +631,11 @@ class Arm:
     @cached_property
     def numeric(self) -> tuple[NumericRow, ...]:
         """The rows in numbers."""
-        return tuple(self._numeric_row(row) for row in self.rows)
-
-    def _numeric_row(self, row: Row) -> NumericRow:
-        a, alpha, d, theta = map(self.number, row.entries)
-        return NumericRow(row.joint.kind, a, d, *cos_sin(alpha), theta, *cos_sin(theta))
+        rows = []
+        for row in self.rows:
+            a, alpha, d, theta = map(self.number, row.entries)
+            rows.append(NumericRow(row.joint.kind, a, d, *cos_sin(alpha), theta, *cos_sin(theta)))
+        return tuple(rows)
 
     @cached_property
     def programs(self) -> dict:
@@ -654,7 +654,14 @@ class Arm:
 
     def _repr_markdown_(self) -> str:
         header = "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|:-:|:-:|:-:|:-:|:-:|\n"
-        lines = [_markdown_row(i, row) for i, row in enumerate(self.rows, 1)]
+        lines = []
+        for i, row in enumerate(self.rows, 1):
+            a, alpha, d, theta = map(entry_latex, row.entries)
+            if row.joint.kind == "revolute":
+                theta = _with_variable(i, row.theta)
+            if row.joint.kind == "prismatic":
+                d = _with_variable(i, row.d)
+            lines.append(f"| {i} | ${a}$ | ${alpha}$ | ${d}$ | ${theta}$ |")
         used = {name for row in self.rows for e in row.entries for name in symbol_names(e)}
         values = ", ".join(
             f"${entry_latex(k)} = {v:g}$" for k, v in self.values.items() if k in used
@@ -678,15 +685,6 @@ def _add_entries(first: Entry, second: Entry) -> Entry:
     if first == 0:
         return second
     return first if second == 0 else f"{first} + {second}"
-
-
-def _markdown_row(i: int, row: Row) -> str:
-    d, theta = entry_latex(row.d), entry_latex(row.theta)
-    if row.joint.kind == "revolute":
-        theta = _with_variable(i, row.theta)
-    if row.joint.kind == "prismatic":
-        d = _with_variable(i, row.d)
-    return f"| {i} | ${entry_latex(row.a)}$ | ${entry_latex(row.alpha)}$ | ${d}$ | ${theta}$ |"
 
 
 def _with_variable(i: int, offset: Entry) -> str:

@@ -9,14 +9,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from helpers.expressions import Entry, check_entry, evaluate_entry
 from helpers.inputs import ArmError, finite_array, shorten
 from helpers.poses import rigid_poses
-from helpers.rows import cos_sin, quarter_turns
-
-Array = NDArray[np.float64]
+from helpers.rows import angle_entry, cos_sin, rotation_from_angles
 
 _EXPECTED = "a 4x4 pose, or (x, y, z, roll, pitch, yaw) in m and rad"
 # Lengths (m) and sines up to this count as 0: 1000 times the round-off of a pose.
@@ -51,7 +49,17 @@ def split_pose(pose: ArrayLike, name: str) -> PoseRows:
     Raises:
         ArmError: The pose is neither, or its rotation is none.
     """
-    T = _read_pose(pose, name)
+    try:
+        entries = np.asarray(pose, dtype=object)
+    except ValueError:
+        raise ArmError(f"{name} is {shorten(pose)}; expected {_EXPECTED}") from None
+    if entries.shape == (6,):
+        numbers = [evaluate_entry(check_entry(entry, name), {}) for entry in entries]
+        T = np.eye(4)
+        T[:3, 3], angles = np.split(finite_array(numbers, name, _EXPECTED, (6,)), 2)
+        T[:3, :3] = rotation_from_angles(angles)
+    else:
+        T = rigid_poses(pose, name, _EXPECTED)
     z, p = T[:3, 2], T[:3, 3]
     sine = float(np.hypot(z[0], z[1]))
     if sine < _ROUND_OFF:
@@ -75,41 +83,10 @@ def split_pose(pose: ArrayLike, name: str) -> PoseRows:
     )  # fmt: skip
 
 
-def _read_pose(pose: ArrayLike, name: str) -> Array:
-    """Return a pose as a transform (4, 4).
-
-    Raises ArmError for anything else.
-    """
-    try:
-        entries = np.asarray(pose, dtype=object)
-    except ValueError:
-        raise ArmError(f"{name} is {shorten(pose)}; expected {_EXPECTED}") from None
-    if entries.shape == (6,):
-        numbers = [evaluate_entry(check_entry(entry, name), {}) for entry in entries]
-        return _make_transform(finite_array(numbers, name, _EXPECTED, (6,)))
-    return rigid_poses(pose, name, _EXPECTED)
-
-
-def _make_transform(numbers: Array) -> Array:
-    (cr, sr), (cp, sp), (cy, sy) = (cos_sin(float(angle)) for angle in numbers[3:])
-    T = np.eye(4)
-    T[:3, :3] = [
-        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-        [-sp, cp * sr, cp * cr],
-    ]
-    T[:3, 3] = numbers[:3]
-    return T
-
-
 def _clean_length(x: float) -> Entry:
     return 0 if abs(x) < _ROUND_OFF else float(x)
 
 
 def _clean_angle(angle: float) -> Entry:
-    """Return an angle as a formula where it is a multiple of a right angle, so that it is exact."""
-    turns = quarter_turns(float(angle))
-    if turns is None:
-        return float(angle)
-    exact: dict[int, Entry] = {0: 0, 1: "pi/2", 2: "pi", -1: "-pi/2", -2: "pi"}
-    return exact[turns]
+    entry = angle_entry(angle)
+    return "pi" if entry == "-pi" else entry

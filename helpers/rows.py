@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import Any, Literal, NamedTuple
@@ -407,6 +407,25 @@ def cos_sin(angle: float) -> tuple[float, float]:
     if turns is None:
         return math.cos(angle), math.sin(angle)
     return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[turns % 4]
+
+
+def angle_entry(angle: float) -> Entry:
+    """Return an angle as a formula where it is a multiple of a right angle, so that it is exact."""
+    turns = quarter_turns(float(angle))
+    return float(angle) if turns is None else RIGHT_ANGLES[turns]
+
+
+RIGHT_ANGLES: dict[int, Entry] = {0: 0, 1: "pi/2", 2: "pi", -1: "-pi/2", -2: "-pi"}
+
+
+def rotation_from_angles(angles: Iterable[float]) -> NDArray[np.float64]:
+    """Compute Rot_z(yaw) Rot_y(pitch) Rot_x(roll) for (roll, pitch, yaw) in rad."""
+    (cr, sr), (cp, sp), (cy, sy) = (cos_sin(float(angle)) for angle in angles)
+    return np.array([
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ])  # fmt: skip
 
 
 def quarter_turns(angle: float) -> int | None:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, derive
 from helpers.inputs import finite_number, shorten
-from helpers.rows import Kind, cos_sin
+from helpers.rows import Kind, rotation_from_angles
 
 __all__ = ["from_urdf"]
 
@@ -385,7 +385,7 @@ def _read_joint(element: ET.Element, tolerance: float) -> _FileJoint:
     written = _read_numbers(origin, "rpy", f"the rpy of {name}", (0, 0, 0))
     right = np.round(written / (np.pi / 2)) * (np.pi / 2)
     angles = np.where(np.abs(written - right) <= tolerance, right, written)
-    T[:3, :3] = _rotation(angles)
+    T[:3, :3] = rotation_from_angles(angles)
     T[:3, 3] = _read_numbers(origin, "xyz", f"the xyz of {name}", (0, 0, 0))
     parent, child = (
         _require_attribute(element.find(end), "link", f"the {end} of joint {name}")
@@ -399,16 +399,6 @@ def _read_joint(element: ET.Element, tolerance: float) -> _FileJoint:
     change = float(max(np.abs(angles - written).max(), tilt))
     kind = element.get("type", "")
     return _FileJoint(name, kind, parent, child, T, element, direction, change)
-
-
-def _rotation(angles: Array) -> Array:
-    """Return Rot_z(yaw) Rot_y(pitch) Rot_x(roll) for (roll, pitch, yaw)."""
-    (c, s), (b, t), (a, r) = (cos_sin(float(angle)) for angle in angles[::-1])
-    return np.array([
-        [c * b, c * t * r - s * a, c * t * a + s * r],
-        [s * b, s * t * r + c * a, s * t * a - c * r],
-        [-t, b * r, b * a],
-    ])  # fmt: skip
 
 
 def _read_body(link: ET.Element, name: str) -> Array:
@@ -428,7 +418,8 @@ def _read_body(link: ET.Element, name: str) -> Array:
     tensor = _read_tensor(inertial, name)
     origin = inertial.find("origin")
     T = np.eye(4)
-    T[:3, :3] = _rotation(_read_numbers(origin, "rpy", f"the rpy of {name}'s inertia", (0, 0, 0)))
+    turns = _read_numbers(origin, "rpy", f"the rpy of {name}'s inertia", (0, 0, 0))
+    T[:3, :3] = rotation_from_angles(turns)
     T[:3, 3] = _read_numbers(origin, "xyz", f"the centre of mass of {name}", (0, 0, 0))
     moments = np.diag([0.0, 0, 0, mass])
     moments[:3, :3] = np.trace(tensor) / 2 * np.eye(3) - tensor

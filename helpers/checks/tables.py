@@ -6,9 +6,7 @@ from typing import Any, NamedTuple
 
 from helpers.checks.engine import ask_judge
 from helpers.inputs import ArmError, numbers_by_name, require_choice, shorten, tuple_of_items
-from helpers.rows import Joint, Row
-
-_FORMULAS: dict[int, float | str] = {-2: "-pi", -1: "-pi/2", 0: 0, 1: "pi/2", 2: "pi"}
+from helpers.rows import RIGHT_ANGLES, Joint, Row
 
 
 class TableReading(NamedTuple):
@@ -62,7 +60,7 @@ def _format_right_angle(angle: float) -> float | str:
     turns = round(angle / (math.pi / 2))
     if abs(angle - turns * math.pi / 2) > 1e-4:
         return angle
-    return _FORMULAS.get(turns, f"{turns} * pi / 2")
+    return RIGHT_ANGLES.get(turns, f"{turns} * pi / 2")
 
 
 def check_reading_options(

@@ -30,7 +30,7 @@ from helpers.inputs import (
     tuple_of_items,
 )
 from helpers.poses import rigid_poses
-from helpers.rows import cos_sin, quarter_turns
+from helpers.rows import angle_entry, cos_sin
 
 _POSE = "a rigid motion, 4x4, in m"
 _NEARLY_PARALLEL = 1e-3  # largest sine of the angle between axes that a warning calls nearly so
@@ -225,9 +225,6 @@ def _compute_angle(sine: float, cosine: float, choices: _Choices) -> float:
 # Symbols
 
 
-_RIGHT_ANGLES: dict[int, Entry] = {0: 0, 1: "pi/2", -1: "-pi/2", 2: "pi"}
-
-
 def _with_symbols(steps: Sequence[DerivationStep]) -> tuple[list[Row], dict[str, float]]:
     """Return rows with symbols for lengths and odd angles, and the values of the symbols."""
     values: dict[str, float] = {}
@@ -239,8 +236,8 @@ def _with_symbols(steps: Sequence[DerivationStep]) -> tuple[list[Row], dict[str,
         return f"{prefix}_{i}" if value > 0 else f"-{prefix}_{i}"
 
     def angle(prefix: str, i: int, value: float) -> Entry:
-        turns = quarter_turns(value)
-        return length(prefix, i, value) if turns is None else _RIGHT_ANGLES[turns]
+        entry = angle_entry(value)
+        return entry if isinstance(entry, str) or not value else length(prefix, i, value)
 
     rows = [
         Row(

@@ -89,7 +89,11 @@ def _solve_by_axes(arm: Arm, targets: ArrayLike, start: ArrayLike | None) -> Sol
     structure = find_structure(arm)
     is_position = structure.kind in (POSITION, PLANAR_2R)
     columns = check_positions(arm, targets) if is_position else check_poses(arm, targets)
-    choices = tuple((f"{name} +", f"{name} -") for name in _choice_names(structure))
+    # Any target shows which choices the structure leaves.
+    target = structure.tip[:3, 3] if is_position else structure.tip
+    at_rest = np.zeros((len(structure.axes), 1))
+    names = find_candidates(structure, target[..., None], at_rest).choices
+    choices = tuple((f"{name} +", f"{name} -") for name in names)
 
     def kernel(arm: Arm, columns: Array, start: Array) -> BranchArrays:
         if is_position:
@@ -98,7 +102,10 @@ def _solve_by_axes(arm: Arm, targets: ArrayLike, start: ArrayLike | None) -> Sol
 
     found = each_branch(arm, columns, start, choices, kernel)
     if structure.kind in (PLANAR_3R, SCARA):
-        tilt = _tilt_of_targets(structure, columns.reshape(*columns.shape[:-1], 4, 4))
+        axis = structure.axes[-1].direction[:, 0, 0]
+        rotations = columns.reshape(*columns.shape[:-1], 4, 4)[..., :3, :3]
+        turned = rotations @ structure.tip[:3, :3].T @ axis
+        tilt = np.arctan2(np.linalg.norm(np.cross(turned, axis), axis=-1), turned @ axis)
         tilt = np.broadcast_to(tilt, found.distance.shape)
         distance = np.where(tilt > TILTED, np.nan, found.distance)
         found = replace(found, tilt=tilt, distance=distance)
@@ -117,20 +124,6 @@ _SOLVERS = (
 )
 
 
-def _tilt_of_targets(structure: Structure, targets: Array) -> Array:
-    """Return by how much targets (..., 4, 4) tilt the axes of a planar or SCARA arm, in rad."""
-    axis = structure.axes[-1].direction[:, 0, 0]
-    turn = targets[..., :3, :3] @ structure.tip[:3, :3].T
-    turned = turn @ axis
-    return np.arctan2(np.linalg.norm(np.cross(turned, axis), axis=-1), turned @ axis)
-
-
-def _choice_names(structure: Structure) -> list[str]:
-    """Return the names of the choices that a structure leaves, in their order."""
-    target = structure.tip if structure.kind not in (POSITION, PLANAR_2R) else structure.tip[:3, 3]
-    return find_candidates(structure, target[..., None], np.zeros((len(structure.axes), 1))).choices
-
-
 def _solve_by_structure(
     arm: Arm, structure: Structure, targets: Array, start: Array
 ) -> BranchArrays:
@@ -143,31 +136,21 @@ def _solve_by_structure(
         return found
     for value in TRIED:
         valid = np.broadcast_to(found.valid, (*found.valid.shape[:-1], targets.shape[-1]))
-        missed = np.flatnonzero(~valid.any(axis=tuple(range(valid.ndim - 1))) & _has_free(found))
+        branches = tuple(range(valid.ndim - 1))
+        has_free = np.zeros(found.distance.shape, bool)
+        for where in found.free.values():
+            has_free |= where.any(axis=branches)
+        missed = np.flatnonzero(~valid.any(axis=branches) & has_free)
         if not missed.size:
             break
         again = _solve_once(arm, structure, targets[..., missed], start[:, missed] + value)
-        found = _replace_columns(found, again, missed)
-    return found
-
-
-def _has_free(found: BranchArrays) -> NDArray[np.bool_]:
-    """Return the targets at which some joint is free, (batch,)."""
-    masks = [where.any(axis=tuple(range(where.ndim - 1))) for where in found.free.values()]
-    return np.any(masks, axis=0) if masks else np.zeros(found.distance.shape, bool)
-
-
-def _replace_columns(
-    found: BranchArrays, again: BranchArrays, at: NDArray[np.intp]
-) -> BranchArrays:
-    """Replace the targets of some columns by those solved again."""
-    for old, new in zip(found.q, again.q, strict=True):
-        old[..., at] = new
-    found.valid[..., at], found.distance[..., at] = again.valid, again.distance
-    for was_equal, is_equal in zip(found.merged, again.merged, strict=True):
-        was_equal[..., at] = is_equal
-    for joint, is_free in again.free.items():
-        found.free[joint][..., at] = is_free
+        for old, new in zip(found.q, again.q, strict=True):
+            old[..., missed] = new
+        found.valid[..., missed], found.distance[..., missed] = again.valid, again.distance
+        for was_equal, is_equal in zip(found.merged, again.merged, strict=True):
+            was_equal[..., missed] = is_equal
+        for joint, is_free in again.free.items():
+            found.free[joint][..., missed] = is_free
     return found
 
 

@@ -106,6 +106,11 @@ def _solve_columns(arm: Arm, columns: Array, start: Array) -> BranchArrays:
         subtract_offset(wrist.phi_6, rows[5].theta)[:, :, None],
     )
     valid = plane.exists & bend.exists
+    # Out of reach across the plane, and for the links within it.
+    x, y, _ = wrist_centre(arm, tool)
+    aside, length = np.maximum(abs(shape.offset) - np.hypot(x, y), 0.0), np.hypot(*end)
+    short = length - np.clip(length, shape.links.inner, shape.links.outer)
+    missing = np.hypot(aside, short).min(axis=(0, 1, 2))
     one = wrist.singular[:, None, None]
     free = {0: plane.free, 1: bend.free}
     if one.any():
@@ -115,9 +120,7 @@ def _solve_columns(arm: Arm, columns: Array, start: Array) -> BranchArrays:
         {joint: np.asarray(where) for joint, where in free.items() if where.any()},
         valid,
         (plane.is_double, one, bend.is_double),
-        np.where(
-            valid.any(axis=(0, 1, 2)), 0.0, _distance_to_reach(shape, wrist_centre(arm, tool), end)
-        ),
+        np.where(valid.any(axis=(0, 1, 2)), 0.0, missing),
     )
 
 
@@ -148,14 +151,6 @@ def _read_shape(arm: Arm) -> Shape:
     offset = second.d + second.cos_alpha * third.d + turn_3 * fourth.d
     side = -fourth.sin_alpha * turn_3
     return Shape(turn_3, side, offset, Links(second.a, third.a), side * fifth.d)
-
-
-def _distance_to_reach(shape: Shape, centre: Array, end: tuple[Array, Array]) -> Array:
-    """Return how far a pose is out of reach, m: across the plane, and for the links within it."""
-    aside = np.maximum(abs(shape.offset) - np.hypot(centre[0], centre[1]), 0.0)
-    length = np.hypot(*end)
-    short = length - np.clip(length, shape.links.inner, shape.links.outer)
-    return np.hypot(aside, short).min(axis=(0, 1, 2))
 
 
 class Wrist(NamedTuple):
@@ -259,7 +254,9 @@ def _bring_within_reach(
     end, arc = _end_of_links(shape, centre, u), abs(shape.step)
     far, length = np.hypot(*centre), np.hypot(*end)
     wanted = np.clip(length, shape.links.inner, shape.links.outer)
-    angle, isolated = _angle_at_centre(centre, end), _is_isolated(shape, plane)[at]
+    # The angle at the wrist's centre from the shoulder to the links' end, rad.
+    (x, y), (vx, vy) = centre, (centre[0] - end[0], centre[1] - end[1])
+    angle, isolated = np.arctan2(x * vy - y * vx, x * vx + y * vy), _is_isolated(shape, plane)[at]
     cosine = (far**2 + arc**2 - wanted**2) / np.maximum(2 * far * arc, 1e-300)
     cosine = np.where(isolated, np.rint(cosine), cosine)
     turn = np.copysign(np.arccos(np.clip(cosine, -1.0, 1.0)), angle) - angle
@@ -269,12 +266,6 @@ def _bring_within_reach(
     wrist.ux[both], wrist.uy[both] = c * u[0] - s * u[1], s * u[0] + c * u[1]
     along = shape.side * arm.numeric[4].sin_alpha * np.cos(wrist.phi_5[both])
     wrist.phi_6[both] = wrap_angle(wrist.phi_6[both] - np.sign(along) * turn)
-
-
-def _angle_at_centre(centre: tuple[Array, Array], end: tuple[Array, Array]) -> Array:
-    """Return the angle at the wrist's centre from the shoulder to the links' end, rad."""
-    (x, y), (vx, vy) = centre, (centre[0] - end[0], centre[1] - end[1])
-    return np.arctan2(x * vy - y * vx, x * vx + y * vy)
 
 
 def _stack_pair(one: Array, other: Array) -> Array:

@@ -77,7 +77,12 @@ class Shoulder(NamedTuple):
 def _solve_decoupled(
     arm: Arm, targets: ArrayLike, start: ArrayLike | None, by: Shoulder
 ) -> Solutions:
-    _require_right_angled_wrist(arm)
+    require_type(arm, Arm, "arm")
+    if not has_right_angled_wrist(arm):
+        raise ArmError(
+            f"{arm.name} has no spherical wrist; expected six rows, the last three revolute with"
+            " alpha = (+-90, +-90, any) degrees and a_4 = a_5 = d_5 = 0"
+        )
     shoulder = _arm_to_wrist_centre(arm)
     by.must_fit(shoulder)
 
@@ -172,13 +177,3 @@ def is_elbow_arm_with_wrist(arm: Arm) -> bool:
 def is_stanford_arm(arm: Arm) -> bool:
     """Return whether an arm has the table that `stanford` solves."""
     return has_right_angled_wrist(arm) and has_rod(_arm_to_wrist_centre(arm))
-
-
-def _require_right_angled_wrist(arm: Arm) -> None:
-    require_type(arm, Arm, "arm")
-    if not has_right_angled_wrist(arm):
-        raise ArmError(
-            f"{arm.name} has no spherical wrist; expected six rows, the last three revolute with"
-            " alpha = (+-90, +-90, any)"
-            " degrees and a_4 = a_5 = d_5 = 0"
-        )
