@@ -53,12 +53,21 @@ def write_urdf(arm: Arm) -> str:
     require_joints(arm)
     origin, parts = (0.0, 0.0, 0.0, 0.0), ['<link name="base"/>']
     for i, row in enumerate(arm.rows, 1):
-        parent = f"link_{i - 1}" if i > 1 else "base"
+        joint, parent = row.joint, f"link_{i - 1}" if i > 1 else "base"
         a, alpha, d, theta = map(arm.number, row.entries)
         origin_text, origin = _write_origin(origin), (a, alpha, d, theta)
+        has_ends = bool(np.isfinite([joint.lower, joint.upper]).all())
+        kind = "continuous" if joint.kind == "revolute" and not has_ends else joint.kind
+        limit = ""
+        if kind != "fixed":
+            # URDF requires effort and velocity, where 0 means unknown.
+            numbers = {"effort": joint.effort, "velocity": joint.speed}
+            texts = [f'{key}="{x if np.isfinite(x) else 0}"' for key, x in numbers.items()]
+            texts += [f'lower="{joint.lower}"', f'upper="{joint.upper}"'] if has_ends else []
+            limit = f"<limit {' '.join(texts)}/>"
         parts.append(
-            f'<joint name="q_{i}" type="{_choose_joint_type(row)}"><parent link="{parent}"/>'
-            f'<child link="link_{i}"/>{origin_text}<axis xyz="0 0 1"/>{_write_limit(row)}</joint>'
+            f'<joint name="q_{i}" type="{kind}"><parent link="{parent}"/>'
+            f'<child link="link_{i}"/>{origin_text}<axis xyz="0 0 1"/>{limit}</joint>'
         )
         parts.append(f'<link name="link_{i}">{_write_inertial(arm, i)}</link>')
     parts.append(
@@ -72,34 +81,9 @@ def write_urdf(arm: Arm) -> str:
 def _write_origin(numbers: tuple[float, float, float, float]) -> str:
     """Write Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) as an element <origin>."""
     a, alpha, d, theta = numbers
-    x, y, z = (_remove_round_off(v) for v in (a * np.cos(theta), a * np.sin(theta), d))
+    lengths = (float(length) for length in (a * np.cos(theta), a * np.sin(theta), d))
+    x, y, z = (length if abs(length) > 1e-15 else 0.0 for length in lengths)  # no round-off
     return f'<origin xyz="{x!r} {y!r} {z!r}" rpy="{alpha!r} 0 {theta!r}"/>'
-
-
-def _remove_round_off(value: float) -> float:
-    """Return a length (m) without round-off around 0."""
-    return float(value) if abs(value) > 1e-15 else 0.0
-
-
-def _choose_joint_type(row: Row) -> str:
-    if row.joint.kind == "revolute" and np.isinf([row.joint.lower, row.joint.upper]).any():
-        return "continuous"
-    return row.joint.kind
-
-
-def _write_limit(row: Row) -> str:
-    """Write the limits that are finite.
-
-    URDF requires effort and velocity, where 0 means unknown.
-    """
-    joint = row.joint
-    if joint.kind == "fixed":
-        return ""
-    numbers = {"effort": joint.effort, "velocity": joint.speed}
-    texts = [f'{key}="{x if np.isfinite(x) else 0}"' for key, x in numbers.items()]
-    if np.isfinite([joint.lower, joint.upper]).all():
-        texts += [f'lower="{joint.lower}"', f'upper="{joint.upper}"']
-    return f"<limit {' '.join(texts)}/>"
 
 
 def _write_inertial(arm: Arm, i: int) -> str:
@@ -126,15 +110,14 @@ def _write_inertial(arm: Arm, i: int) -> str:
 # Code
 
 
-def _write_entry(arm: Arm, entry: float | str) -> str:
-    """Write an angle such as pi/2 as a formula, and any other entry as a number."""
-    if isinstance(entry, str) and not entry.replace("pi", "").strip("-+0123456789*/ ."):
-        return entry
-    return f"{arm.number(entry):.12g}"  # free of round-off, as in -0.207
-
-
 def _write_dh_numbers(arm: Arm, row: Row) -> list[str]:
-    return [_write_entry(arm, entry) for entry in row.entries]
+    """Write angles such as pi/2 as formulas, and other entries as numbers."""
+    return [
+        entry
+        if isinstance(entry, str) and not entry.replace("pi", "").strip("-+0123456789*/ .")
+        else f"{arm.number(entry):.12g}"  # free of round-off, as in -0.207
+        for entry in row.entries
+    ]
 
 
 def _write_robotics_toolbox(arm: Arm) -> str:
@@ -197,22 +180,18 @@ def _write_array(array: np.ndarray) -> str:
     return "[" + ",\n    ".join(f"[{row}]" for row in rows) + "]"
 
 
-def _compute_screws(arm: Arm) -> np.ndarray:
-    """Compute the screw axes (w, v) of the joints at q = 0 in the base frame, shape (6, dof)."""
-    frames, columns = link_frames(arm, np.zeros(arm.dof)), []
+def _write_modern_robotics(arm: Arm) -> str:
+    # Screw axes (w, v) of the joints at q = 0 in the base frame.
+    frames, screws = link_frames(arm, np.zeros(arm.dof)), []
     for i, is_revolute in zip(arm.joints, arm.turning, strict=True):
         z, point = frames[i - 1, :3, 2], frames[i - 1, :3, 3]
-        columns.append([*z, *np.cross(point, z)] if is_revolute else [0, 0, 0, *z])
-    return np.array(columns).T
-
-
-def _write_modern_robotics(arm: Arm) -> str:
+        screws.append([*z, *np.cross(point, z)] if is_revolute else [0, 0, 0, *z])
     return "\n".join([
         "import numpy as np",
         "import modern_robotics as mr",
         "",
         f"M = np.array({_write_array(forward_kinematics(arm, np.zeros(arm.dof)))})",
-        f"Slist = np.array({_write_array(_compute_screws(arm))})",
+        f"Slist = np.array({_write_array(np.array(screws).T)})",
         f"q = np.zeros({arm.dof})",
         "T = mr.FKinSpace(M, Slist, q)  # kinematics.forward_kinematics(arm, q)",
         "J_space = mr.JacobianSpace(Slist, q)  # w above v, v of the point at the base's origin",

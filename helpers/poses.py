@@ -43,10 +43,16 @@ def rigid_poses(value: ArrayLike, name: str, expected: str, many: bool = False) 
     bent = np.flatnonzero(errors > _LARGEST_ROTATION_ERROR)
     if not bent.size:
         return poses
-    decimals = [_count_decimals(flat[i].reshape(4, 4)[:3, :3]) for i in bent]
-    rotations = _nearest_rotations(flat[bent].reshape(-1, 4, 4)[:, :3, :3])
+    # 3 to 7 decimals to which a rotation was rounded, or 0.
+    rotations = flat[bent].reshape(-1, 4, 4)[:, :3, :3]
+    decimals = [
+        next((n for n in _DECIMALS if np.abs(R - R.round(n)).max() < 1e-12), 0) for R in rotations
+    ]
+    # The nearest rotations, by singular values.
+    left, _, right = np.linalg.svd(rotations)
+    left[..., 2] *= np.where(np.linalg.det(left @ right) < 0, -1.0, 1.0)[..., None]
     mended = flat.reshape(-1, 4, 4).copy()
-    mended[bent, :3, :3] = rotations
+    mended[bent, :3, :3] = left @ right
     moved = np.linalg.norm((flat.reshape(-1, 4, 4) - mended)[bent, :3, :3], axis=(1, 2))
     # Rounding moved each of nine entries by at most half a unit. The nearest rotation is at least
     # as near as the rotation that was rounded.
@@ -67,14 +73,6 @@ def rigid_poses(value: ArrayLike, name: str, expected: str, many: bool = False) 
     return mended.reshape(poses.shape)
 
 
-def _nearest_rotations(matrices: Array) -> Array:
-    """Return the rotation nearest to each matrix, shape (..., 3, 3), by singular values."""
-    left, _, right = np.linalg.svd(matrices)
-    mirrored = np.linalg.det(left @ right) < 0
-    left[..., 2] *= np.where(mirrored, -1.0, 1.0)[..., None]
-    return left @ right
-
-
 def _rigid_errors(flat: Array) -> Array:
     """Return by how much poses (batch, 16) fail to be rigid: the largest error of each."""
     columns = np.ascontiguousarray(flat.T)
@@ -91,11 +89,3 @@ def _rigid_errors(flat: Array) -> Array:
         columns[12:] - [[0.0], [0.0], [0.0], [1.0]],
     )
     return np.max([np.abs(gap).max(axis=0) for gap in gaps], axis=0)
-
-
-def _count_decimals(numbers: Array) -> int:
-    """Return how many decimals numbers have, or 0 where they are not rounded to 3 to 7."""
-    for count in _DECIMALS:
-        if np.abs(numbers - numbers.round(count)).max() < 1e-12:
-            return count
-    return 0

@@ -46,7 +46,17 @@ def matrices(named: Mapping[str, object]) -> MarkdownOutput:
         ${A_1 = \\left[\\begin{matrix}1 & 0\\\\0 & 1\\end{matrix}\\right]\\quad}$
     """
     require_type(named, Mapping, "named")
-    formulas = [rf"${{{name} = {_write_latex(value)}\quad}}$" for name, value in named.items()]
+    formulas = []
+    for name, value in named.items():
+        if isinstance(value, sp.MatrixBase):
+            entries = [list(map(_entry_latex, row)) for row in abbreviate(value).tolist()]
+        else:
+            expected = "numbers (m, n), or a matrix of SymPy"
+            array = finite_array(value, "a matrix", expected, (None, None))
+            entries = [list(map(_number_text, row)) for row in array]
+        rows = r"\\".join(map(" & ".join, entries))
+        matrix = rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]"
+        formulas.append(rf"${{{name} = {matrix}\quad}}$")
     return MarkdownOutput("\n".join(formulas))
 
 
@@ -61,19 +71,6 @@ def frames(T: ArrayLike) -> MarkdownOutput:
     rows = [[",\u202f".join(map(_number_text, column)) for column in frame[:3].T] for frame in T]
     table = [f"| {i} | {' | '.join(row)} |" for i, row in enumerate(rows)]
     return MarkdownOutput(header + "\n".join(table).replace("-", "−"))
-
-
-def _write_latex(value: object) -> str:
-    """Write a matrix in LaTeX."""
-    if isinstance(value, sp.MatrixBase):
-        entries = [list(map(_entry_latex, row)) for row in abbreviate(value).tolist()]
-    else:
-        array = finite_array(
-            value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None)
-        )
-        entries = [list(map(_number_text, row)) for row in array]
-    rows = r"\\".join(map(" & ".join, entries))
-    return rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]"
 
 
 def _entry_latex(entry: sp.Expr) -> str:

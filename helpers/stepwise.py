@@ -62,35 +62,35 @@ def stepwise_formulas(arm: Arm) -> StepwiseFormulas:
     named = [[[one, zero, zero], [zero, one, zero], [zero, zero, one], [zero] * 3]]
     frames = [_join_columns(named[0])]
     for i in range(1, len(arm.rows) + 1):
-        _, _, z, origin = named[-1]
-        axes = _next_axes(named[-1], arm, i)
+        row, (x, y, z, origin) = arm.rows[i - 1], named[-1]
+        is_revolute = row.joint.kind == "revolute"
+        c, s = _cos_sin(arm, row.theta, sp.Symbol(f"q_{i}") if is_revolute else zero)
+        c_alpha, s_alpha = _cos_sin(arm, row.alpha)
+        turned = [c * v - s * u for u, v in zip(x, y, strict=True)]
+        axes = [
+            [c * u + s * v for u, v in zip(x, y, strict=True)],
+            [c_alpha * v + s_alpha * w for v, w in zip(turned, z, strict=True)],
+            [c_alpha * w - s_alpha * v for v, w in zip(turned, z, strict=True)],
+        ]
         names = [
             _name_entries(axis, f"{c}_{i}", definitions)
             for c, axis in zip("xyz", axes, strict=True)
         ]
-        d, a = exact_formula(arm, arm.rows[i - 1].d), exact_formula(arm, arm.rows[i - 1].a)
-        if arm.rows[i - 1].joint.kind == "prismatic":
+        d, a = exact_formula(arm, row.d), exact_formula(arm, row.a)
+        if row.joint.kind == "prismatic":
             d += sp.Symbol(f"q_{i}")
         tip = [o + d * w + a * u for o, w, u in zip(origin, z, names[0], strict=True)]
         frames.append(_join_columns([*axes, tip]))
         named.append([*names, _name_entries(tip, f"o_{i}", definitions)])
-    jacobian = Matrix(transpose([_jacobian_column(arm, i, named) for i in arm.joints]))
+    columns = []
+    for i in arm.joints:
+        _, _, z, origin = named[i - 1]
+        lever = [t - o for t, o in zip(named[-1][3], origin, strict=True)]
+        slides = arm.rows[i - 1].joint.kind == "prismatic"
+        columns.append([*z, zero, zero, zero] if slides else [*cross_product(z, lever), *z])
+    jacobian = Matrix(transpose(columns))
     energy, torque = _compute_gravity(arm, named, definitions) if arm.bodies else (None, None)
     return StepwiseFormulas(definitions, frames, jacobian, energy, torque)
-
-
-def _next_axes(before: list[Vector], arm: Arm, i: int) -> list[Vector]:
-    """Compute the axes x, y, z of frame i from those of frame i - 1."""
-    row, (x, y, z, _) = arm.rows[i - 1], before
-    is_revolute = row.joint.kind == "revolute"
-    c, s = _cos_sin(arm, row.theta, sp.Symbol(f"q_{i}") if is_revolute else sp.S.Zero)
-    c_alpha, s_alpha = _cos_sin(arm, row.alpha)
-    turned = [c * v - s * u for u, v in zip(x, y, strict=True)]
-    return [
-        [c * u + s * v for u, v in zip(x, y, strict=True)],
-        [c_alpha * v + s_alpha * w for v, w in zip(turned, z, strict=True)],
-        [c_alpha * w - s_alpha * v for v, w in zip(turned, z, strict=True)],
-    ]
 
 
 def _cos_sin(arm: Arm, entry: Entry, variable: sp.Expr = sp.S.Zero) -> tuple[sp.Expr, sp.Expr]:
@@ -117,15 +117,6 @@ def _name_entries(vector: Vector, name: str, definitions: Definitions) -> Vector
 def _join_columns(columns: list[Vector]) -> Matrix:
     """Return the 4x4 transform with these columns x, y, z and origin."""
     return Matrix([*transpose(columns), [0, 0, 0, 1]])
-
-
-def _jacobian_column(arm: Arm, i: int, named: list[list[Vector]]) -> Vector:
-    """Compute joint i's column of the tip's Jacobian."""
-    _, _, z, origin = named[i - 1]
-    if arm.rows[i - 1].joint.kind == "prismatic":
-        return [*z, *[sp.S.Zero] * 3]
-    lever = [t - o for t, o in zip(named[-1][3], origin, strict=True)]
-    return [*cross_product(z, lever), *z]
 
 
 def _compute_gravity(

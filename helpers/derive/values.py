@@ -48,26 +48,19 @@ class Axis:
         if joint.kind == "fixed":
             raise ArmError("an axis's joint is fixed; expected revolute or prismatic")
         object.__setattr__(self, "joint", joint)
-        object.__setattr__(self, "direction", _normalize(self.direction))
+        # Scaled by its largest component first, so that large numbers do not overflow.
+        expected = "a vector of three finite numbers, not all 0"
+        vector = finite_array(self.direction, "an axis's direction", expected, (3,))
+        largest = np.abs(vector).max()
+        if not largest:
+            raise ArmError(f"an axis's direction is {self.direction!r}; expected {expected}")
+        unit = vector / largest / np.linalg.norm(vector / largest)
+        object.__setattr__(self, "direction", tuple(map(float, unit)))
         if self.point is not None:
             point = finite_array(self.point, "an axis's point", POINT, (3,))
             object.__setattr__(self, "point", tuple(map(float, point)))
         elif joint.kind == "revolute":
             raise ArmError(f"the point of an axis that turns is None; expected {POINT}")
-
-
-def _normalize(direction: ArrayLike) -> tuple[float, ...]:
-    """Return the direction with length 1.
-
-    It is scaled first, so that large numbers do not overflow.
-    """
-    expected = "a vector of three finite numbers, not all 0"
-    vector = finite_array(direction, "an axis's direction", expected, (3,))
-    largest = np.abs(vector).max()
-    if not largest:
-        raise ArmError(f"an axis's direction is {direction!r}; expected {expected}")
-    vector = vector / largest
-    return tuple(map(float, vector / np.linalg.norm(vector)))
 
 
 class Line(NamedTuple):

@@ -133,7 +133,14 @@ class ArmExplorer(LiveWidget):
     ) -> None:
         # While a whole state is being set, a new arm must not drop the results set with it.
         self._is_settled = False
-        self._arms = _arms_by_name((arm, *tuple_of_items(arms, "arms", "arms to choose from")))
+        self._arms: dict[str, Arm] = {}
+        for shown_arm in (arm, *tuple_of_items(arms, "arms", "arms to choose from")):
+            require_type(shown_arm, Arm, "arm")
+            if self._arms.setdefault(shown_arm.name, shown_arm) != shown_arm:
+                raise ArmError(
+                    f"two different arms are called {shown_arm.name!r}; expected each to have its"
+                    " name"
+                )
         views = _require_choices("view", views, VIEWS)
         to_data = circle_arm_data if "homework" in views else arm_data
         spec = {
@@ -211,21 +218,6 @@ class ArmExplorer(LiveWidget):
 
     def __repr__(self) -> str:
         return f"<ArmExplorer of the {self.arm_name}>"
-
-
-def _arms_by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
-    """Return the arms by name.
-
-    Raises ArmError if two different arms have the same name.
-    """
-    arms_by_name: dict[str, Arm] = {}
-    for arm in arms:
-        require_type(arm, Arm, "arm")
-        if arms_by_name.setdefault(arm.name, arm) != arm:
-            raise ArmError(
-                f"two different arms are called {arm.name!r}; expected each to have its name"
-            )
-    return arms_by_name
 
 
 def _require_choices(noun: str, names: Iterable[str], choices: tuple[str, ...]) -> list[str]:
