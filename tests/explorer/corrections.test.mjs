@@ -1,11 +1,10 @@
-// Corrections of a pasted text, the marks on its numbers, the grid of numbers, and the storage of answers.
+// Corrections of a pasted text, the marks on its numbers, the grid of numbers, and kept questions.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { commentLines, putBehindHash, replaceSpan } from "../../page/src/check/corrections.js";
 import { includeSign, includeWord, listMarks } from "../../judge/marks.js";
 import { compareTables } from "../../judge/topics/table.js";
-import { AnswerMemory, clearAnswers } from "../../page/src/check/memory.js";
 import { splitNumbers } from "../../page/src/check/number_grid.js";
 import { EMPTY, findQuestionFault, judgeQuestion } from "../../page/src/check/question.js";
 
@@ -126,43 +125,6 @@ test("numbers of link matrices name their entries", () => {
   ]);
 });
 
-test("numbers of other matrices are marked", () => {
-  const link = "[[cos(q1), 0, sin(q1), 0], [sin(q1), 0, -cos(q1), 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]";
-  const marks = describeTable(`${link}\n${link.replace("0, 1, 0, 0.5", "0, 2, 0, 0.5").replaceAll("q1", "q2")}`);
-  assert.equal(marks.filter(([, kind]) => kind === "entry").length, 24);
-});
-
-test("numbers of dictionaries are entries", () => {
-  const marks = describeTable(
-    '[{"a": 0, "alpha": "pi/2", "d": 0.5},\n {"a": 0.4},\n {"a": -0.35, "theta": "q3"}]  # from line 7',
-  );
-  assert.deepEqual(marks.map(([text, kind]) => [text, kind]), [
-    ["0", "entry"], ["2", "entry"], ["0.5", "entry"], ["0.4", "entry"], ["-0.35", "entry"], ["3", "label"],
-    ["7", "context"],
-  ]); // prettier-ignore
-  assert.deepEqual(wrongIn(marks), [["-0.35", "entry of row 3, a, read as −0.35 m, wrong"]]);
-});
-
-test("numbers of Link lines are entries of their rows", () => {
-  const marks = describeTable(
-    "L(1) = Link('d', 0.5, 'alpha', pi/2);\nL(2) = Link([0 0 0.4 0 0 0.25]);\nL(3) = Link('a', 0.35, 'qlim', [-2 2]);",
-  );
-  const description = (text) => marks.find((mark) => mark[0] === text)[3];
-  assert.equal(description("0.5"), "entry of row 1, d, read as 0.5 m");
-  assert.equal(description("0.25"), "entry of row 2, θ, read as q_2 + 14.3239°");
-  assert.equal(description("-2"), "set aside: not an entry of the table");
-  assert.deepEqual(wrongIn(marks), [["0.35", "entry of row 3, a, read as 0.35 m, wrong"]]);
-});
-
-test("numbers of parallel lists are entries of their rows", () => {
-  const marks = describeTable("a = [0, 0.4, 0.35]\nalpha = [pi/2, 0, 0]\nd = [0.5, 0, 0]\ntheta = [q1, q(2), q[3]]");
-  assert.deepEqual(wrongIn(marks), [["0.35", "entry of row 3, a, read as 0.35 m, wrong"]]);
-  assert.deepEqual(
-    marks.slice(-3).map(([, kind]) => kind),
-    ["label", "label", "label"],
-  );
-});
-
 test("a misspelt number is marked in the answer only", () => {
   const elbow = { key: "ELBOW", name: "Elbow arm", rows: ELBOW_ROWS, home: [0, 0, 0], values: [] };
   const rows = ["1 2 3", "4 5 6", "7 8 9", "1 2 3", "4 5 6", "7 8 9"];
@@ -179,45 +141,6 @@ test("only plain lists become a grid of numbers", () => {
   assert.deepEqual(splitNumbers(" [0.5, −pi/2; 3] "), ["0.5", "−pi/2", "3"]);
   assert.deepEqual(splitNumbers(""), []);
   for (const text of ["q1 = 0.5", "| 1 | 2 |", "np.array([1, 2])"]) assert.equal(splitNumbers(text), null, text);
-});
-
-function fakeStorage() {
-  const items = new Map();
-  return {
-    get length() { return items.size; },
-    key: (i) => [...items.keys()][i],
-    getItem: (key) => items.get(key) ?? null,
-    setItem: (key, value) => items.set(key, value),
-    removeItem: (key) => items.delete(key),
-  };
-} // prettier-ignore
-const give = (storage) => Object.defineProperty(globalThis, "localStorage", { ...storage, configurable: true });
-
-test("a question keeps its last answer until cleared", () => {
-  give({ value: fakeStorage() });
-  const memory = new AnswerMemory("check");
-  const [first, second] = ["jacobian", "torques"].map((ask) => ({
-    ...EMPTY,
-    ask,
-    arm: "PANDA",
-    answer: ask,
-  }));
-  memory.save(first, true);
-  memory.save(second, true);
-  assert.deepEqual([memory.load(first), memory.loadLast()], [first, second]);
-  assert.equal(new AnswerMemory("02_jacobian-judge-0").loadLast(), null);
-  memory.save({ ...second, answer: "" }, false);
-  assert.equal(memory.load(second), null);
-  clearAnswers();
-  assert.equal(memory.load(first), null);
-});
-
-test("a refused storage keeps and raises nothing", () => {
-  give({ get: () => { throw new Error("refused"); } }); // prettier-ignore
-  const memory = new AnswerMemory("check");
-  memory.save({ ...EMPTY, answer: "1" }, true);
-  assert.equal(memory.loadLast(), null);
-  clearAnswers();
 });
 
 test("a kept question that no longer fits is refused", () => {

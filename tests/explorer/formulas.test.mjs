@@ -1,12 +1,9 @@
-// Formulas as people type them, and values that a text repeats in radians and in degrees.
+// Formulas as people type them.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { formulaSlack, isNumber, number, parse, plain, simple, symbolsIn } from "../../judge/reading/formula.js";
-import { listGivenRows, lookup, numbers, unnamed } from "../../judge/reading/numbers.js";
-import { withoutRepeatedUnits } from "../../judge/reading/repetitions.js";
-import { SpannedText } from "../../judge/reading/spans.js";
-import { ArmError } from "../../judge/sentences.js";
+import { listGivenRows } from "../../judge/reading/numbers.js";
 
 const SIN = Math.sin(0.5);
 const [COS, TAN] = [Math.cos(0.5), Math.tan(0.5)];
@@ -59,51 +56,6 @@ test("typed decimals give a formula its round-off", () => {
     const actual = formulaSlack(parse(text), () => X);
     assert.ok(Math.abs(actual - expected) <= 1e-4 * expected, `${text.slice(0, 40)}: ${actual}`);
   }
-});
-
-test("degrees replace the equal value in radians", () => {
-  const read = (text) => withoutRepeatedUnits(new SpannedText(text)).text.replaceAll(/\\,| /g, "");
-  for (const _ of [" ", "\\,"])
-    for (const unit of ["°", "^°", "^{°}", "deg", "degree", "degrees"])
-      for (const rad of ["rad", "radians"]) {
-        const [degrees, radians] = [`30${_}${unit}`, `0,5236${_}${rad}`];
-        const pairs = [
-          `${radians}${_}(${_}≈${_}${degrees}${_})`, `${radians}${_}[${_}=${_}${degrees}${_}]`, `0,5236${_}(${degrees})`,
-          `${radians}${_}=${_}${degrees}`, `${radians}${_}/${_}${degrees}`, `${degrees}${_}≈${_}${radians}`, `${degrees}${_}(${_}=${_}${radians}${_})`,
-        ];
-        for (const pair of pairs) assert.equal(read(`[${pair}; 1]`), `[30${unit};1]`, pair);
-      }
-  for (const text of ["2(45°)", "2·0.5 rad", "x0.5 rad (28.65°)", "1/0.5 rad (28.65°)"]) assert.equal(read(text), text.replaceAll(" ", ""));
-  for (const text of ["0.50 rad (30.65°)", "30.65° = 0.50 rad"]) assert.throws(() => read(text), /30\.65/);
-});
-
-test("symbols of an arm have values in each spelling", () => {
-  const makeArm = (...kinds) => ({ name: "arm", rows: kinds.map((kind) => ({ kind })), values: [["a_2", 0.4]] });
-  const arm = makeArm("revolute", "revolute", "revolute");
-  const known = lookup(arm, [0.1, 0.2, 0.3], [["l_pen", 0.05]]);
-  const cases = { a_2: 0.4, l_pen: 0.05, c12: Math.cos(0.3), s_23: Math.sin(0.5), "c_{1-2}": Math.cos(0.1), "s_{1-2}": Math.sin(-0.1), C_3: Math.cos(0.3) };
-  for (const [name, x] of Object.entries(cases)) assert.ok(known.has(name) && isNear(known([name]).get(name), x), name);
-  for (const name of ["q2", "q_2", "th2", "theta_2", "t2", "joint2", "j2", "x2", "d2", "phi_2"]) assert.ok(known.has(name) && known([name]).get(name) === 0.2, name);
-  for (const name of ["w", "q123", "b_2"]) assert.ok(!known.has(name), name);
-  assert.throws(() => known(["w"]), /w.*a_2/);
-  assert.throws(() => known(["b_2"]), /b_2/);
-  for (const name of ["q0", "th0", "theta_0"]) assert.throws(() => known([name]), new RegExp(name.replace("0", "1")), name);
-  const ofFixed = lookup(makeArm("fixed", "revolute"), [0.1]);
-  assert.throws(() => ofFixed(["q3"]), /q3; .* row 1 is fixed$/);
-  for (const [lookUp, name] of [[ofFixed, "w"], [known, "q9"]]) assert.throws(() => lookUp([name]), /known are [^.]*$/, name);
-});
-
-test("lists from Python are numbers, formulas or refused", () => {
-  const read = (list, known = undefined) => numbers(list, "q", known);
-  assert.deepEqual(read([[1, "pi/2"], [0.5, "2"]]).values, [1, Math.PI / 2, 0.5, 2]);
-  assert.deepEqual(read([[1, 2, 3], [4, 5, 6]]).shape, [2, 3]);
-  assert.ok(!read([1]).symbolic && read(["x"], () => new Map([["x", X]])).symbolic);
-  assert.deepEqual(read(["1/3", 0.12]).units, [0, 0.01]);
-  const refused = [[[[1, 2], [3]], /unequal/], [[[1, 2], [3], [4, 5, 6]], /unequal/], [[null], /NaN/], [["x"], /x has no value here/], [[{ odd: "a matrix" }], /a matrix/], [["1/0"], /finite/]];
-  for (const [list, error] of refused) assert.throws(() => read(list), (thrown) => thrown instanceof ArmError && error.test(thrown.message), JSON.stringify(list));
-  assert.deepEqual(unnamed([["theta1", 0.3], ["theta2", 0.4]]), [0.3, 0.4]);
-  assert.deepEqual(unnamed(["0.3", "0.4"]), ["0.3", "0.4"]);
-  assert.equal(unnamed(0.3), 0.3);
 });
 
 test("a target's rows of numbers are listed", () => {
