@@ -109,11 +109,15 @@ function readLiteral(text) {
   const trimmed = text.trim();
   const match = NUMBER.exec(trimmed);
   if (!match || !(match[1] || match[2])) return null;
+  const digits = (match[1] + match[2]).replace(/^0+/, "").length;
+  const exponent = Number(match[3] ?? 0);
+  const isZero = !digits; // its exponent says nothing: 0.0E7 is 0.0
+  const places = (isZero ? Math.min(0, exponent) : exponent) - match[2].length;
   return {
-    digits: (match[1] + match[2]).replace(/^0+/, "").length,
-    unit: Number(`1e${Number(match[3] ?? 0) - match[2].length}`),
+    digits,
+    unit: Number(`1e${places}`),
     size: Math.abs(Number(trimmed.replace(/\s/g, ""))),
-    isBare: BARE_DIGIT.test(trimmed),
+    isBare: BARE_DIGIT.test(isZero ? trimmed.replace(/e.*/i, "") : trimmed),
     endZeros: /0*$/.exec(match[2])[0].length,
   };
 }

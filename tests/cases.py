@@ -10,12 +10,12 @@ of NumPy, MATLAB, LaTeX, spreadsheets and people once. Each of its `questions` f
 the judge's page. It also has a topic (`about`), the expected `grade` (or "refused"), the expected
 `cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`).
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
-`judge/`. Each of the tables `pasted` is read as its rows by the form, the explorer, `Arm.from_table`
-and `compare_tables`, which agrees with a `reference` of other rows
-within the typed digits; one without rows is read by none of them without a question. Each case of
-`public` is a table or a Jacobian that somebody published, with the rows in the standard convention
-or what its verdict says; `refused` is what a refusal quotes instead. A case that
-fails has the reason under `fails`.
+`judge/`. Each of the tables `pasted` is read as its rows by the form, the explorer,
+`Arm.from_table` and `compare_tables`, which agrees with a `reference` of other rows within the
+typed digits; one without rows is read by none of them without a question. Each case of `public` is
+a table or a Jacobian that somebody published, with the rows in the standard convention or what its
+verdict says; `refused` is what a refusal quotes instead. A case that fails has the reason under
+`fails`.
 """
 
 import json
