@@ -1,0 +1,33 @@
+"""Test that a damaged right answer is called right only where its numbers are still right."""
+
+import pytest
+
+from tests.measure.damage import (
+    CALLED_RIGHT,
+    KINDS,
+    draw_damages,
+    explain_right,
+    judge,
+    list_answers,
+)
+
+SEED, SHARE = 68, 0.05  # of the answers, for each kind
+
+# Answers, by their topic, that the judge should refuse:
+MISSED = {
+    **dict.fromkeys(
+        ["clothes: column beside joints that a label could swallow", "column qd beside q"],
+        "a number behind the last column of a row is set aside",
+    ),
+    "columns numbered with their unit": "one of the units in headers is not applied",
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_damaged_answer_is_not_called_right(kind):
+    wrongly_right = []
+    for damage in draw_damages(list_answers(works=False), SEED, SHARE, [kind]):
+        verdict = judge(damage.answer, damage.text)
+        if verdict and verdict.grade in CALLED_RIGHT and not explain_right(damage):
+            wrongly_right.append((damage.answer.name, damage.damaged, damage.text))
+    assert [answer for answer in wrongly_right if answer[0] not in MISSED] == []
