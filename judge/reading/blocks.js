@@ -147,8 +147,10 @@ const continues = (row, before, between) =>
   between.every(({ line }) => line === before.line || line === row.line) &&
   isCalledOld(row) === isCalledOld(before) &&
   (row.cells.length > 1
-    ? namesOtherQuantity(row) === namesOtherQuantity(before)
+    ? isSameList(row, before) || namesOtherQuantity(row) === namesOtherQuantity(before)
     : haveSimilarLabels(row, before));
+
+const isSameList = (row, other) => row.list >= 0 && row.list === other.list;
 
 // Return whether the name of a row lets it join a group. The row has no name, or both the row and
 // the group are called like the answer, or neither is. If the group has no name, the row may have
@@ -172,12 +174,13 @@ function joinMatrixParts(groups) {
   return [{ ...parts[0], rows, headers: [], lastLine: parts.at(-1).lastLine, sources }];
 }
 
-// Group rows with the same words before them, such as "positions:". Other rows may stand between
-// them.
+// Group rows with the same words before them but for numbers, such as "joint(1).DH =". Other rows
+// may stand between them.
 function groupRowsByWords(rows) {
   const byName = new Map();
   for (const row of rows) {
-    const name = `${row.cells.length} ${row.words.map(({ text }) => text).join(" ")}`;
+    const words = row.words.map(({ text }) => text).join(" ");
+    const name = `${row.cells.length} ${words.replace(/\d+/g, "#")}`;
     if (!row.words.length || row.cells.length < 2) continue;
     if (!byName.has(name)) byName.set(name, []);
     byName.get(name).push(row);

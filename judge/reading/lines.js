@@ -23,7 +23,7 @@ import {
  * number of words behind the entries. `isColumn` is true if semicolons separate the entries, and
  * `isAssigned` if "=" or ":" stands before the first entry.
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
- *   scale: string, part: number, above: Cell[], depth: number, tail: number,
+ *   scale: string, part: number, above: Cell[], depth: number, list: number, tail: number,
  *   isColumn?: boolean, isAssigned: boolean }} Row
  */
 const SEPARATORS = `,;&|\t\n${ROW_END}`;
@@ -94,7 +94,7 @@ export function readRows(plain, isEntry, splitting) {
     if (groups || !ends) continue;
     readSegment(from, at, state);
     from = at + 1;
-    if (kind) crossBracket(state, OPEN.includes(text[at]) ? 1 : -1);
+    if (kind) crossBracket(state, OPEN.includes(text[at]) ? 1 : -1, at);
     else endRow(state, text[at]);
   }
   readSegment(from, text.length, state);
@@ -125,12 +125,15 @@ const startState = (plain, isEntry, splitting) => ({
   line: 0,
   part: 0,
   depth: 0,
+  list: -1,
 });
 
 // Begin a list (step 1) or end it (step -1).
-function crossBracket(state, step) {
+function crossBracket(state, step, at) {
   state.row = null;
+  if (!state.depth) state.list = at;
   state.depth += step;
+  if (!state.depth) state.list = -1;
 }
 
 // End a row, unless the list around it counts as a single row.
@@ -238,9 +241,9 @@ function addCell(cell, line, state) {
     return;
   }
   if (!state.row) {
-    const { words, name, scale, part, above, depth, wordsAtMark } = state;
+    const { words, name, scale, part, above, depth, list, wordsAtMark } = state;
     const isAssigned = words.length === wordsAtMark;
-    const position = { line, last: line, part, depth };
+    const position = { line, last: line, part, depth, list };
     state.row = { cells: [], words, name, scale, above, ...position, isAssigned, tail: 0 };
     state.rows.push(state.row);
     state.words = [];
