@@ -10,13 +10,7 @@ import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
 import { listTableBlocks, makeEntryTest } from "./table_blocks.js";
 import { joinCellLines } from "./table_cell_lines.js";
-import {
-  dropContraryOrders,
-  dropIndexColumn,
-  EXCHANGED,
-  listOrders,
-  readHeaders,
-} from "./table_columns.js";
+import { dropIndexColumn, EXCHANGED, listOrders } from "./table_columns.js";
 import { convertTable, describeReading } from "./table_conversion.js";
 import {
   claimDefinitions,
@@ -30,9 +24,10 @@ import { NoLink, readLinkMatrix, splitMatrices } from "./table_matrices.js";
 import { readNamedTable, refuseManyRows, refuseSize } from "./table_notations.js";
 import { listNamedNumbers, placeBlockNumbers, placeMatrixNumbers } from "./table_owners.js";
 import { readRow, trimEntry } from "./table_rows.js";
+import { applyStatedOrder, chooseStatements, findOtherLengthUnit } from "./table_statements.js";
 import { maskUnfinishedRows } from "./table_unfinished.js";
 import { findUnreadCell, refuseMixedUnits } from "./table_unread.js";
-import { findOtherUnit, LENGTH_UNIT } from "./units.js";
+import { findOtherUnit } from "./units.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -68,6 +63,7 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
  * @property {string[]} [typedCells] all cells of the rows, without notes and footnote marks
  * @property {string[]} [unusedLines] the lines and numbers of the text that were not used
  * @property {import("./owners.js").Token[]} [tokens]
+ * @property {string} [otherUnit] a unit of lengths other than mm that the text shows
  */
 
 /**
@@ -98,7 +94,7 @@ export function readTables(pastedText, options = {}, values = []) {
   const defined = new Map(lengths.map(([name, x]) => [simple(name), x]));
   const request = { options, known: new Map([...known, ...defined]) };
   const tables = readWithLengths(typedText, request);
-  return dropContraryOrders(tables, typedText).map((table) =>
+  return applyStatedOrder(tables, typedText).map((table) =>
     useDefinitions(table, definitions, typedText),
   );
 }
@@ -116,6 +112,7 @@ function useDefinitions(table, definitions, text) {
   if (table.order) refuseUnreadValues(text, table, definitions); // a link matrix has its c1 and s1
   return {
     ...table,
+    otherUnit: findOtherLengthUnit(tokens, text),
     unusedLines: dropDefinitions(unusedLines, used),
     tokens: claimDefinitions(used, tokens),
   };
@@ -241,17 +238,12 @@ function readCells(block, { options, known }) {
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
-  const stated = {
-    ...readStatedLengths(block.context),
-    ...readStatedAngles(block.context),
-    ...dropMissing(readHeaders(headers)),
-  };
-  const units = chooseUnits(options, stated, findConvention(block));
+  const statements = chooseStatements({ ...block, headers }, options);
   const usedCells = orders.rows.flat().join(" & ");
   const isUnused = (cell) => hasDecimals(cell) && !usedCells.includes(cell);
   const unused = orders.others ?? typedCells.filter(isUnused);
   return readOrders(orders, known).map((table) => ({
-    ...units,
+    ...statements,
     ...table,
     order: orders.typedOrder ?? table.order,
     unusedLines: [...unusedLines, ...unused],
@@ -260,64 +252,11 @@ function readCells(block, { options, known }) {
   }));
 }
 
-// Find the convention that the notation of a table shows, or the text around it names.
-/** @param {{ context: string, convention?: string }} block */
-function findConvention({ convention, context }) {
-  const isCraig =
-    /\b(?:craig|modified|m-?dh|khalil)\b|\bmod\./i.test(context) &&
-    !/\bstandard\b|\bspong\b/i.test(context);
-  return isCraig ? "craig" : convention;
-}
-
-// The text beside a table states "Lengths in cm" or "(cm, deg)". A unit behind a number does not
-// count: it belongs to the number alone.
-const LENGTHS_IN = new RegExp(
-  String.raw`\b(?:lengths?|distances?|dimensions)(?: (?:are|all|given|measured|taken))*` +
-    String.raw`(?: in|:| \() ?(${LENGTH_UNIT}|milli|centi|met)(?:met)?(?:ers?|res?)?\b`,
-  "gi",
-);
-const UNITS_ALONE = new RegExp(
-  String.raw`(?:\bunits?(?: are| in|:) ?|\bin |^[ \t]*[[(])(${LENGTH_UNIT})` +
-    String.raw`(?:, ?| and )(?:deg|rad|°)`,
-  "gim",
-);
-const ANGLES_IN = new RegExp(
-  String.raw`\bangles?(?: (?:are|all|given|measured|taken))*(?: in|:| \() ?` +
-    "(?:(rad)(?:ians?)?|deg(?:rees)?|°)",
-  "i",
-);
-const UNIT_NAMES = { milli: "mm", centi: "cm", met: "m" };
-
-// Read the unit of angles that a text beside a table states.
-function readStatedAngles(context) {
-  const match = ANGLES_IN.exec(context);
-  return match && { angles: match[1] ? "rad" : "deg" };
-}
-
-// Read the unit of lengths that a text beside a table states. Two units count as none.
-function readStatedLengths(context) {
-  const matches = [LENGTHS_IN, UNITS_ALONE].flatMap((pattern) => [...context.matchAll(pattern)]);
-  const names = matches.map(([, unit]) => unit.toLowerCase());
-  const [lengths, ...others] = new Set(names.map((name) => UNIT_NAMES[name] ?? name));
-  return others.length ? {} : { lengths };
-}
-
-const dropMissing = (fields) =>
-  Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
-
-// Choose the units and the convention. The student's settings come before the column headers.
-function chooseUnits(options, headers = {}, convention = undefined) {
-  return {
-    lengths: options.lengths || (headers.lengths ?? null),
-    angles: options.angles || (headers.angles ?? null),
-    convention: options.convention || (convention ?? headers.convention ?? null),
-  };
-}
-
 function readMatrices(matrices, known, options) {
   refuseManyRows(matrices.length);
   const rows = matrices.map((matrix, k) => readLinkMatrix(k + 1, matrix, known));
-  return { ...chooseUnits(options), rows, assumptions: [formatMessage("taken: matrices")] };
+  const statements = chooseStatements({ headers: [], context: "" }, options);
+  return { ...statements, rows, assumptions: [formatMessage("taken: matrices")] };
 }
 
 // Read rows in each possible order of columns. If the stated order fails, try exchanged headers of

@@ -10,6 +10,8 @@ import { withoutMargins } from "./decorations.js";
 import { SpannedText } from "./spans.js";
 import { findEntry } from "./table_columns.js";
 import { ENTRIES, trimEntry, VARIABLE } from "./table_rows.js";
+import { findColumnNames } from "./table_statements.js";
+import { LENGTH_UNIT } from "./units.js";
 import { formatMessage } from "../sentences.js";
 
 /**
@@ -122,8 +124,18 @@ function markColumnHeaders(plain) {
     edits.push({ from, to: from + length, text: word });
   };
   const headerLines = lines.filter(({ text }) => listHeaders(text));
-  for (const line of headerLines) mark(line, listHeaders(line.text), line.text.length);
+  const unitLines = [];
+  for (const line of headerLines) {
+    const headers = listHeaders(line.text);
+    const below = lines.slice(lines.indexOf(line) + 1).find(({ text }) => /[\p{L}\d]/u.test(text));
+    const units = below ? listUnits(below.text, headers.length) : null;
+    const joined = units ? headers.map((header, k) => `${header} ${units[k]}`) : headers;
+    mark(line, joined, line.text.length);
+    if (units) mark(below, joined, below.text.length);
+    if (units) unitLines.push(below);
+  }
   for (const line of lines) {
+    if (unitLines.includes(line)) continue;
     if (!headerLines.includes(line)) edits.push(...listZeros(line, headerLines));
     const rest = trimOpening(line.text);
     const [start, header] = (headerLines.length ? null : ROW_HEADER.exec(rest)) ?? [];
@@ -166,6 +178,16 @@ const SEPARATORS = [/\| {2}\||[|&\t;]/, /\s{2,}/, /,/, /\s+/];
 
 // List the headers of a line. Return null if it names fewer than three of a, alpha, d and theta.
 function listHeaders(typed) {
+  const whole = splitHeaders(typed);
+  const isNamed = ENTRIES.every((entry) => whole?.map(findEntry).includes(entry));
+  const [, comment] = COMMENT.exec(typed) ?? [];
+  if (isNamed || !comment) return whole;
+  const names = findColumnNames(comment) ?? [];
+  return names.length === ENTRIES.length ? names : whole;
+}
+
+// Split a line at the first separator that gives headers.
+function splitHeaders(typed) {
   const line = trimOpening(typed).replace(/^(?:%|\/\/)+\s*|[|\s\])}]+$/g, (margin) =>
     margin.replace(/[|\s%/]/g, ""),
   );
@@ -182,6 +204,8 @@ function listHeaders(typed) {
   return null;
 }
 
+const COMMENT = /^[^\p{N}]*(?:#|%|\/\/)(.*)/u;
+
 // Join a unit to the header before it: the words "a" and "(mm)" become "a (mm)".
 function joinUnits(cells) {
   const headers = [];
@@ -189,6 +213,26 @@ function joinUnits(cells) {
     if (/^[([].*[)\]]$/.test(cell)) headers.push(`${headers.pop() ?? ""} ${cell}`);
     else headers.push(cell);
   return headers;
+}
+
+const UNIT_CELL = new RegExp(`^[[(]?(?:${LENGTH_UNIT}|deg|rad|°|-)?[\\])]?$`);
+
+// List the units of a line below headers, such as "[rad] [cm] [cm] [rad]". Return null if the line
+// has any other cell, or another count of cells than the headers.
+function listUnits(line, count) {
+  for (const separator of SEPARATORS) {
+    const cells = trimOpening(`|${line.replace(/_\(([^()]*)\)/g, " $1")}`)
+      .replace(/[|\s]+$/, "")
+      .split(separator);
+    const units = cells.map((cell) => cell.trim());
+    const typed = units.filter((unit) => /\p{L}|°/u.test(unit));
+    if (units.length !== count || !typed.length || !units.every((unit) => UNIT_CELL.test(unit)))
+      continue;
+    return units.map((unit) =>
+      /\p{L}|°/u.test(unit) ? `(${unit.replace(/[^\p{L}°]/gu, "")})` : "",
+    );
+  }
+  return null;
 }
 
 // Entries

@@ -44,10 +44,10 @@ function findSpelling(text) {
 }
 
 // Write aᵢ₋₁ as ai-1, and the APL symbol ⍺, which the Robotics Toolbox prints, as the Greek α.
-const replaceSubscripts = (text) =>
+export const replaceSubscripts = (text) =>
   text
     .replace(/[ᵢⱼₖₙ₋₁]/g, (character) => "ijkn-1"["ᵢⱼₖₙ₋₁".indexOf(character)])
-    .replaceAll("⍺", "α");
+    .replace(/[⍺∝]/g, "α");
 
 /** Maps a header to the entry below it if the headers of alpha and theta are exchanged. */
 export const EXCHANGED = { alpha: "theta", theta: "alpha" };
@@ -58,19 +58,6 @@ export function nameColumns(headers) {
   const namesTwoD = names.filter((name) => name === "d").length > 1;
   const isOffset = (header) => header.toLowerCase().includes("offset");
   return names.map((name, k) => (namesTwoD && isOffset(headers[k]) ? "theta" : name));
-}
-
-const UNIT_BEHIND = new RegExp(String.raw`[[(/_]\s?(${LENGTH_UNIT})(?!\w)`, "g"); // a_mm, a (mm)
-const UNIT_APART = new RegExp(String.raw`[[(/_ ]\s?(${LENGTH_UNIT})(?!\w)`); // a mm
-// Read the units and the convention that headers state.
-export function readHeaders(headers) {
-  const text = replaceSubscripts(headers.join(" "));
-  const units = new Set([...text.matchAll(UNIT_BEHIND)].map(([, unit]) => unit));
-  if (units.size > 1)
-    throw new ArmError(formatMessage("header units", { units: [...units].join(", ") }));
-  const [, lengths = null] = UNIT_APART.exec(text) ?? [];
-  const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
-  return { lengths, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };
 }
 
 // The orders of textbooks and programs, the commonest first. Any other order is tried after these.
@@ -184,6 +171,7 @@ function orderByHeaders(cells, headers) {
 function orderByContent(cells, headers) {
   requireFourColumns(cells);
   const names = headers.length === 4 ? nameColumns(headers) : [];
+  refuseUnknownHeader(names, headers);
   const agrees = (order) => names.every((name, k) => !ENTRIES.includes(name) || order[k] === name);
   const descriptions = cells.map((row) => row.map(describeCell));
   const all = new Map(
@@ -195,29 +183,14 @@ function orderByContent(cells, headers) {
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], isStated: false, rows: cells };
 }
 
-const STATED_ORDER = /\b(?:columns?|order|spalten|reihenfolge)\b[^\n]*/gi;
-
-/**
- * Drop the tables with a guessed order of columns if a line states a different order, as "columns
- * are d a theta alpha" does. Refuse the text if no table is left.
- * @param {import("./table.js").TypedTable[]} tables @param {string} text as it was pasted
- */
-export function dropContraryOrders(tables, text) {
-  const [stated] = [...text.matchAll(STATED_ORDER)].flatMap(([line]) => {
-    const names = line.split(/[^\p{L}\p{N}_{}\\-]+/u).map(findEntry);
-    const order = names.map((_, k) => names.slice(k, k + 4).join(" ")).find(isOrder);
-    return order ? [{ line, order }] : [];
-  });
-  const kept = tables.filter(
-    ({ isOrderGuessed, order }) => !stated || !isOrderGuessed || order.join(" ") === stated.order,
-  );
-  if (kept.length) return kept;
-  const [{ tokens }] = tables;
-  const quoted = quoteText(stated.line.trim());
-  throw new ArmError(formatMessage("contrary order", { quoted }), [], tokens, text);
+// Refuse four headers that name three of the columns and something else, such as "home". A single
+// letter, such as h, may be a student's name for the fourth.
+function refuseUnknownHeader(names, headers) {
+  const known = new Set(names.filter((name) => ENTRIES.includes(name)));
+  const header = headers[names.findIndex((name) => !ENTRIES.includes(name))];
+  if (known.size === 3 && /\p{L}{3}/u.test(header ?? ""))
+    throw new ArmError(formatMessage("unknown column", { header: quoteText(header) }));
 }
-
-const isOrder = (names) => names.split(" ").sort().join() === ENTRIES.join();
 
 // Add the offset, which was typed in its own column, to the joint variable of a row.
 function addOffset(i, row, offset) {

@@ -32,10 +32,12 @@ const LENGTHS = ["a", "d"];
  */
 export function convertTable(table, kinds) {
   const isMillimetres = isInMillimetres(table);
+  if (isMillimetres && table.otherUnit)
+    throw new ArmError(formatMessage("unit seen", { unit: table.otherUnit }));
   const bareAngles = listBareAngles(table).map(Math.abs);
   const isDegrees = table.angles === null && Math.max(...bareAngles) > MOST_RADIANS;
   if (isDegrees) refuseMixedAngles(bareAngles);
-  refuseLargeAngles(table, bareAngles);
+  refuseContraryAngles(table, bareAngles);
   const length = LENGTH_UNITS[isMillimetres ? "mm" : (table.lengths ?? "m")];
   const angle = isDegrees || table.angles === "deg" ? RAD : 1;
   const isCraig = table.convention === "craig";
@@ -84,15 +86,17 @@ function refuseMixedAngles(angles) {
   throw new ArmError(formatMessage("two angles", fields), [{ field: "angles", value: "deg" }]);
 }
 
-// Refuse an angle above a full turn if radians were stated. In a guessed order of columns it may
-// be a length, and is not refused.
+// Refuse an angle above a full turn if radians were stated, and an angle such as 1.5708 if degrees
+// were. In a guessed order of columns they may be lengths, and are not refused.
 /** @param {TypedTable} table @param {number[]} angles */
-function refuseLargeAngles({ angles: unit, isOrderGuessed }, angles) {
-  const most = Math.max(...angles);
-  if (unit !== "rad" || isOrderGuessed || most <= MOST_RADIANS) return;
-  const angle = formatNumber(most, 6);
-  throw new ArmError(formatMessage("stated radians", { angle }), [
-    { field: "angles", value: "deg" },
+function refuseContraryAngles({ angles: unit, isOrderGuessed }, angles) {
+  const [isContrary, other] =
+    unit === "rad" ? [(x) => x > MOST_RADIANS, "deg"] : [isRightAngle, "rad"];
+  const contrary = unit && !isOrderGuessed ? angles.find(isContrary) : undefined;
+  if (contrary === undefined) return;
+  const key = unit === "rad" ? "stated radians" : "stated degrees";
+  throw new ArmError(formatMessage(key, { angle: formatNumber(contrary, 6) }), [
+    { field: "angles", value: other },
   ]);
 }
 

@@ -86,7 +86,7 @@ function readLink(name, { body, start, from, to }) {
 
 // Arguments that change no entry: the body of a link, its motor and its limits.
 const OTHER_ARGUMENT = new RegExp(
-  String.raw`['"]?(?<![\p{L}\d_])(?:[mrIGB]|Jm|Tc|qlim|name|mdh)['"]?\s*[,=]\s*` +
+  String.raw`['"]?(?<![\p{L}\d_])(?:[mrIGB]|Jm|Tc|qlim|name|mdh|joint_?type)['"]?\s*[,=]\s*` +
     String.raw`(?:\[[^\]]*\]|[^,]+)|` +
     String.raw`['"]?(?<![\p{L}\d_])(?:revolute|prismatic|standard|modified)(?![\p{L}\d_])['"]?`,
   "giu",
