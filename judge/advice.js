@@ -11,6 +11,11 @@
  * @property {string | number | boolean} value
  */
 
+const adviseOtherUnit = (_, { angles }) => ({
+  field: "angles",
+  value: angles === "deg" ? "rad" : "deg",
+});
+
 /**
  * The advice that follows from a cause and its first field.
  * @type {Record<string, (field: string, options: Record<string, any>) => Advice>}
@@ -19,10 +24,12 @@ const ADVICE_BY_CAUSE = {
   "J.halves": (_, { angularFirst }) => ({ field: "angularFirst", value: !angularFirst }),
   "J.frame": (frame) => ({ field: "frame", value: Number(frame) }),
   "J.millimetres": () => ({ field: "lengths", value: "mm" }),
-  "J.degrees": () => ({ field: "angles", value: "deg" }),
-  "tau.degrees": () => ({ field: "angles", value: "deg" }),
-  "ik.degrees": () => ({ field: "angles", value: "deg" }),
-  "trace.degrees": () => ({ field: "angles", value: "deg" }),
+  "J.degrees": adviseOtherUnit,
+  "tau.degrees": adviseOtherUnit,
+  "ik.degrees": adviseOtherUnit,
+  "ik.radians": adviseOtherUnit,
+  "trace.degrees": adviseOtherUnit,
+  "trace.radians": adviseOtherUnit,
   "table.craig": () => ({ field: "convention", value: "craig" }),
 };
 

@@ -252,6 +252,17 @@ def test_degrees_read_as_radians_are_named(topic, decimals):
         assert 'say angles="deg"' in str(report)
 
 
+def test_radians_read_as_degrees_are_named():
+    q = np.radians(UR_DEGREES).round(4)
+    T = forward_kinematics(UR10E, np.radians(UR_DEGREES))
+    for report in (
+        checks.compare_pose(q, UR10E, T, angles="deg"),
+        checks.compare_branches(q, inverse.ur(UR10E, T), angles="deg"),
+    ):
+        assert (report.grade, report.causes) == ("wrong", ("ik.radians",))
+        assert report.advice == ('If that is what you mean, say angles="rad"',)
+
+
 @pytest.mark.parametrize("topic", COMPARE_AT)
 def test_wrong_answer_asks_about_angle_above_turn(topic):
     text, exact = write_degrees(2)

@@ -64,8 +64,8 @@ function judgeAnswers(mine, solutions, target, options) {
     arm,
     values: read.answers.flatMap(({ values }) => values),
     angles,
-    key: "ik.degrees",
-    judgeInDegrees: () => judgeAnswers(mine, solutions, target, { ...options, angles: "deg" }),
+    keys: { deg: "ik.degrees", rad: "ik.radians" },
+    judgeIn: (unit) => judgeAnswers(mine, solutions, target, { ...options, angles: unit }),
     makeHeadline: (cause) => formatMessage("ik wrong", { arm: arm.name, cause }),
   });
   const dof = movingRows(solutions.arm).length;

@@ -1,7 +1,8 @@
-// Asks whether joint values that were read as radians are in degrees.
+// Asks whether joint values that were read in one unit of angles are in the other one.
 
 import { causeMessage, causeName, makeCause } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
+import { DEG } from "../geometry/angles.js";
 import { jointNames, revoluteFlags } from "../geometry/kinematics.js";
 import { formatMessage, formatNumber, uncapitalize } from "../sentences.js";
 
@@ -14,33 +15,41 @@ const TURN = 2 * Math.PI;
  * @property {import("../geometry/arm.js").Arm} arm
  * @property {number[]} values joint values as they were read, one configuration after another
  * @property {string} [angles] unit that the question names, "rad" or "deg"
- * @property {string} key of the message that degrees were typed
- * @property {() => Verdict} [judgeInDegrees] judges the same answer with degrees
- * @property {(cause: string) => string} [makeHeadline] for an answer that is right in degrees
+ * @property {Record<string, string>} keys of the message that the other unit was typed, by the unit
+ *   that was typed
+ * @property {(angles: string) => Verdict} judgeIn judges the same answer in a unit
+ * @property {(cause: string) => string} makeHeadline for an answer that is right in the other unit
  */
 
 /**
- * Ask about degrees if a wrong answer is not explained and some angle exceeds a whole turn. Nobody
- * types such an angle in radians. If the answer is right in degrees, the verdict reports that.
+ * Judge a wrong answer in the other unit of angles, and report if it is right there. Radians are
+ * taken for degrees only if an angle exceeds a whole turn, since nobody types such an angle in
+ * radians; if the answer is wrong in degrees too, the verdict asks. Degrees are taken for radians
+ * only if no angle exceeds a whole turn.
  * @param {Verdict} verdict
  * @param {DegreesQuestion} question
  * @returns {Verdict}
  */
 export function askAboutDegrees(verdict, question) {
-  const { arm, values, angles = "rad", key, judgeInDegrees, makeHeadline } = question;
+  const { arm, values, angles = "rad", keys, judgeIn, makeHeadline } = question;
   const isRevolute = revoluteFlags(arm);
-  const large = values.findIndex((x, i) => isRevolute[i % isRevolute.length] && Math.abs(x) > TURN);
-  const isExplained = verdict.causes.some((name) => name.split(" + ").includes(key));
-  if (angles === "deg" || large < 0 || isExplained) return verdict;
-  if (![WRONG, SO_FAR].includes(verdict.grade)) return verdict;
-  if (judgeInDegrees && [RIGHT, ROUNDED, SO_FAR].includes(judgeInDegrees().grade)) {
-    const cause = makeCause(key);
+  const isAngle = (i) => isRevolute[i % isRevolute.length];
+  const typed = values.map((x, i) => (angles === "deg" && isAngle(i) ? x * DEG : x));
+  const large = typed.findIndex((x, i) => isAngle(i) && Math.abs(x) > TURN);
+  const other = angles === "deg" ? "rad" : "deg";
+  const isExplained = verdict.causes.some((name) => name.split(" + ").includes(keys[other]));
+  const isOther = other === "deg" ? large >= 0 : large < 0 && verdict.grade === WRONG;
+  if (!isOther || isExplained || ![WRONG, SO_FAR].includes(verdict.grade)) return verdict;
+  const { grade, notes } = judgeIn(other);
+  if ([RIGHT, ROUNDED, SO_FAR].includes(grade)) {
+    const cause = makeCause(keys[other]);
     const words = causeMessage(cause);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
     const headline = makeHeadline(uncapitalize(words));
-    return { ...verdict, grade: WRONG, headline, findings, causes: [causeName(cause)] };
+    const names = [causeName(cause)];
+    return { ...verdict, grade: WRONG, headline, findings, causes: names, notes };
   }
-  if (verdict.grade !== WRONG || verdict.causes.length) return verdict;
+  if (other === "rad" || verdict.grade !== WRONG || verdict.causes.length) return verdict;
   const joint = jointNames(arm)[large % isRevolute.length];
   const note = formatMessage("more than a turn", { joint, value: formatNumber(values[large], 6) });
   const setting = { field: "angles", value: "deg" };

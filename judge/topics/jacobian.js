@@ -86,8 +86,8 @@ function judgeWholeJacobian(mine, arm, q, typedQ, options) {
     arm,
     values: typedQ.values,
     angles: options.angles,
-    key: "J.degrees",
-    judgeInDegrees: () => judgeJacobian(mine, arm, q, { ...options, angles: "deg" }),
+    keys: { deg: "J.degrees", rad: "J.degrees" },
+    judgeIn: (angles) => judgeJacobian(mine, arm, q, { ...options, angles }),
     makeHeadline: (cause) => formatMessage("J wrong", { arm: arm.name, cause: `${cause}.` }),
   });
   return { ...verdict, typed };

@@ -88,8 +88,8 @@ function judgeJoints(q, arm, T, options) {
     arm,
     values: answer.values,
     angles,
-    key: "ik.degrees",
-    judgeInDegrees: () => judgeJoints(q, arm, T, { ...options, angles: "deg" }),
+    keys: { deg: "ik.degrees", rad: "ik.radians" },
+    judgeIn: (unit) => judgeJoints(q, arm, T, { ...options, angles: unit }),
     makeHeadline: (cause) => formatMessage("pose cause", { arm: arm.name, off, cause }),
   });
   return { ...complete, typed: read.typed };

@@ -80,8 +80,8 @@ function judgeAllTorques(mine, arm, q, options = {}) {
     arm,
     values: typedQ.values,
     angles: options.angles,
-    key: "tau.degrees",
-    judgeInDegrees: () => judgeAllTorques(mine, arm, q, { ...options, angles: "deg" }),
+    keys: { deg: "tau.degrees", rad: "tau.degrees" },
+    judgeIn: (angles) => judgeAllTorques(mine, arm, q, { ...options, angles }),
     makeHeadline: (cause) => formatMessage("tau wrong", { arm: arm.name, cause: `${cause}.` }),
   });
 }

@@ -97,7 +97,9 @@ function judgeTypedTrace(typed, arm, path, options = {}) {
     arm,
     values: q.flat(),
     angles: unit,
-    key: "trace.degrees",
+    keys: { deg: "trace.degrees", rad: "trace.radians" },
+    judgeIn: (unit) => judgeTypedTrace(typed, arm, path, { ...options, angles: unit }),
+    makeHeadline: (cause) => formatMessage("trace wrong", { arm: arm.name, cause: `${cause}.` }),
   });
 }
 
