@@ -338,6 +338,14 @@ def test_unit_of_one_joint_of_jacobian_is_named(joint, factor, cause):
     assert checks.compare_jacobian(jacobian.round(5), STANFORD, SLID).causes == (cause,)
 
 
+def test_joint_angles_not_added_up_are_named():
+    """The second link of a planar arm stands at q_1 + q_2."""
+    planar = Arm("planar", [revolute(a=0.4), revolute(a=0.3)])
+    typed = "-0.4 s_1 - 0.3 s_2, -0.3 s_2\n0.4 c_1 + 0.3 c_2, 0.3 c_2\n0, 0\n0, 0\n0, 0\n1, 1"
+    report = checks.compare_jacobian(typed, planar, [0.5, 0.7])
+    assert report.causes == ("J.not summed",)
+
+
 @pytest.mark.parametrize("shift", [-1, 1])
 def test_masses_moved_by_one_link_are_named(shift):
     masses = np.roll([mass for mass, *_ in LINKS], shift)

@@ -269,6 +269,17 @@ def test_large_steps_report_open_circle_without_jumps():
     assert checks.compare_trace(open_, ARM, path).causes == ("trace.open",)
 
 
+@pytest.mark.parametrize(
+    ("J", "cause"),
+    [(None, "trace.short"), (jacobian_of_slip_19, "trace.short + J.z_i angular")],
+)
+def test_points_of_closed_circle_as_steps_are_named(J, cause):
+    """The angles linspace(90, 450, 40) grow by 2 pi/39 in each of 40 steps."""
+    task, path = homework_circle(40)
+    mine = task.run(J=J, dt=5 / 39, rate=39 / 40).round(5)
+    assert cause in checks.compare_trace(mine, ARM, path).causes
+
+
 def test_runge_kutta_hides_no_mistake():
     task, path = homework_circle(40)
     by_rk4 = task.run(J=jacobian_of_slip_19, method="rk4").round(5)

@@ -111,6 +111,14 @@ function listRowMistakes(row, index) {
   return mistakes;
 }
 
+// Return for each joint whether it turns about an axis parallel to that of the joint before it.
+function listParallelJoints(arm) {
+  const rows = movingRows(arm);
+  const isRevolute = revoluteFlags(arm);
+  const isStraight = (k) => rows[k] === rows[k - 1] + 1 && !arm.rows[rows[k - 1]].alpha;
+  return rows.map((_, k) => k > 0 && isRevolute[k] && isRevolute[k - 1] && isStraight(k));
+}
+
 /**
  * List mistakes in the joint values. All joints may be in degrees for radians or the reverse, or
  * have the maker's signs. A single joint may have the wrong sign, or be in degrees or in
@@ -127,6 +135,13 @@ export function listConfigurationMistakes(degreesKey, arm) {
     makeCause(degreesKey),
     changeJoints((x, k) => (isRevolute[k] ? x * factor : x)),
   ]);
+  const isSummed = listParallelJoints(arm);
+  if (isSummed.includes(true))
+    // handed in: s_2 for s_12
+    mistakes.push([
+      makeCause("J.not summed"),
+      (c) => ({ ...c, q: c.q.map((x, k) => (isSummed[k] ? x - c.q[k - 1] : x)) }),
+    ]);
   const signs = arm.makerSigns;
   if (signs) mistakes.push([makeMakersCause(arm), changeJoints((x, k) => signs[k] * x)]);
   for (const [k, joint] of jointNames(arm).entries()) {

@@ -15,8 +15,9 @@ import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { listJacobianRecipes } from "./jacobian.js";
 import { listJointMistakes } from "./joints.js";
 import { listTableMistakes } from "./chain.js";
-import { makeCause } from "./ranking.js";
+import { combineCauses, makeCause } from "./ranking.js";
 import {
+  listAngleSteps,
   listDisplacedPaths,
   listPathsWithOneMistake,
   listPathsWithTwoMistakes,
@@ -70,8 +71,8 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  *
  * Causes in this order: coordinates of the centre left out; if the tip is off the path, a mistake
  * in the table or the path; the rule of the loop, to the digits; with symptoms, a mistake in the
- * joint values; any other shift; with symptoms, the rule to the error of a right program; two
- * mistakes in the path.
+ * joint values; two mistakes in the loop; any other shift; with symptoms, the rule to the error of a
+ * right program; two mistakes in the path.
  * @param {Trace} trace
  * @param {number[][]} tip its points
  * @param {number[]} allowed largest error of the tip at each step (m)
@@ -93,6 +94,7 @@ export function findTraceCause(trace, tip, allowed, { isOff, hasSymptoms }) {
       ...listMatrixRules(trace),
     ]) ??
     findJointCause(trace, allowed, hasSymptoms) ??
+    findLoopCause(trace, listPairsOfRules(trace)) ??
     findPathCause(shiftedPaths, path, tip, allowed) ??
     (hasSymptoms
       ? findLoopCause(trace, listMatrixRules(trace), [METHOD_ERROR, METHOD_TILT])
@@ -179,11 +181,24 @@ function findLoopCause(trace, rules, near = null) {
   return best;
 }
 
+// List mistakes in the velocities. With a wrong angle step the velocity has the right size, and the
+// direction that it should have at another time.
 /** @param {Path} path @returns {Rule[]} */
 const listVelocityRules = (path) => [
   { cause: makeCause("trace.millimetres"), v: (t) => scaled(1e3, path.velocity(t)) }, // slip 5
   { cause: makeCause("trace.next velocity"), v: (t, dt) => path.velocity(t + dt) }, // slip 21
+  ...listAngleSteps(path).map(({ cause, rate, from }) => ({
+    cause,
+    v: (t) => path.velocity(from + rate * t), // handed in
+  })),
 ];
+
+/** List a wrong velocity with a wrong Jacobian. @returns {Generator<Rule>} */
+function* listPairsOfRules({ path, at }) {
+  for (const { cause: first, v } of listVelocityRules(path))
+    for (const [second, K] of listJacobianRecipes(at(0)[0]))
+      yield { cause: combineCauses(first, second), v, K };
+}
 
 const makePathRule = ({ cause, path }) => ({ cause, v: path.velocity });
 

@@ -27,15 +27,29 @@ const PAIRS = [
  */
 function listTimeMistakes({ times }) {
   const [begin, end] = [times[0], times.at(-1)];
-  const openRate = 1 - 1 / times.length; // the angle of step i is 2 pi i/(N + 1)
   return [
     { cause: makeCause("trace.backwards"), rate: -1, from: begin + end },
     ...FACTORS.map((f) => {
       const fields = { _share: formatNumber(100 * f), _over: formatNumber(1 / f) };
       return { cause: makeCause("trace.fraction", fields), rate: f, from: (1 - f) * begin };
     }),
-    { cause: makeCause("trace.open"), rate: openRate, from: (1 - openRate) * begin },
+    ...listAngleSteps({ times }),
   ];
+}
+
+/**
+ * List wrong angles of step i, 2 pi i/(N + 1) or, as linspace(90, 450, N) gives, 2 pi i/(N - 1).
+ * Both were handed in.
+ */
+export function listAngleSteps({ times }) {
+  const steps = times.length - 1;
+  return [
+    ["trace.open", 1],
+    ["trace.short", -1],
+  ].map(([key, more]) => {
+    const rate = steps / (steps + Number(more));
+    return { cause: makeCause(String(key)), rate, from: (1 - rate) * times[0] };
+  });
 }
 
 /** @param {Path} path @returns {WrongPath[]} */
