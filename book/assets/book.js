@@ -144,30 +144,9 @@ document.addEventListener("DOMContentLoaded", () => {
 
   each(".ahead details", (contents) => contents.addEventListener("click", ({ target }) => target.closest("a") && !isWide.matches && (contents.open = false)));
   watchSections();
-  layOutFarSections();
 });
 
 const isWide = matchMedia("(min-width: 76rem)"); // the sections stand beside the text
-const whenIdle = window.requestIdleCallback ?? ((act) => setTimeout(act, 50));
-
-// Lay out the far sections one after another while the browser is idle, from the reader's first
-// move on, so that the scrollbar tells the true length of the page.
-function layOutFarSections() {
-  const { dataset } = document.documentElement;
-  if (dataset.fresh === undefined) return;
-  const sections = [...document.querySelectorAll("article > section > section ~ section ~ section, article > section > section ~ section ~ section section")];
-  const layOutNext = () => {
-    if (dataset.fresh === undefined) return;
-    const section = sections.shift();
-    if (!section) return void delete dataset.fresh;
-    section.style.contentVisibility = "visible";
-    requestAnimationFrame(() => whenIdle(layOutNext));
-  };
-  const start = new AbortController();
-  for (const type of ["pointermove", "touchstart", "wheel", "scroll", "keydown"])
-    addEventListener(type, () => (start.abort(), whenIdle(layOutNext)), { passive: true, signal: start.signal });
-}
-
 // Mark the current section in the list of the page's sections, keep it in view there, and mark the
 // sections that were read.
 function watchSections() {

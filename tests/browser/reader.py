@@ -14,7 +14,7 @@ WAIT_FOR_FRAMES = (
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Boxes are fitted when the reader comes near; for a printer, all at once.
 FIT_ALL_BOXES = "dispatchEvent(new Event('beforeprint'))"
-# Scrolls to an element as a link does. Playwright's own scroll ends elsewhere once far sections are laid out.
+# Scrolls to an element as a link does.
 SCROLL_INTO_VIEW = "(place) => place.scrollIntoView()"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 LIST_AXE_FINDINGS = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations

@@ -174,10 +174,8 @@ def test_small_figure_follows_a_click(reader):
     figure = "document.querySelector('[data-figure=columns]')"
     fourth = f"{figure}.shadowRoot?.querySelectorAll('th button')[3]"
     reader.until(figure)
-    # WebKit scrolls to no part of a section that is not laid out yet, so the window is scrolled as
-    # by a wheel until the figure is near.
-    wheel = f"scrollTo(0, scrollY + {figure}.getBoundingClientRect().top - 300)"
-    reader.until(f"({wheel}, {figure}.explorer)")
+    reader.at(figure)
+    reader.until(f"{figure}.explorer")
     reader.click(fourth)
     reader.until(f"{fourth}.ariaPressed === 'true'")
 
