@@ -1,8 +1,14 @@
-// Load the script of a live part when the part is near the window; a judge at once if the link
-// carries an answer. A page without live parts loads nothing.
+// Load the script of a live part. A page without live parts loads nothing. The explorer's page loads
+// at once, a judge when it is near the window, or at once if the link carries an answer. Every other
+// arm waits, as a still picture, for the first sign that a reader uses it: an event on its card, or
+// a scrolled page that rests with the card in view. Readers who save data must touch it.
 {
   const folder = document.currentScript.src;
   const scripts = {};
+  const REST_TIME = 200; // ms without scrolling after which the page rests
+  const SIGNS = ["pointermove", "pointerdown", "touchstart", "wheel", "keydown", "focusin"];
+  const TOUCHES = ["pointerdown", "touchstart", "keydown"];
+  const savesData = navigator.connection?.saveData === true;
 
   const load = (name) =>
     (scripts[name] ??= new Promise((resolve) => {
@@ -10,20 +16,56 @@
       document.head.append(Object.assign(document.createElement("script"), { src, onload: resolve }));
     }));
   const bringToLife = (stub) =>
-    stub.matches(".arm-judge") ? load("judge.js") : load("explorer.js").then(() => ArmExplorer.mount(stub));
+    stub.matches(".arm-judge") ? load("judge.js") : load("explorer.js").then(() => mount(stub));
 
-  const observer = new IntersectionObserver(
+  // Mount an explorer. A control that has the focus keeps it.
+  function mount(stub) {
+    const listControls = () => [...stub.shadowRoot.querySelectorAll("button, input, select")];
+    const focused = listControls().indexOf(stub.shadowRoot.activeElement);
+    ArmExplorer.mount(stub);
+    if (focused >= 0) listControls()[focused]?.focus();
+  }
+
+  const near = new IntersectionObserver(
     (entries) => {
       for (const { isIntersecting, target } of entries) {
         if (!isIntersecting) continue;
-        observer.unobserve(target);
+        near.unobserve(target);
         bringToLife(target);
       }
     },
     { rootMargin: "500px" },
   );
+
+  const waiting = new Map(); // from each arm that waits to whether it is in view
+  const inView = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) waiting.set(target, isIntersecting);
+  });
+
+  function start(stub) {
+    inView.unobserve(stub);
+    if (waiting.delete(stub)) bringToLife(stub);
+  }
+
+  function waitForReader(stub) {
+    waiting.set(stub, false);
+    inView.observe(stub);
+    for (const type of savesData ? TOUCHES : SIGNS)
+      stub.addEventListener(type, () => start(stub), { once: true, passive: true });
+  }
+
+  let timer;
+  const startAtRest = () => waiting.forEach((isInView, stub) => isInView && start(stub));
+  const restart = () => {
+    clearTimeout(timer);
+    timer = setTimeout(startAtRest, REST_TIME);
+  };
+  if (!savesData) document.addEventListener("scroll", restart, { passive: true });
+
   document.addEventListener("DOMContentLoaded", () => {
-    for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge")) observer.observe(stub);
+    for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge"))
+      if (stub.matches(".arm-judge, .whole")) near.observe(stub);
+      else waitForReader(stub);
     if (location.hash.startsWith("#ask=")) document.querySelectorAll(".arm-judge").forEach(bringToLife);
   });
 }

@@ -14,11 +14,9 @@ import {
 import { Box3, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { isSharedGeometry } from "./shapes.js";
-import { waitForReader } from "./start.js";
 
 let sharedRenderer = null;
 let frameRequest = null;
-let isDrawing = false; // false while the still pictures are shown
 const figures = new Set();
 
 // Return the renderer. Throws if the browser has no WebGL.
@@ -45,23 +43,14 @@ function getRenderer() {
   return sharedRenderer;
 }
 
-// Return the renderer, or null before drawing begins. Without WebGL, notify every figure and return
-// null.
-function getRendererIfDrawing() {
-  if (!isDrawing) return null;
+// Return the renderer. Without WebGL, notify every figure and return null.
+function getRendererIfAvailable() {
   try {
     return getRenderer();
   } catch {
     for (const figure of [...figures]) figure.onUnavailable();
     return null;
   }
-}
-
-/** Draw every picture near the window, now and from now on. */
-function startDrawing() {
-  if (isDrawing) return;
-  isDrawing = true;
-  for (const figure of figures) figure.requestDrawing();
 }
 
 /** Return GPU memory, draw calls of the last picture and number of figures, for tests. */
@@ -95,7 +84,7 @@ function drawChangedFigures() {
   pendingSteps.clear();
   try {
     steps.forEach((step) => step());
-    const renderer = getRendererIfDrawing();
+    const renderer = getRendererIfAvailable();
     if (!renderer || renderer.getContext().isContextLost()) return;
     for (const figure of figures)
       if (figure.needsDrawing && figure.isNearWindow && figure.width) figure.render(renderer);
@@ -172,7 +161,6 @@ export class Figure {
     this.addLights();
     figures.add(this);
     visibilityObserver?.observe(this.canvas);
-    waitForReader(host, () => this.isNearWindow, startDrawing, this.signal);
     this.resizeObserver = new ResizeObserver(() => this.fitCanvasToHost());
     this.resizeObserver.observe(host);
   }
@@ -238,8 +226,10 @@ export class Figure {
     this.needsDrawing = true;
     // Draw at once, because a resized canvas is blank.
     if (sharedRenderer && !sharedRenderer.getContext().isContextLost()) this.render(sharedRenderer);
-    else this.requestDrawing();
-    if (!isDrawing) this.onResize();
+    else {
+      this.requestDrawing();
+      this.onResize();
+    }
   }
 
   // Render the scene and copy the image to this figure's canvas.

@@ -118,21 +118,52 @@ LINK = f"""() => {{
 }}"""
 
 
-def test_drag_on_a_still_picture_is_carried_on(browser):
-    page = browser.new_page(offline=True)
-    page.goto((HTML / "explorer.html").as_uri())
-    page.wait_for_function("document.querySelector('.arm-explorer').explorer")
-    page.wait_for_function(f"{CANVAS}.width > 300")
-    assert page.evaluate("ArmExplorer.getUsage().calls") is None, "nothing is drawn before a sign"
+def open_intro_at_rest(browser):
+    """Open the intro with its figure in view, and return the page and what it asked for."""
+    page = browser.new_page(offline=True, viewport=WINDOWS["wide"])
+    requests = []
+    page.on("request", lambda request: requests.append(request.url))
+    page.goto((HTML / "intro.html").as_uri())
+    page.wait_for_timeout(3500)
+    return page, requests
+
+
+def test_intro_loads_no_explorer_before_a_hand_comes(browser):
+    page, requests = open_intro_at_rest(browser)
+    part = page.locator(".arm-explorer")
+    expect(part.locator(".still")).to_be_in_viewport()
+    assert [url for url in requests if LIVE.search(url)] == []
+    part.hover()
+    page.locator(".stage.drawn").wait_for()
     x, y = page.evaluate(LINK)
     before = page.evaluate(f"{STORE}.state.q")
     page.mouse.move(x, y)
     page.mouse.down()
-    page.mouse.move(x + 20, y + 10)
-    page.locator(".stage.drawn").wait_for()
-    page.mouse.move(x + 40, y + 20)
+    page.mouse.move(x + 40, y + 20, steps=4)
     page.mouse.up()
     page.wait_for_function(f"!{STORE}.state.dragging")
     after = page.evaluate(f"{STORE}.state.q")
     assert [k for k in range(7) if abs(after[k] - before[k]) > 1e-3] == [3]
+    page.close()
+
+
+def test_key_on_a_still_control_starts_the_explorer(browser):
+    """The control keeps the focus, so that the next key reaches it."""
+    page, _ = open_intro_at_rest(browser)
+    lever = page.get_by_role("slider", name="Joint 4, angle")
+    lever.focus()
+    page.locator(".stage.drawn").wait_for()
+    expect(lever).to_be_focused()
+    before = page.evaluate(f"{STORE}.state.q[3]")
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function(f"{STORE}.state.q[3] > {before}")
+    page.close()
+
+
+def test_figure_starts_when_scrolling_ends_at_it(browser):
+    page = browser.new_page(offline=True, viewport=WINDOWS["phone"])
+    page.goto((HTML / "01_dh_tables.html").as_uri())
+    figure = page.locator("[data-figure]").first
+    figure.evaluate("(part) => part.scrollIntoView()")
+    page.wait_for_function("document.querySelector('[data-figure]').explorer")
     page.close()

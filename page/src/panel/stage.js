@@ -1,5 +1,5 @@
-// The picture and its controls. A still picture replaces it until it is drawn (start.js), without
-// WebGL, and on paper.
+// The picture and its controls. A still picture replaces it until it is drawn, without WebGL, and
+// on paper.
 
 import { updateAttribute, h, setText } from "../dom.js";
 import { enableGrabbing, moveTipByKey } from "../pointers.js";
