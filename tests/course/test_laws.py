@@ -9,7 +9,7 @@ from course.making import make_right_answers
 from course.marking import MISTAKE_SHARE, mark_part
 from course.sheets import draw_sheet
 from helpers.robots import ELBOW, PANDA, STANFORD
-from tests.course.marks_table import as_text
+from tests.course.parts import as_text
 
 ARMS = (ELBOW, STANFORD, PANDA.lock(3))
 SEEDS = range(50)

@@ -15,7 +15,7 @@ from course.topics import make_camera_arm
 from helpers.arm import Arm, prismatic, revolute
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
-from tests.course.marks_table import as_text, list_measured_parts, mark_text
+from tests.course.parts import as_text, list_measured_parts, mark_text
 
 RODS = Arm(
     "Two joints and a rod",

@@ -1,6 +1,6 @@
 """Measure what a program earns that submits twenty times and reads nothing but the hints.
 
-`python -m tests.course.twenty_submissions 5` takes 5 sheets. The program changes signs, zeros and
+`python -m tests.measure.twenty_submissions 5` takes 5 sheets. The program changes signs, zeros and
 twists and keeps a change once the hint names no mistake any more. It may read which entry of a
 table a hint names; then it changes this entry alone.
 """

@@ -1,6 +1,6 @@
 """Make, spoil and grade a class of 200, kill the commands half way, and compare.
 
-`python -m tests.course.class_of_200 200 /tmp/class` prints what it measured. Students solve their
+`python -m tests.measure.class_of_200 200 /tmp/class` prints what it measured. Students solve their
 own sheets by plain matrices, complex steps and Newton's method instead of the key's functions;
 only the DH table is copied from the key.
 """
