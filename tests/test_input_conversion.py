@@ -263,7 +263,7 @@ def test_function_gets_the_values_of_q():
 
 def test_function_of_one_joint_takes_any_argument():
     x = sp.Symbol("x")
-    one = Arm.from_table("q1 0 0.4 0")
+    one = Arm.from_table("q1 0 0.4 0", columns="theta d a alpha", convention="standard")
     turn = sp.Matrix([-0.4 * sp.sin(x), 0.4 * sp.cos(x), 0, 0, 0, 1])
     for asked in (x, [x], [[x]]):
         assert compare_jacobian(sp.lambdify(asked, turn), one).agrees

@@ -311,7 +311,7 @@ def judge_branches(mine):
 def test_first_joints_of_a_branch_are_right_so_far(compare, mine):
     report = compare(mine)
     assert (report.grade, report.figures["right"], report.figures["of"]) == ("so far", 3, 6)
-    assert report.findings[-1].words == "Add q_4, q_5 and q_6."
+    assert report.findings[-1].words == "Still missing: q_4, q_5 and q_6."
 
 
 @pytest.mark.parametrize("compare", [judge_pose, judge_branches])

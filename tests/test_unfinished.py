@@ -42,6 +42,29 @@ def test_first_rows_of_jacobian_are_right_so_far(count, rest):
     assert grade_jacobian(fill(write(wrong), count, 7, rest)) in ("wrong", "refused")
 
 
+@pytest.mark.parametrize("rest", ["?", "...", "todo", None])
+@pytest.mark.parametrize("count", [1, 3, 6])
+def test_first_columns_of_jacobian_are_right_so_far(count, rest):
+    end = "" if rest is None else f" {rest}" * (7 - count)
+    text = "\n".join(line + end for line in write(JACOBIAN[:, :count]))
+    verdict = checks.compare_jacobian(text, robots.PANDA, Q)
+    assert verdict.headline == f"The Jacobian of Panda is right so far: {count} of 7 columns."
+    assert verdict.findings[0].words.endswith("column 7.")
+    wrong = JACOBIAN.copy()
+    wrong[1, 0] += 0.1
+    lines = write(wrong[:, :count])
+    assert grade_jacobian("\n".join(line + end for line in lines)) in ("wrong", "refused")
+
+
+def test_columns_behind_a_gap_are_not_right_so_far():
+    lines = write(JACOBIAN[:, [0, 2]])
+    assert grade_jacobian("\n".join(lines)) != "so far"
+    gap = [line.replace(" ", " ? ", 1) + " ? ? ? ?" for line in lines]
+    assert grade_jacobian("\n".join(gap)) == "refused"
+    dashes = [f"{line} - - - - -" for line in write(JACOBIAN[:, :2])]  # drawn minus signs
+    assert grade_jacobian("\n".join(dashes)) == "refused"
+
+
 @pytest.mark.parametrize("rest", REST)
 def test_first_torques_by_name_are_right_so_far(rest):
     lines = [f"tau_{k} = {x:.3f}" for k, x in enumerate(TORQUES[:4], 1)]

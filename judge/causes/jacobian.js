@@ -186,6 +186,7 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
   yield [makeCause("J.all signs"), scaleHalves(-1, -1)]; // handed in
   // slip 26: millimetres in a report in metres; the column of a slide has no unit
   yield [makeCause("J.millimetres"), changeEntries((x, i, k) => (turns[k] && i < 3 ? 1e3 * x : x))];
+  if (turns.includes(false)) yield [makeCause("J.millimetres"), scaleHalves(1000, 1)];
   yield [makeCause("J.angular zero"), scaleHalves(1, 0)]; // half an answer
   yield [makeCause("J.linear zero"), scaleHalves(0, 1)];
   if (dof === 6) yield [makeCause("J.transposed"), (J) => chains.transpose(J, [6, 6])]; // handed in

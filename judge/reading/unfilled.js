@@ -15,6 +15,17 @@ const LABEL = /^[\p{L}\p{M}_^{}\\$()\s]{0,40}\d{0,3}[})$\s]{0,9}[=:]/u;
 const SEPARATORS = /[\s,;|&$[\](){}=:]+/;
 const splitWords = (line) => line.split(SEPARATORS).filter(Boolean);
 
+// Marks of missing numbers at the end of a row, as in "0.5 0.1 ? ? ?".
+const ROW_END =
+  /(?:[\s,;|&]+(?:\?+|…|\.{3}|tbd|todo|xx+)(?![^\s,;|&\]}\\]))+(?=[\s,;|&\]}\\]*$)/gim;
+
+/**
+ * Cut off the last columns of a text too if they have no number.
+ * @param {any} answer a text; anything else is returned unchanged
+ */
+export const dropUnfilledEnds = (answer) =>
+  typeof answer === "string" ? dropUnfilledEnd(answer).replace(ROW_END, "") : answer;
+
 /**
  * Cut off the last lines and the last names of a text if they have no number, as "q5 = ?, q6 =".
  * @param {any} answer a text; anything else is returned unchanged

@@ -13,7 +13,7 @@ import { listGivenRows } from "../reading/numbers.js";
 import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
 import { ArmError, joinList, uncapitalize, formatMessage } from "../sentences.js";
-import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
+import { judgeWholeOrBeginning, listAngleBeginnings } from "./beginning.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
@@ -37,12 +37,10 @@ function judgeBranches(mine, arm, typedTarget, options = {}) {
   const target = solved?.target ?? typedTarget;
   const solutions = makeSolutions(arm, isSolved ? solved.branches : solveTarget(arm, target));
   const given = listGivenRows(target);
-  const part = { topic: "branches", angles, tolerance, given, many: true };
-  return judgeWholeOrPart(
-    mine,
-    () => judgeAnswers(mine, solutions, target, options),
-    () => judgeFirstAngles(mine, solutions, part),
-  );
+  const listBeginnings = () =>
+    listAngleBeginnings(solutions, { angles, tolerance, given, many: true });
+  const part = { topic: "branches", arm, listBeginnings };
+  return judgeWholeOrBeginning(mine, () => judgeAnswers(mine, solutions, target, options), part);
 }
 
 // The most joint vectors of an answer, twice the 16 branches that an arm of six joints can have.

@@ -16,11 +16,9 @@ import { DEG } from "../geometry/angles.js";
 import { fixedRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { lookup, readConfiguration, refuseOtherLists } from "../reading/numbers.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
-import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { askAboutDegrees } from "./degrees.js";
-import { judgeWholeOrPart } from "./first_joints.js";
+import { judgeWholeOrBeginning, listCountsBelow } from "./beginning.js";
 import { judgeAtConfigurations, makeExactEntries, readMatrix } from "./jacobian_matrix.js";
-import { judgeFirstRows, PARTIAL_COUNTS } from "./jacobian_part.js";
 import {
   ALL_ROWS,
   describeSelection,
@@ -28,9 +26,10 @@ import {
   listRowSelections,
   nameRows,
   pickRows,
+  ROWS,
   selectRows,
 } from "./jacobian_rows.js";
-import { formatMessage, formatNumber, joinList, tryOrNull, uncapitalize } from "../sentences.js";
+import { formatMessage, formatNumber, joinList, uncapitalize } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
@@ -50,28 +49,48 @@ function judgeJacobian(mine, arm, q, givenOptions = {}) {
   const typedQ = isMissing
     ? makeExactEntries(listGeneralConfigurations(arm)[0])
     : readConfiguration(q, arm, options.angles);
-  return judgeWholeOrPart(
-    mine,
-    () => judgeWholeJacobian(mine, arm, q, typedQ, options),
-    () => judgeFirstRowsInText(mine, arm, typedQ, options),
-  );
+  return judgeWholeOrBeginning(mine, () => judgeWholeJacobian(mine, arm, q, typedQ, options), {
+    topic: "Jacobian",
+    arm,
+    listBeginnings: () => listFirstParts(arm, typedQ, options),
+  });
 }
 
-// Judge a text with too few rows. Return null if they are not the right first rows.
-function judgeFirstRowsInText(mine, arm, typedQ, options) {
-  const known = lookup(arm, typedQ.values, options.values ?? []);
-  const question = { ...options, arm, typedQ, frame: options.frame ?? 0 };
-  for (const rows of PARTIAL_COUNTS) {
-    const wants = [{ rows, columns: typedQ.values.length, by: "row" }];
-    const typed = tryOrNull(() =>
-      readMatrix(dropUnfilledEnd(mine), known, arm, { ...options, typedQ, wants }),
-    );
-    const judge = (at) =>
-      judgeFirstRows(at.typed, at, [...typed.taken, ...(at.typedQ.locked ?? [])]);
-    const verdict = typed && judgeAtConfigurations(typed, question, judge);
-    if (verdict) return { ...verdict, typed };
-  }
-  return null;
+// List the beginnings of a Jacobian: its first rows, or the first columns of all rows. Three rows
+// are a half, which is judged as a whole answer.
+/** @returns {import("./beginning.js").Beginning[]} */
+function listFirstParts(arm, typedQ, options) {
+  const { angularFirst = false, tolerance = null, frame = 0, values = [] } = options;
+  const dof = typedQ.values.length;
+  const known = lookup(arm, typedQ.values, values);
+  const makeWhole = makeJacobian(arm, frame);
+  const order = (list) => (angularFirst ? exchangeHalves(list) : list);
+  const rowNames = order(ROWS);
+  const columnNames = typedQ.values.map((_, k) => formatMessage("column", { column: k + 1 }));
+  return [
+    ...[5, 4, 2].map((rows) => ({ rows, columns: dof })),
+    ...listCountsBelow(dof, 1).map((columns) => ({ rows: 6, columns })),
+  ].map(({ rows, columns }) => ({
+    headline: rows < 6 ? "J first rows" : "J first columns",
+    count: rows < 6 ? rows : columns,
+    names: rows < 6 ? rowNames : columnNames,
+    read(text) {
+      const wants = [{ rows, columns, by: "row" }];
+      const typed = readMatrix(text, known, arm, { ...options, typedQ, wants });
+      return { typed, taken: [...typed.taken, ...(typedQ.locked ?? [])] };
+    },
+    judge({ typed }) {
+      if (`${typed.shape}` !== `${[rows, columns]}`) return null;
+      const isTyped = (_, i) => i < rows * dof && i % dof < columns;
+      const makeExpected = (q) => order(makeWhole(q)).filter(isTyped);
+      const judged = judgeAtConfigurations(typed, { ...options, arm, typedQ }, (at) =>
+        judgeEntries({ typed: at.typed, q: at.typedQ, dof, makeExpected, mistakes: [], tolerance }),
+      );
+      return judged.grade === WRONG
+        ? null
+        : { wrong: judged.wrong, rowNames: rowNames.slice(0, rows) };
+    },
+  }));
 }
 
 function judgeWholeJacobian(mine, arm, q, typedQ, options) {
@@ -97,8 +116,7 @@ function judgeReadMatrix(typed, question, taken) {
   const { arm, typedQ, angularFirst = false, others = [] } = question;
   const [rows, width] = typed.shape;
   const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
-  if (width !== typedQ.values.length || !isJudged)
-    return judgeFirstRows(typed, question, taken) ?? reportWrongShape(typed, question, taken);
+  if (width !== typedQ.values.length || !isJudged) return reportWrongShape(typed, question, taken);
   if (!typed.values.some(Boolean)) {
     const headline = formatMessage("J wrong", {
       arm: arm.name,

@@ -78,7 +78,7 @@ function convertToMetres(typed, arm) {
   const count = countLinearRows(shape[0], arm) * width;
   if (!statedUnits?.lengths || !count) return typed;
   const turns = revoluteFlags(arm);
-  const hasLength = (i) => i < count && (width !== turns.length || turns[i % width]);
+  const hasLength = (i) => i < count && (width > turns.length || turns[i % width]);
   const convert = (list) => list.map((x, i) => (hasLength(i) ? x * lengthFactor(typed, i) : x));
   const unit = nameLengthUnit(statedUnits.lengths);
   const taken = [...typed.taken, formatMessage("taken: linear rows", { unit })];
@@ -111,8 +111,9 @@ export const makeExactEntries = (values) => ({ values, units: values.map(() => 0
 /**
  * Judge an answer at q, or at five general configurations if a joint value occurs in it. It is
  * wrong if it is wrong at one of them, and right if it is right at one and wrong at none.
+ * @template {{ grade: string }} T
  * @param {any} typed @param {any} question
- * @param {(question: any) => import("../verdict.js").Verdict | null} judge
+ * @param {(question: any) => T} judge
  */
 export function judgeAtConfigurations(typed, question, judge) {
   if (!typed.hasJoints) return judge({ ...question, typed });
@@ -124,7 +125,6 @@ export function judgeAtConfigurations(typed, question, judge) {
     return { ...question, typed: at, typedQ: makeExactEntries(q) };
   });
   const verdicts = questions.map((one) => judge({ ...one, isGradeOnly: true }));
-  if (verdicts.includes(null)) return null;
   const grade = [WRONG, ROUNDED, RIGHT, SO_FAR].find((x) => verdicts.some((v) => v.grade === x));
   const index = verdicts.findIndex((verdict) => verdict.grade === grade);
   if (grade !== WRONG || isGradeOnly) return verdicts[index];

@@ -36,7 +36,7 @@ import {
   tryOrNull,
   uncapitalize,
 } from "../sentences.js";
-import { judgeFirstAngles, judgeWholeOrPart } from "./first_joints.js";
+import { judgeWholeOrBeginning, listAngleBeginnings } from "./beginning.js";
 
 const TARGETS = [
   { rows: 4, columns: 4 },
@@ -63,11 +63,9 @@ const MOST_LISTED = 3; // wrong entries of a target: a wrong q changes more entr
 export const comparePose = completeVerdicts(judgePose);
 
 function judgePose(q, arm, T, options = {}) {
-  return judgeWholeOrPart(
-    q,
-    () => judgeJoints(q, arm, T, options),
-    () => judgeFirstJoints(q, arm, T, options),
-  );
+  const listBeginnings = () => listFirstJoints(arm, T, options);
+  const part = { topic: "pose", arm, listBeginnings };
+  return judgeWholeOrBeginning(q, () => judgeJoints(q, arm, T, options), part);
 }
 
 function judgeJoints(q, arm, T, options) {
@@ -95,16 +93,16 @@ function judgeJoints(q, arm, T, options) {
   return { ...complete, typed: read.typed };
 }
 
-// Judge the angles of the first joints alone, if the arm has a closed form for such targets.
-function judgeFirstJoints(q, arm, T, { angles = "rad", tolerance = null }) {
+// List the beginnings of joint vectors that reach a target, if the arm has a closed form for it.
+function listFirstJoints(arm, T, { angles = "rad", tolerance = null }) {
   const form = findClosedForm(arm);
   const target = tryOrNull(() => readTarget(T, arm, undefined));
-  if (!form || target?.pose !== needsPose(form)) return null;
+  if (!form || target?.pose !== needsPose(form)) return [];
   const values = target.pose ? orthonormalize(target.values) : target.values[0];
   const branches = tryOrNull(() => solveTarget(arm, values)) ?? [];
   const solutions = { arm, branches, count: branches.length };
-  const question = { topic: "pose", angles, tolerance, given: listGivenRows(T), many: false };
-  return judgeFirstAngles(q, solutions, question);
+  const question = { angles, tolerance, given: listGivenRows(T), many: false };
+  return listAngleBeginnings(solutions, question);
 }
 
 /**

@@ -1,9 +1,8 @@
 // Judges a table whose rows describe the first joints of an arm and lack the last joints.
 
-import { SO_FAR } from "../digits.js";
 import { compareAxes, describeAxes } from "../geometry/axes.js";
 import { formatMessage, joinList } from "../sentences.js";
-import { makeVerdict } from "../verdict.js";
+import { reportBeginning } from "./beginning.js";
 
 /** @typedef {import("./table_same.js").TablePair} TablePair */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
@@ -44,10 +43,8 @@ export function judgeFirstRows(pair, length, angle) {
     .slice(count)
     .map((joint) => formatMessage("joint", { joint }));
   const joints = joinList(missing);
-  const fields = { mine: table.name, reference: reference.name, joints };
-  const words = formatMessage("table rows missing", fields);
-  return makeVerdict("table", reference, SO_FAR, formatMessage("table first rows", fields), {
-    findings: [{ what: "missing", where: joints, words }],
+  const fields = { mine: table.name, reference: reference.name };
+  return reportBeginning("table", reference, formatMessage("table first rows", fields), joints, {
     taken: table.assumptions,
     figures: { right: count, of: all },
   });

@@ -27,16 +27,23 @@ import {
   unnamed,
 } from "../reading/numbers.js";
 import { MOMENT_UNITS, momentFactor } from "../reading/units.js";
-import { dropUnfilledEnd } from "../reading/unfilled.js";
 import { completeVerdicts, makeVerdict } from "../verdict.js";
 import { askAboutDegrees } from "./degrees.js";
-import { judgeFirstTorques, judgeFirstTorquesInText, judgeWholeOrPart } from "./first_joints.js";
+import { judgeWholeOrBeginning, listCountsBelow } from "./beginning.js";
 import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81]; // m/s²
 // Names of variables that hold the answer; "effort" is the name in ROS.
 const ANSWER_NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i;
 const SAMPLE_SIZE = 5; // configurations of a trajectory at which mistakes are tried first
+
+/**
+ * A question about torques at the configurations q of a loaded arm. `taken` describes q and the
+ * masses.
+ * @typedef {{ arm: import("../geometry/arm.js").Arm, q: import("../digits.js").Entries,
+ *   load: import("../causes/torques.js").Load, tolerance: number | null,
+ *   isGradeOnly: boolean | undefined, taken: string[] }} TorqueContext
+ */
 
 /**
  * Judge torques at q or along a list of q.
@@ -68,13 +75,11 @@ function judgeAllTorques(mine, arm, q, options = {}) {
     if (typed.values.length === dof) refuseMisfitUnits(typed.entries, arm, what, true);
     return convertToNewtonMetres(typed);
   };
-  const verdict = judgeWholeOrPart(
+  const listBeginnings = () => (wrenches.length > 1 ? [] : listFirstTorques(read, context));
+  const verdict = judgeWholeOrBeginning(
     mine,
     () => judgeTorques(read(listShapes(wrenches.length, arm)), context),
-    () => {
-      const readFirst = (wants) => read(wants, dropUnfilledEnd(mine));
-      return wrenches.length > 1 ? null : judgeFirstTorquesInText(readFirst, context);
-    },
+    { topic: "torques", arm, listBeginnings },
   );
   return askAboutDegrees(verdict, {
     arm,
@@ -86,7 +91,7 @@ function judgeAllTorques(mine, arm, q, options = {}) {
   });
 }
 
-/** @param {import("./first_joints.js").TorqueContext} context */
+/** @param {TorqueContext} context */
 function judgeTorques(typed, context) {
   const { arm, q, load, taken } = context;
   const count = load.wrenches.length;
@@ -101,8 +106,38 @@ function judgeTorques(typed, context) {
       wrong: transpose(verdict.wrong ?? [], [count, movingRows(arm).length]),
     };
   }
-  const verdict = count === 1 ? judgeFirstTorques(typed, context) : null;
-  return verdict ?? { ...reportWrongShape(typed, count, arm), typed };
+  return { ...reportWrongShape(typed, count, arm), typed };
+}
+
+// List the beginnings of torques at one configuration, of two joints at least.
+/** @returns {import("./beginning.js").Beginning[]} */
+function listFirstTorques(read, { arm, q, load, tolerance, taken }) {
+  const names = jointNumbers(arm).map((joint) => formatMessage("joint", { joint }));
+  const { dof } = load.c;
+  const makeTorques = makeTorqueMaker(load, dof, q.values)();
+  return listCountsBelow(dof, 2).map((count) => ({
+    headline: "tau first joints",
+    count,
+    names,
+    read(text) {
+      const typed = read(
+        [
+          { rows: 1, columns: count, by: "joint" },
+          { rows: count, columns: 1 },
+        ],
+        text,
+      );
+      return { typed, taken: [...typed.taken, ...taken] };
+    },
+    judge({ typed }) {
+      const isList = typed.shape.every((n) => n === 1 || n === count);
+      if (!isList || typed.values.length !== count) return null;
+      const makeExpected = (values) => makeTorques(values).slice(0, count);
+      const question = { typed, q, dof, makeExpected, mistakes: [], tolerance };
+      const { grade, wrong } = judgeEntries(question);
+      return grade === WRONG ? null : { wrong };
+    },
+  }));
 }
 
 // List the shapes that are read. They have a row for each configuration or a list for each joint,

@@ -1,6 +1,7 @@
 // Judges a joint trajectory by whether its tip follows the path and how its joints move.
 
 import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
+import { reportBeginning } from "./beginning.js";
 import { askAboutDegrees } from "./degrees.js";
 import {
   cross,
@@ -12,7 +13,7 @@ import {
   rotationBetween,
 } from "../geometry/kinematics.js";
 import { DEG } from "../geometry/angles.js";
-import { RIGHT, SO_FAR, WRONG } from "../digits.js";
+import { RIGHT, WRONG } from "../digits.js";
 import { JOINT_NAMES, jointShapes, numbers } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
 import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
@@ -124,9 +125,7 @@ function judgeTooFewSteps(typed, arm, path, { angles = "rad", tolerance = null }
   if (isTurned || exceedsAllowed(errors, allowed) || findJumps(q, arm, firstPart).length)
     return null;
   const headline = formatMessage("trace so far", { arm: arm.name, count, all });
-  const words = formatMessage("trace rows missing", { from: count, to: all - 1 });
-  return makeVerdict("trace", arm, SO_FAR, headline, {
-    findings: [makeFinding("missing", words, `steps ${count} to ${all - 1}`)],
+  return reportBeginning("trace", arm, headline, `steps ${count} to ${all - 1}`, {
     taken,
     figures: { position_error: Math.max(...errors), q },
   });
