@@ -688,7 +688,8 @@ def test_judge_stub_lists_arms_and_examples():
         locked = "lock" in told["key"]
         name = arm.name if not locked else "Panda" if arm is arms[0] else "Panda (homework)"
         assert told["title"] == (f"{arm.name}, joint 3 locked" if locked else name)
-        assert told.get("explorer") == (None if locked else arm.name)
+        assert told["explorer"] == arm.name
+        assert told.get("locked") == (3 if locked else None)
 
 
 def test_chapter_judge_stub_holds_one_question():

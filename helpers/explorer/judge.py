@@ -109,6 +109,7 @@ def form_html(question: Mapping[str, str] | None = None) -> tuple[str, str]:
 def list_entry(call: str) -> Data:
     """Return the data of an arm in the page's list."""
     arm = catalogue_arm(call)
-    locked = f", joint {call[-2]} locked" if "lock" in call else ""
-    live = {} if locked else {"explorer": arm.name}
-    return {**judge_data(arm), "key": call, "title": arm.name + locked, **live}
+    data = {**judge_data(arm), "key": call, "title": arm.name, "explorer": arm.name}
+    for joint in arm.locked:  # at 0; the explorer's arm moves it
+        data |= {"locked": joint, "title": f"{arm.name}, joint {joint} locked"}
+    return data

@@ -10,6 +10,7 @@ import {
 } from "../../judge/geometry/arm.js";
 import { movingRows } from "../../judge/geometry/kinematics.js";
 import { copyToClipboard } from "./dom.js";
+import { formatNumbers, formatRows } from "./fragment.js";
 import { parseRun, formatRun } from "./homework_run.js";
 
 const MAX_FRAGMENT_LENGTH = 4000; // characters
@@ -19,24 +20,18 @@ const MAX_RUNS = 8; // of the homework's circle
 
 const parseNumbers = (text) =>
   text ? text.split(",").map((part) => (part.trim() ? Number(part) : NaN)) : [];
-const formatNumbers = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(",");
 
 /** @param {import("./state.js").State} state */
 export function formatFragment(state) {
-  const { arm, base, q, wrench, unit, view, frames, mark } = state;
+  const { arm, base, q, wrench, unit, view, frames, mark, answer } = state;
   const fields = { arm: base.name, q: formatNumbers(q), view, unit, frames };
   if (wrench.some(Boolean)) fields.wrench = formatNumbers(wrench);
-  if (arm !== base) {
-    fields.rows = arm.rows.map(formatRow).join(";");
-  }
+  if (arm !== base) fields.rows = formatRows(arm.rows);
   if (mark) fields.mark = formatNumbers(mark);
+  if (answer) fields.answer = formatNumbers(answer);
   if (view === "homework") Object.assign(fields, formatHomework(state));
   return `#${new URLSearchParams(fields)}`;
 }
-
-// Format a row as its kind's first letter and its four entries.
-const formatRow = ({ kind, a, alpha, d, theta }) =>
-  `${kind[0].toUpperCase()},${formatNumbers([a, alpha, d, theta])}`;
 
 // Format the runs of the homework, the number of the one that is played, and where they begin.
 function formatHomework({ q, runs, chosenRun, runStart }) {
@@ -72,6 +67,7 @@ export function parseFragment(fragment, arms, views) {
     parseJoints(fields, arm, Boolean(fault)),
     parseWrench(fields),
     parseMark(fields),
+    parseAnswer(fields, arm),
     parseRuns(fields),
     parseRunStart(fields, arm),
     { patch: parseChoices(fields, views) },
@@ -106,6 +102,16 @@ function parseMark(fields) {
   const isValid = mark.length === 3 && mark.every((v) => Math.abs(v) <= MAX_LENGTH);
   const fault = !isValid && "its mark is not three coordinates in metres";
   return { patch: { mark: isValid ? mark : null }, fault };
+}
+
+function parseAnswer(fields, arm) {
+  if (!fields.has("answer")) return { patch: { answer: null } };
+  const answer = parseNumbers(fields.get("answer"));
+  const dof = movingRows(arm).length;
+  const isValid = [dof, 6 * dof].includes(answer.length) && answer.every(Number.isFinite);
+  const fault =
+    !isValid && `its answer is neither ${dof} torques nor a Jacobian of 6x${dof} numbers`;
+  return { patch: { answer: isValid ? answer : null }, fault };
 }
 
 function parseRuns(fields) {

@@ -13,6 +13,7 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { getPlaneView } from "../../judge/geometry/task_rows.js";
 import { Barrier } from "./barrier.js";
+import { ComparedArrows } from "./compared_arrows.js";
 import { AxisLabels } from "./labels.js";
 import { isAtBranch } from "./motion.js";
 import { getBranchColour, PALETTES } from "./look.js";
@@ -98,11 +99,19 @@ export class ArmPicture {
     this.forceArrow = new Arrow(force);
     this.forceBall = makeBall(force);
     this.forceBall.scale.setScalar(0.022 * this.size);
+    this.comparedArrows = new ComparedArrows(force, bad);
     this.pointMarker = makeBall(bad);
     this.pointMarker.scale.setScalar(0.014 * this.size);
     this.fadingArrows = new Group();
     for (let i = 0; i < 6; i++) this.fadingArrows.add(new Arrow(bad));
-    return [this.ellipsoid, this.forceArrow, this.forceBall, this.pointMarker, this.fadingArrows];
+    return [
+      this.ellipsoid,
+      this.forceArrow,
+      this.forceBall,
+      this.pointMarker,
+      this.fadingArrows,
+      this.comparedArrows,
+    ];
   }
 
   // Update the picture to the state. Only changed parts are rebuilt.
@@ -123,6 +132,7 @@ export class ArmPicture {
       this.ellipsoid.placeAt(frames.at(-1).o, derived.linearAxes, scale, 0.003 * this.size);
     }
     this.drawForce(frames.at(-1).o, state);
+    this.comparedArrows.place(frames.at(-1).o, state, derived.columns, this.size);
     this.drawPath(state);
     this.drawFrames(frames, state.frames);
     this.drawGhosts(state, derived);

@@ -82,6 +82,8 @@ import { countRank } from "./statements.js";
  * @property {number | null} highlightedRow row of the table under the pointer
  * @property {boolean} dragging whether a pointer drags something in the picture
  * @property {TipHold | null} tipHold
+ * @property {number[] | null} answer numbers of a link to compare with those of the open tab, at
+ *   these joint values: a Jacobian row by row, or torques
  * @property {number[] | null} mark point of a link to compare the tip with
  * @property {boolean} keepOrientation whether a dragged tip keeps its orientation
  * @property {object[]} past undo steps
@@ -99,6 +101,7 @@ export const EMPTY = {
   highlightedRow: null,
   tipHold: null,
   mark: null,
+  answer: null,
   runs: [],
   chosenRun: 0,
   runStart: null,
@@ -107,6 +110,8 @@ const PLAYBACK_FIELDS = ["wantedPath", "progress", "playing"];
 // If a field changes, its dependent fields go back to EMPTY, unless the event sets them.
 const DEPENDENT_FIELDS = {
   arm: Object.keys(EMPTY),
+  q: ["answer"],
+  wrench: ["answer"],
   circle: ["trace", ...PLAYBACK_FIELDS],
   trace: PLAYBACK_FIELDS,
   branches: ["highlightedBranch"],

@@ -776,3 +776,35 @@ def test_answer_number_chooses_among_several_answers(page):
     page.get_by_role("button", name="My answer is in line 5").click()
     expect(answer).to_have_value(re.compile("\n# 0.5 1.5"))
     verdict(page, "The torques of UR10e are not right")
+
+
+SHORT_TABLE = "a (mm) alpha (deg) d (mm) theta\n0 90 500 q1\n400 0 0 q2\n200 0 0 q3"
+
+
+@both
+def test_wrong_table_is_shown_beside_the_right_one(page):
+    """A link opens the explorer, where a slider goes from the right table to the typed one."""
+    page.get_by_label("Question", exact=True).select_option("table")
+    page.get_by_label("Arm", exact=True).select_option("ELBOW")
+    show = page.get_by_role("link", name="Show it")
+    expect(show).to_have_count(0)
+    page.get_by_label("Your answer", exact=True).fill(SHORT_TABLE)
+    show.press("Enter")
+    explorer = page.locator(".arm-explorer")
+    sentence = explorer.get_by_text("Not the same arm as the Elbow arm")
+    expect(sentence).to_contain_text("its tip is 100.0 mm and 0.0° away from the ghost’s")
+    slider = explorer.get_by_role("slider", name="From the ghost's table to this one")
+    length = explorer.get_by_label("Row 3, a", exact=True)
+    slider.press("Home")
+    expect(length).to_have_value("0.3")
+    expect(slider).to_be_visible()
+    slider.fill("0.5")
+    expect(sentence).to_contain_text("its tip is 50.0 mm")
+    assert list_serious_findings(page, ".arm-explorer") == []
+    slider.press("End")
+    expect(length).to_have_value("0.2")
+    length.fill("0.25")
+    expect(slider).to_have_value("1")
+    slider.press("Home")
+    slider.press("End")
+    expect(length).to_have_value("0.25")

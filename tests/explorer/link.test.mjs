@@ -35,6 +35,7 @@ const cases = {
   "no number": table("R,0,zero,0,0"),
   "too long": table(...Array(2000).fill("R,0,0,1,0")),
   "an arm that is not here": "#arm=Nobody&q=1",
+  "an answer that does not fit": "#arm=Panda&answer=1,2,3",
   "a wrench that is none": "#arm=Panda&wrench=1",
   "joint values that do not fit": "#arm=Panda&q=1,2",
   "an empty joint value": "#arm=Elbow+arm&q=1,,2",

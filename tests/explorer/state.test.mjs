@@ -20,7 +20,7 @@ function playing() {
   store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: [[0, 0, 0]] });
   store.dispatch({ type: "setBranches", arm, branches: findBranches(PANDA, PANDA.home, 20) });
   store.dispatch({ type: "setPlaying", on: true });
-  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], progress: 0.5, tipHold: { kind: "tip" }, runs: [DEFAULT_RUN, DEFAULT_RUN], chosenRun: 1, runStart: PANDA.home });
+  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], answer: [1, 2, 3, 4, 5, 6, 7], progress: 0.5, tipHold: { kind: "tip" }, runs: [DEFAULT_RUN, DEFAULT_RUN], chosenRun: 1, runStart: PANDA.home });
   for (const [key, none] of Object.entries(EMPTY)) assert.notDeepEqual(store.state[key], none, key);
   return store;
 }
@@ -52,6 +52,14 @@ test("moving a joint stops playback and keeps the path", () => {
   const store = playing();
   store.dispatch({ type: "moveJoints", q: PANDA.home.map((v) => v + 0.2) });
   assert.deepEqual([store.state.playing, store.state.trace], [false, path]);
+});
+
+test("a typed answer is compared at its configuration and load only", () => {
+  for (const event of [{ type: "moveJoints", q: PANDA.home.map((v) => v + 0.2) }, { type: "setWrench", wrench: [1, 0, 0, 0, 0, 0] }]) {
+    const store = playing();
+    store.dispatch(event);
+    assert.equal(store.state.answer, null);
+  }
 });
 
 test("playback ends at the last configuration of the trace", () => {

@@ -18,11 +18,11 @@ import { addToolButtons } from "./tools.js";
 export function mount(stub, book, id) {
   const { arms, examples = [], given } = JSON.parse(stub.querySelector("script").textContent);
   const form = buildForm(id, arms, given);
-  const check = new AnswerCheck(form, { arms, examples, given, scope: nameScope(given, id) });
+  const check = new AnswerCheck(form, { arms, examples, given, scope: nameScope(given, id), book });
   const handleInput = (/** @type {FieldEvent} */ event) => check.handleInput(event);
   form.form.addEventListener("input", handleInput);
   form.form.addEventListener("submit", (event) => event.preventDefault());
-  addToolButtons(check, book);
+  addToolButtons(check);
   addFileInput(check, stub);
   addReportButton(check);
   stub.replaceChildren(form.form, ...check.listParts());

@@ -18,6 +18,7 @@ import {
   showWrenchHint,
 } from "./form.js";
 import { makeMarkedText } from "./marked_text.js";
+import { makeMistakeLink } from "./explorer_link.js";
 import { AnswerMemory, clearAnswers } from "./memory.js";
 import { showOwnJoints } from "./own_joints.js";
 import { showPath } from "./path_picture.js";
@@ -33,6 +34,7 @@ import { makeReadingView, showShortVerdict, showVerdict } from "./shown.js";
  * @property {Question[]} examples
  * @property {Partial<Question>} [given] fields that a chapter fixes
  * @property {string} scope name of the form in the browser's storage
+ * @property {string} book address of the book
  */
 /** @typedef {HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement} Control */
 /** @typedef {InputEvent & { target: Control }} FieldEvent */
@@ -44,6 +46,7 @@ const PRIVACY_NOTE =
   "Nothing that you type leaves this machine: a script in this page judges, without a network " +
   "too, and your browser keeps your last answers until you clear them. " +
   "It names the mistake and does not print the solution. ";
+const SHOW_NOTE = " in the explorer, beside what is right.";
 const FORGET_QUESTION = "Forget all answers that you typed anywhere in this book?";
 const FORGOTTEN_NOTE = "Forgotten: this browser keeps none of your answers.";
 const DEFAULT_FIELDS = ["ask", "arm", "unit"]; // the defaults of the other fields depend on these
@@ -54,8 +57,9 @@ export class AnswerCheck {
    * @param {ReturnType<typeof import("./form.js").buildForm>} form
    * @param {PageData} page
    */
-  constructor(form, { arms, examples, given, scope }) {
+  constructor(form, { arms, examples, given, scope, book }) {
     this.form = form;
+    this.book = book;
     this.parts = makeParts(() => this.forgetAnswers());
     form.boxes.answer.querySelector(".over").after(this.parts.short);
     form.boxes.answer.append(this.parts.action);
@@ -81,8 +85,8 @@ export class AnswerCheck {
   }
 
   listParts() {
-    const { verdict, joints, report, path, tools, notice, privacy } = this.parts;
-    const outcome = h("div.outcome", {}, verdict, joints, report, path, this.reading.root);
+    const { verdict, show, joints, report, path, tools, notice, privacy } = this.parts;
+    const outcome = h("div.outcome", {}, verdict, show, joints, report, path, this.reading.root);
     return [outcome, this.markedText.root, tools, notice, privacy];
   }
 
@@ -180,8 +184,17 @@ export class AnswerCheck {
     const { joints } = this.parts;
     showOwnJoints(joints, this.question, this.outcome, (rows) => this.useJoints(rows));
     showPath(this.parts.path, this.question, this.outcome);
+    this.showMistakeLink();
     this.reading.update(this.question, this.outcome);
     this.markedText.update(this.question, this.outcome, this.isExample());
+  }
+
+  // Link to the explorer, which shows the mistake beside the right arm.
+  showMistakeLink() {
+    const { show } = this.parts;
+    const fragment = makeMistakeLink(this.question, this.outcome, this.arms);
+    show.hidden = !fragment;
+    show.querySelector("a").href = new URL(`explorer.html${fragment}`, this.book).href;
   }
 
   judgeAndShow() {
@@ -352,6 +365,7 @@ const makeParts = (/** @type {() => void} */ onForget) => ({
   short: h("p.short", { "aria-hidden": "true" }),
   action: h("p.offer", { role: "status" }),
   verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
+  show: h("p.show", { hidden: true }, h("a.button", { href: "" }, "Show it"), SHOW_NOTE),
   joints: h("div", { hidden: true }),
   report: h("div.report", { hidden: true }),
   path: h("div", { hidden: true }),

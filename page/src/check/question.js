@@ -16,8 +16,9 @@ import { checkTable } from "./topics/table.js";
 /** @typedef {import("../../../judge/verdict.js").Verdict} Verdict */
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /**
- * An arm of the page's list; `explorer` is its name there, if the explorer has it.
- * @typedef {Arm & { key: string, title: string, explorer?: string }} ListedArm
+ * An arm of the page's list; `explorer` is its name there, and `locked` the number of its joint
+ * that is locked at 0 and that moves there.
+ * @typedef {Arm & { key: string, title: string, explorer?: string, locked?: number }} ListedArm
  */
 /**
  * Judges an answer; throws ArmError if it cannot be judged.

@@ -1,15 +1,15 @@
 // Buttons of a question: a link to it, an example, its configuration in the explorer.
 
 import { copyToClipboard, h } from "../dom.js";
-import { EMPTY, OWN_ARM, formatQuestionLink } from "./question.js";
+import { makeConfigurationLink } from "./explorer_link.js";
+import { EMPTY, formatQuestionLink } from "./question.js";
 
 /**
  * Add the buttons below a form.
  * @param {import("./page.js").AnswerCheck} check
- * @param {string} book address of the book
  */
-export function addToolButtons(check, book) {
-  const { parts, given } = check;
+export function addToolButtons(check) {
+  const { parts, given, book } = check;
   const fullForm = new URL("check_your_homework.html", book).href;
   const more = h("a", { href: fullForm }, "More room, and all options");
   const explorer = h("a", { href: "" }, "See this configuration in the explorer");
@@ -25,12 +25,12 @@ export function addToolButtons(check, book) {
   if (!given?.table) parts.tools.append(example, link, given ? more : explorer);
   check.form.boxes.answer.querySelector(".over").append(button("Clear", () => check.clearAnswer()));
 
-  check.onVerdict((question, { arm, q }) => {
+  check.onVerdict((question, outcome) => {
     more.href = fullForm + formatQuestionLink(question);
     example.hidden = !listExamples().length;
-    explorer.hidden = !arm || !q || question.arm === OWN_ARM || !arm.explorer;
-    if (!explorer.hidden)
-      explorer.href = new URL(`explorer.html#${getExplorerQuery(question, arm, q)}`, book).href;
+    const fragment = makeConfigurationLink(question, outcome, check.arms);
+    explorer.hidden = !fragment;
+    explorer.href = new URL(`explorer.html${fragment}`, book).href;
   });
 }
 
@@ -44,10 +44,3 @@ async function copyLink(check, fullForm) {
 }
 
 const NO_CLIPBOARD = "The clipboard is closed to this page.";
-
-const getExplorerQuery = ({ ask }, arm, q) =>
-  new URLSearchParams({
-    arm: arm.explorer,
-    q: q.map((x) => Number(x.toFixed(6))).join(","),
-    view: ask === "torques" ? "torque" : "jacobian",
-  });

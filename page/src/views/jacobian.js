@@ -4,6 +4,7 @@ import { updateAttribute, h, makeIndexedSymbol, makeScrollRegion, setText } from
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { formatFixed, formatScientific, formatSparse } from "../text.js";
 import { isPlanar, movableRows, taskRows } from "../../../judge/geometry/task_rows.js";
+import { compareColumn, describeComparedColumn, isOff } from "../compared_column.js";
 import { getFullRank, describeRank } from "../statements.js";
 
 export const title = "Jacobian";
@@ -20,16 +21,21 @@ export function build(_store, { point }) {
   const verdict = h("p.verdict");
   const facts = h("dl.facts");
   const note = h("p.words", {}, NOTE);
-  const root = h("div.jacobian", {}, heat.root, h("div", {}, verdict, facts, note));
+  const comparison = h("p.verdict", { hidden: true });
+  const root = h("div.jacobian", {}, heat.root, h("div", {}, comparison, verdict, facts, note));
 
   function update(state, derived) {
     heat.update(state, derived.columns);
+    setText(comparison, describeComparedColumn(compareColumn(state, derived.columns)));
+    comparison.hidden = !comparison.textContent;
     const { singular, text } = describeRank(derived);
     updateAttribute(verdict, "class", singular ? "verdict warning" : "verdict");
     setText(verdict, text);
     facts.replaceChildren(...makeFacts(derived));
   }
-  return { root, update, summary: (_, derived) => describeRank(derived).text };
+  const summary = (_, derived) =>
+    [comparison.textContent, describeRank(derived).text].filter(Boolean).join(" ");
+  return { root, update, summary };
 }
 
 // Make the matrix; each number is tinted by its share of the largest of its kind. `point(row)` is
@@ -54,15 +60,19 @@ export function makeHeatTable(point) {
     body.replaceChildren(...cells.map((row, k) => makeMatrixRow(row, rows[k], rows.length)));
   }
 
-  function update({ arm, highlightedRow }, columns) {
+  function update({ arm, highlightedRow, answer = null }, columns) {
     if (shown !== arm) rebuild(arm);
     const on = movingRows(arm).indexOf(highlightedRow);
     buttons.forEach((button, k) => updateAttribute(button, "aria-pressed", String(k === on)));
     const largest = [0, 3].map((from) =>
       Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
     );
+    const isCompared = answer?.length === 6 * columns.length;
     cells.forEach((row, i) =>
-      row.forEach((cell, j) => tintCell(cell, columns[j][rows[i]], largest[rows[i] < 3 ? 0 : 1])),
+      row.forEach((cell, j) => {
+        tintCell(cell, columns[j][rows[i]], largest[rows[i] < 3 ? 0 : 1]);
+        if (isCompared) showTyped(cell, answer[rows[i] * columns.length + j], columns[j][rows[i]]);
+      }),
     );
   }
   return { root: makeScrollRegion("Jacobian", table), update };
@@ -81,6 +91,12 @@ function tintCell(cell, value, largest) {
   setText(cell, formatSparse(value, 3));
   updateAttribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
   cell.style.setProperty("--share", share.toFixed(2));
+}
+
+// Show the typed number below the right one, if they differ.
+function showTyped(cell, typed, value) {
+  if (isOff(typed, value))
+    cell.append(h("span.typed", {}, h("span.hidden", {}, "typed: "), formatSparse(typed, 3)));
 }
 
 function makePointHandlers(row, point) {

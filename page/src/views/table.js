@@ -5,6 +5,7 @@ import {
   copyToClipboard,
   h,
   makeIndexedSymbol,
+  makeRangeInput,
   makeScrollRegion,
   makeSelect,
   setText,
@@ -47,11 +48,13 @@ export function build(store, { announce, fit }) {
   const add = button("Add a row", () => change([...store.state.arm.rows, NEW_ROW]));
   const back = button("Back to the first table", () => change(store.state.base.rows));
   const row = h("div.row", {}, add, back, makeCopyButton(store, announce));
+  const blend = makeBlendSlider(store);
   const mounts = makeMountFields(store, { change, complain, fit, reading });
-  const root = h("div.dh", {}, grid.root, error, reading.root, row, mounts, verdict);
+  const root = h("div.dh", {}, grid.root, error, reading.root, row, mounts, verdict, blend.root);
   const update = (state, derived) => {
     grid.update(state);
     reading.update(state);
+    blend.update(state);
     add.disabled = state.arm.rows.length >= MAX_ROWS;
     setText(verdict, describeTable(state, derived));
   };
@@ -91,6 +94,45 @@ function makeMountField(label, description, place, mount) {
   });
   const button = h("button", { onclick: () => mount(label, input, place) }, "Add as rows");
   return h("div.row", {}, h("span", {}, description), input, button);
+}
+
+// Make the slider that goes from the ghost's table to the typed one, if their joints are alike.
+function makeBlendSlider(store) {
+  let typedRows = []; // at the slider's right end
+  let shownArm = null;
+  let isBlending = false;
+  const slider = makeRangeInput("From the ghost's table to this one", [0, 1], {
+    oninput: () => blend(Number(slider.value)),
+  });
+  const root = h("label.blend", { hidden: true }, "the ghost", slider, "this table");
+
+  function blend(share) {
+    const { reference } = store.state;
+    const rows = typedRows.map((row, i) => blendRows(reference.rows[i], row, share));
+    isBlending = true;
+    store.dispatch({ type: "editTable", rows, gesture: "blend" });
+    isBlending = false;
+    slider.setAttribute("aria-valuetext", `${Math.round(100 * share)} % of the way`);
+  }
+
+  function update({ arm, reference }) {
+    if (arm === shownArm) return;
+    shownArm = arm;
+    if (isBlending) return;
+    typedRows = arm.rows;
+    const kinds = [arm, reference].map(({ rows }) => rows.map(({ kind }) => kind).join());
+    root.hidden = arm === reference || kinds[0] !== kinds[1];
+    slider.value = "1";
+  }
+  return { root, update };
+}
+
+// Return the row that is a share of the way from one row to another; an angle goes the short way.
+function blendRows(from, to, share) {
+  if (share === 1) return to;
+  const mix = (key, turns = 0) => from[key] + share * (to[key] - from[key] - 2 * Math.PI * turns);
+  const mixAngles = (key) => mix(key, Math.round((to[key] - from[key]) / (2 * Math.PI)));
+  return { ...to, a: mix("a"), alpha: mixAngles("alpha"), d: mix("d"), theta: mixAngles("theta") };
 }
 
 // Make the line that says how a pasted table was read; it goes when another arm is shown.

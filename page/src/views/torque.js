@@ -12,6 +12,7 @@ const WRENCH_PARTS = ["F", "M"].flatMap((letter) =>
   ["x", "y", "z"].map((index) => [letter, index, letter === "F" ? "N" : "N m"]),
 );
 
+const SAME = 0.01; // N m or N; smaller differences come from the typed digits
 const COLUMN_HEADERS = ["joint", "gravity", "−Jᵀ F", "torque", "share of the limit"];
 
 export function build(store, { point, announce }) {
@@ -24,7 +25,7 @@ export function build(store, { point, announce }) {
   function update(state, derived) {
     const { arm } = state;
     wrench.update(state.wrench);
-    const over = bars.update(arm, derived);
+    const over = bars.update(state, derived);
     verdict.classList.toggle("warning", over.length > 0);
     setText(verdict, describeTorques(arm, over, derived.gravityTorques));
     const energy = `${formatFixed(derived.potentialEnergy, 1)} J here.`;
@@ -66,22 +67,27 @@ function makeTorqueTable(point) {
   const body = h("tbody");
   const heads = COLUMN_HEADERS.map((text) => h("th", { scope: "col" }, text));
   const name = { "aria-label": "Static torque of each joint" };
+  const typedHead = h("th", { scope: "col", hidden: true }, "typed");
+  heads.splice(-1, 0, typedHead);
   const table = h("table.bars", name, h("thead", {}, h("tr", {}, heads)), body);
   let [lines, shownArm] = [[], null];
 
   // Returns the joints whose torque exceeds their limits.
-  function update(arm, { gravityTorques, wrenchTorques, torques }) {
+  function update({ arm, answer }, { gravityTorques, wrenchTorques, torques }) {
     if (shownArm !== arm) {
       shownArm = arm;
       lines = movingRows(arm).map((row) => makeTorqueRow(row, point));
       body.replaceChildren(...lines.map(({ line }) => line));
     }
-    const largest = Math.max(1e-9, ...torques.map(Math.abs));
+    const typed = answer?.length === torques.length ? answer : null;
+    typedHead.hidden = !typed;
+    const largest = Math.max(1e-9, ...torques.map(Math.abs), ...(typed ?? []).map(Math.abs));
     lines.forEach((line, i) => {
       [gravityTorques[i], -wrenchTorques[i], torques[i]].forEach((v, k) =>
         setText(line.cells[k], formatFixed(v, 2)),
       );
       showLimitShare(line, arm.rows[line.row], torques[i], largest);
+      showTyped(line, typed?.[i], torques[i], arm.rows[line.row].effort ?? largest);
     });
     const over = lines.filter(({ line }) => line.classList.contains("over"));
     return over.map(({ row }) => `joint ${row + 1}`);
@@ -91,27 +97,43 @@ function makeTorqueTable(point) {
 
 function makeTorqueRow(row, point) {
   const cells = ["gravity", "push", "total"].map((name) => h(`td.${name}`));
-  const fill = h("span.fill");
+  const [fill, typedFill] = [h("span.fill"), h("span.fill.typed", { hidden: true })];
+  const typed = h("td.typed", { hidden: true });
   const [part, limit] = [h("span"), h("span.limit")];
-  const track = h("span.track", { "aria-hidden": true }, fill);
+  const track = h("span.track", { "aria-hidden": true }, fill, typedFill);
   const line = h(
     "tr",
     { onpointerenter: () => point(row), onpointerleave: () => point(null) },
     h("th", { scope: "row" }, makeIndexedSymbol("τ", row + 1)),
     cells,
+    typed,
     h("td.bar", {}, track, h("span.share", {}, part, limit)),
   );
-  return { row, cells, fill, part, limit, line };
+  return { row, cells, fill, typed, typedFill, part, limit, line };
 }
 
 function showLimitShare({ fill, part, limit, line }, { effort, kind }, torque, largest) {
   const unit = kind === "revolute" ? "N m" : "N";
   const share = torque / (effort ?? largest);
-  fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, share))}%`);
-  fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(share))}%`);
+  setBar(fill, share);
   line.classList.toggle("over", Boolean(effort) && Math.abs(share) > 1);
   setText(part, effort ? `${formatFixed(100 * Math.abs(share), 0)} %` : "");
   setText(limit, effort ? ` of ${effort} ${unit}` : unit);
+}
+
+// Set a bar from the middle to a share from -1 to 1.
+function setBar(fill, share) {
+  fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, share))}%`);
+  fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(share))}%`);
+}
+
+// Show the typed torque of a link, if there is one, beside the right one.
+function showTyped({ typed, typedFill }, torque, right, full) {
+  typed.hidden = typedFill.hidden = torque === undefined;
+  if (typed.hidden) return;
+  const isWrong = Math.abs(torque - right) > SAME;
+  setText(typed, `${formatFixed(torque, 2)}${isWrong ? " ✘" : ""}`);
+  setBar(typedFill, torque / full);
 }
 
 function describeTorques(arm, over, gravity) {
