@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { numbers } from "../../judge/reading/numbers.js";
 import { findOtherUnit, readUnits } from "../../judge/reading/units.js";
-import { judgeWholeOrPart } from "../../judge/topics/first_joints.js";
+import { judgeWholeOrBeginning } from "../../judge/topics/beginning.js";
 
 const DEGREES = [
   "q [deg]: 1 2",
@@ -121,7 +121,7 @@ test("far too long lists are not tried as parts", () => {
     const wants = [{ rows: 1, columns: 7 }];
     const text = Array.from({ length }, (_, k) => `0.${k + 10}`).join(" ");
     const read = () => numbers(text, "tau", undefined, undefined, { wants });
-    assert.throws(() => judgeWholeOrPart(text, read, () => ((isTried = true), null)), /expected: 7 numbers/);
+    assert.throws(() => judgeWholeOrBeginning(text, read, { listBeginnings: () => ((isTried = true), []) }), /expected: 7 numbers/);
     return isTried;
   };
   assert.ok(isPartTried(70));
