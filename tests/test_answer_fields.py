@@ -93,7 +93,7 @@ def test_field_reads_numbers_in_order(text, right):
     assert judge(text, answer="1.5708 -0.8 | 2 3", within="0.001")["right"] is right
 
 
-def test_field_reads_the_unit_that_it_names_and_no_other():
+def test_field_accepts_only_the_unit_that_it_names():
     question = {"answer": "53", "within": "1", "unit": "mm"}
     assert judge("53 mm", **question)["right"]
     verdict = judge("0.053 m", **question)

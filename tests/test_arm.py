@@ -51,7 +51,7 @@ def test_insert_locked_and_remove_locked_are_inverse():
     np.testing.assert_array_equal(locked.remove_locked(free), q)
 
 
-def test_with_row_changes_one_entry():
+def test_with_row_changes_a_single_entry():
     bent = PANDA.with_row(4, alpha="pi/3")
     assert bent.rows[3] == replace(PANDA.rows[3], alpha="pi/3")
     assert replace(bent, rows=PANDA.rows) == PANDA

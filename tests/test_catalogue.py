@@ -161,7 +161,7 @@ def test_small_gravity_error_is_not_rounding():
     assert checks.compare_torques(mine.round(5), light, Q, push).causes == ("tau.gravity:9.8",)
 
 
-def test_other_joint_zeros_report_the_start_in_own_joints():
+def test_table_with_other_zeros_reports_the_start_in_its_joints():
     report = checks.compare_tables("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0", ELBOW)
     assert report.figures["same machine"]
     start = np.degrees(np.subtract(ELBOW.home, [0, np.pi / 6, 0]))

@@ -144,7 +144,7 @@ def test_q_without_locked_joint_is_rejected():
 
 
 @pytest.mark.parametrize("slip", SLIPS)
-def test_slip_is_named(slip):
+def test_slip_of_the_errata_is_named_as_cause(slip):
     report, name = SLIPS[slip][0](), SLIPS[slip][1]
     assert (report.grade, name in report.causes) == ("wrong", True), str(report)
 

@@ -601,7 +601,7 @@ def test_arm_with_some_masses_missing_has_no_bodies():
     assert arm_from("part", rows).bodies == ()
 
 
-def test_stub_describes_arm_and_configuration():
+def test_placeholder_describes_arm_and_configuration():
     arm = Arm("Ä", (revolute(a=1), revolute(a=0.5)))
     html = [ArmExplorer(arm, [0.12345, -1e-9], link=link)._stub for link in (True, False)]
     assert html[0].startswith('<div class="arm-explorer whole"><p>')
@@ -612,7 +612,7 @@ def test_stub_describes_arm_and_configuration():
         assert '"q":[0.12345,-1e-09],"wrench":[0.0,0.0,0.0,0.0,0.0,0.0],"trace":null' in text
 
 
-def test_figure_stub_is_valid_html():
+def test_figure_placeholder_is_valid_html():
     arm = Arm('Ä & "B"', (revolute(a=1),))
     html = ArmFigure("columns", arm)._stub
     start, data = html.removesuffix("</script></div>").split('<script type="application/json">')
@@ -673,7 +673,7 @@ def judges_data(given=None):
     return start, json.loads(script.split(">", 1)[1])
 
 
-def test_judge_stub_lists_arms_and_examples():
+def test_placeholder_of_the_form_lists_arms_and_examples():
     start, data = judges_data()
     assert start == '<div class="arm-judge">'
     assert set(data) == {"arms", "examples"}
@@ -692,7 +692,7 @@ def test_judge_stub_lists_arms_and_examples():
         assert told.get("locked") == (3 if locked else None)
 
 
-def test_chapter_judge_stub_holds_one_question():
+def test_placeholder_of_a_chapter_form_has_one_question():
     start, data = judges_data({"ask": "table", "arm": "UR10E, PANDA", "q": "</script>"})
     assert start == '<div class="arm-judge small">'
     assert [arm["title"] for arm in data.pop("arms")] == ["UR10e", "Panda"]

@@ -12,7 +12,7 @@ def make_cell(*outputs, classes=()):
     return nodes.container("", code, output, classes=["cell", *classes])
 
 
-def test_labels_are_what_was_compared():
+def test_folded_line_names_the_compared_values():
     cell = make_cell("✔ the tip (m) (within 1e-12)\n✔ all eight\n✔ all eight\n")
     assert read_labels(cell) == ["the tip (m)", "all eight"]
 
@@ -30,7 +30,7 @@ def test_tag_and_solutions_keep_code_open():
     assert not stays_open(make_cell("✔ a"))
 
 
-def test_folded_cell_names_three_checks_and_counts_the_others():
+def test_folded_cell_lists_three_checks_and_how_many_more():
     cell = make_cell("✔ a\n")
     fold(cell, ["a < b", "b", "c", "d"])
     assert "<summary>✔ a &lt; b; b; c; and 1 more</summary>" in cell[0].astext()

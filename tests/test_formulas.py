@@ -130,7 +130,7 @@ def test_short_form_equals_the_formula_typed_by_hand():
 
 
 @every_arm
-def test_short_form_holds_only_classes_of_sympy(arm):
+def test_abbreviated_formula_is_plain_sympy(arm):
     parts = sp.preorder_traversal(sp.ImmutableMatrix(abbreviate(symbolic.jacobian(arm))))
     assert all(type(part).__module__.startswith("sympy.") for part in parts)
 

@@ -39,14 +39,14 @@ def test_omega_rows_first_are_named_as_typed():
     assert 'title="entry of ωx, joint 1' in verdict._repr_markdown_()
 
 
-def test_number_with_decimal_comma_has_one_mark():
+def test_decimal_comma_is_marked_as_one_number():
     numbers = [f"{torque:.3f}".replace(".", ",") for torque in 2 * TORQUES]
     verdict = compare_torques("\n".join(numbers), PANDA, Q)
     marked = [piece.text for piece in verdict.marked_text.pieces if piece.kind]
     assert marked == numbers
 
 
-def test_decimal_comma_in_table_has_one_mark():
+def test_decimal_comma_in_table_is_marked_as_one_number():
     text = "i;a;alpha;d;theta\n1;0;pi/2;0,5;q1\n2;0,4;0;0;q2\n3;0,35;0;0;q3"
     verdict = compare_tables(text, ELBOW)
     assert list_pieces(verdict.marked_text, "wrong") == ["0,35"]

@@ -18,5 +18,5 @@ def test_table_decides_for_anchors_with_another_name():
     assert targets["gone"] == {"sec-ur": "further/ur#sec-ur", "top": "further/ur"}
 
 
-def test_anchor_without_a_place_of_today_has_an_empty_target():
+def test_removed_anchor_has_an_empty_target():
     assert find_targets({"05_x": ["a"]}, {}, IDS) == {"05_x": {"a": ""}}

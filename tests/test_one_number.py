@@ -73,7 +73,7 @@ def test_one_wrong_number_of_trace_is_located(name):
         assert [piece.text for piece in pieces] == [f"{wrong[row, joint]:.{decimals}f}"]
 
 
-def test_wrong_step_of_three_is_not_singled_out():
+def test_wrong_step_among_three_is_not_located():
     """Two other steps could lie on the path by chance."""
     arm, path, q = trace_circle("ELBOW", 2)
     q[1, 1] += 0.4
@@ -120,7 +120,7 @@ ELBOW_ROWS = """0.000000,1.179288,-1.780667
 0.000000,1.179288,-1.780667"""
 
 
-def test_step_that_either_of_two_joints_mends_names_no_joint():
+def test_step_explained_by_two_joints_names_neither():
     """With the elbow bent the other way, another shoulder would reach the circle as well."""
     path = motion.circle((0.4, 0, 0.6), 0.1, "zy", 5.0, 8)
     report = checks.compare_trace(ELBOW_ROWS, robots.ELBOW, path)

@@ -84,7 +84,7 @@ def test_quotation_with_bold_title_becomes_a_box(built):
     assert [part.astext() for part in box] == ["Slip 1: two rows", "said", "Wrong."]
 
 
-def test_other_quotations_stay(built):
+def test_ordinary_quotations_stay_unchanged(built):
     quotes = [quote.astext() for quote in built["page"].findall(nodes.block_quote)]
     assert quotes == ["said", "A quotation, not a box."]
 

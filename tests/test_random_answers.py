@@ -30,7 +30,7 @@ def test_twin_differs_from_its_right_answer():
         assert np.array_equal(right.question.right, twin.question.right), i
 
 
-def test_mistake_within_typed_digits_does_not_count():
+def test_mistake_within_typed_digits_is_right():
     draw = replace(draw_answer(331127, 493), units=np.full((6, 3), 0.1))
     right = draw.question.right
     assert not shows_mistake(draw, right + 0.05)  # 0.15 may be typed as 0.2

@@ -8,7 +8,7 @@ from helpers.checks.arms import judge_data
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 
 
-def test_similar_lengths_of_one_letter_are_paired():
+def test_lengths_of_one_letter_with_similar_values_are_paired():
     lengths = {"a_1": 1.0, "a_2": 0.91, "a_3": 0.8, "a_4": -0.95, "a_5": 0.8, "d_1": 0.99}
     arm = Arm("five", [revolute(name) for name in lengths], values=lengths)
     found = [(one["name"], one["other"]) for one in judge_data(arm)["alike"]]

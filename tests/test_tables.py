@@ -172,7 +172,7 @@ def test_numeric_search_finds_the_stored_answer(seed):
         ("0.7 pi/2 q1 0; 0 -pi/2 q2+1 0; 0 0 q3 0", "0 pi/2 q1 0; 0 pi/2 q2 0; 0.1 0 q3 0"),
     ],
 )  # fmt: skip
-def test_slides_leave_lengths_free(mine, reference):
+def test_sliding_joints_leave_their_lengths_free(mine, reference):
     options = {"columns": "a alpha d theta", "lengths": "m", "angles": "rad"}
     both = [Arm.from_table(text.replace(";", "\n"), **options) for text in (mine, reference)]
     assert same_machine(*both)
@@ -261,7 +261,7 @@ def test_one_mistake_is_named_among_rounded_lengths(right, wrong, causes):
         ("30", "cm", "wrong"),
     ],
 )
-def test_whole_millimetres_count_as_rounded(typed, lengths, grade):
+def test_whole_millimetres_are_read_as_rounded(typed, lengths, grade):
     assert compare_rows(f"{typed} 0 0 q1", "0.3006 0 0 q1", lengths=lengths).grade == grade
 
 
@@ -296,7 +296,7 @@ def test_one_mistake_in_other_frames_is_located(arm, mine, where):
          "51.5662° in yours and 22.9183° in the reference: 28.6479° off"),
     ],
 )  # fmt: skip
-def test_angle_about_slide_is_reported_as_theta(twist, theta, wanted, angles):
+def test_angle_about_a_sliding_axis_is_reported_as_theta(twist, theta, wanted, angles):
     row = "0.3 pi/2 0.2 q1; 0 1 0 q2; 0 {} d3 {}; 0 0 0.3 q4"
     report = compare_rows(row.format(twist, theta) + "; 0 0 0 0", row.format(twist, wanted))
     told = next(f for f in report.findings if "slide" in f.words)

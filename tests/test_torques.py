@@ -238,7 +238,7 @@ def test_rounded_q_widens_torque_tolerance(digits, share, grades):
 
 @pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.001, "rounded"), (0.5, "wrong")])
 @pytest.mark.parametrize("at", [0, 1, 33, 59])
-def test_error_at_any_configuration_counts(off, grade, at):
+def test_error_at_any_configuration_makes_the_answer_wrong(off, grade, at):
     """The judge tries five of sixty configurations first, and the second is not among them."""
     q = np.linspace(BENT, 1.3 * BENT, 60)
     mine = compute_torques(q)

@@ -119,7 +119,7 @@ def test_side_links_add_mass_at_zero_angle():
     assert np.linalg.norm(gap[:3, 3]) == pytest.approx(0.5)
 
 
-def test_mass_of_side_link_counts_at_its_own_place():
+def test_mass_of_a_side_link_acts_at_its_own_centre():
     camera = link("camera", 0.3), joint("mount", "tool", "camera", "fixed", xyz="0 0.15 0")
     arm = from_urdf(robot(*LINKS, *JOINTS, *camera), tip="tool")
     torque = abs(gravity_torque(arm, [0, math.pi / 2])[1])

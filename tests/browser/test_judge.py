@@ -163,7 +163,7 @@ def test_report_of_wrong_answer_is_copied(page):
 
 
 @phone
-def test_torques_by_keyboard_mark_the_example_wrench(page):
+def test_torques_typed_by_keyboard_set_the_example_wrench(page):
     page.get_by_label("Question").focus()
     page.keyboard.press("ArrowDown")
     verdict(page, "Type or paste your answer.")
@@ -689,7 +689,7 @@ def test_all_columns_of_the_grid_are_visible(page):
 
 
 @wide
-def test_checked_path_is_drawn_beside_the_wanted_one(page):
+def test_checked_path_is_drawn_beside_the_target_path(page):
     page.get_by_label("Question").select_option("trace")
     page.get_by_role("button", name="Show an example").click()
     verdict(page, "the path is drawn in the opposite direction")

@@ -21,7 +21,7 @@ def paper(browser):
 
 
 @pytest.mark.parametrize("name", pdf.list_pages())
-def test_pdf_mentions_no_mouse_or_script(paper, name):
+def test_pdf_mentions_neither_mouse_nor_script(paper, name):
     pdf.extract_article(paper, name)
     text = paper.inner_text("article")
     assert len(text) > 500

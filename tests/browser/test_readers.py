@@ -44,7 +44,7 @@ TEXT_FACES_ARE_LOADED = (
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_late_text_faces_move_nothing(browser, size):
+def test_late_fonts_shift_no_text(browser, size):
     """The text's typefaces arrive after the first paint; the one of formulas never does."""
     handler = partial(SimpleHTTPRequestHandler, directory=HTML)
     server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
@@ -107,7 +107,7 @@ class SlowBarServer(SimpleHTTPRequestHandler):
 
 
 @pytest.mark.parametrize("size", ["wide", "phone"])
-def test_bar_that_arrives_slowly_does_not_move(browser, size):
+def test_slowly_loaded_bar_does_not_shift(browser, size):
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(SlowBarServer, directory=HTML))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     address = f"http://127.0.0.1:{server.server_port}"
@@ -126,7 +126,7 @@ TEXT_IS_PAINTED = """performance.getEntriesByName('first-contentful-paint').leng
     ["1em Source Serif", "600 1em Source Serif"].every((face) => document.fonts.check(face))"""
 
 
-def test_late_math_font_hardly_moves_lines(browser):
+def test_late_math_font_hardly_shifts_lines(browser):
     reader = Reader(browser, "light", "phone", "file:", device_scale_factor=1.75, is_mobile=True)
     reader.page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
 
@@ -257,7 +257,7 @@ def test_search_opens_by_key_and_arrows_choose(browser):
     reader.context.close()
 
 
-def test_contents_show_current_and_read_pages(browser):
+def test_contents_mark_the_current_and_the_read_pages(browser):
     """The first page links to the primer, and the list of pages scrolls to the current page."""
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "intro.html").as_uri())

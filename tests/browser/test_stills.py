@@ -95,7 +95,7 @@ INSTRUCTIONS = re.compile(
 @pytest.mark.parametrize(
     "page_without_scripts", [name for name in NAMES if name != "explorer"], indirect=True
 )
-def test_page_without_scripts_gives_no_live_instructions(page_without_scripts):
+def test_page_without_scripts_mentions_no_live_controls(page_without_scripts):
     assert INSTRUCTIONS.findall(page_without_scripts.inner_text("article")) == []
 
 
