@@ -155,6 +155,7 @@ def test_page_has_no_unrendered_markup(name):
     assert not re.search(
         r"```\{|Alias for field number", body
     )  # the latter is a default docstring of namedtuple
+    assert not re.search(r"\(\(\d+\.\d+\)\)", re.sub(r"<[^>]+>", "", body)), "brackets in brackets"
 
 
 @pytest.mark.parametrize("name", OLD_IDS)
