@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from playwright.sync_api import expect
 
 from tests.test_book import HTML
 from tools import pdf
@@ -41,6 +42,32 @@ def test_pdf_reference_leads_to_its_title(browser):
     page.evaluate(f"(name) => {pdf.SCRIPT}.extractArticle(name)", "t")
     assert pdf.target_pages(page.pdf(format="A4")) == {"t--a": 2, "t--b": 2}
     page.close()
+
+
+def test_check_page_prints_question_answer_and_verdict(browser):
+    page = browser.new_page(offline=True)
+    page.goto((HTML / "check_your_homework.html").as_uri())
+    page.locator(".arm-judge .verdict .headline").wait_for()
+    page.emulate_media(media="print")
+    form = page.locator(".arm-judge")
+    for label in ("Question", "Arm", "Your answer"):
+        expect(form.get_by_label(label, exact=True)).to_be_visible()
+    expect(form.locator(".verdict")).to_contain_text("is not right")
+    expect(form.locator("button").locator("visible=true")).to_have_count(0)
+    answer = form.get_by_label("Your answer", exact=True)
+    assert answer.evaluate("(field) => field.scrollHeight - field.clientHeight") <= 1
+    page.close()
+
+
+@pytest.mark.parametrize("name", ["02_jacobian", "04_static_torque"])
+def test_picture_takes_at_most_half_a_printed_page(paper, name):
+    """A page is blank before a picture that does not fit on it."""
+    paper.goto((HTML / f"{name}.html").as_uri())
+    paper.wait_for_function("[...document.images].every((i) => ((i.loading = 'eager'), i.complete))")
+    heights = paper.locator("figure, .arm-explorer").evaluate_all(
+        "(parts) => parts.map((part) => part.getBoundingClientRect().height)"
+    )
+    assert max(heights) < pdf.VIEWPORT["height"] / 2
 
 
 def test_pdf_has_the_pages_of_the_book():
