@@ -149,7 +149,9 @@ export class AnswerCheck {
 
   judge() {
     clearTimeout(this.timer);
-    this.outcome = judgeQuestion(this.question, this.arms);
+    this.outcome = judgeQuestion(this.question, this.arms, {
+      isConfigurationFixed: Boolean(this.given?.q),
+    });
     showTableReading(this.form, this.outcome);
     const isWrong = this.outcome.verdict?.grade === "wrong" && !this.isExample();
     this.form.fields.answer.setAttribute("aria-invalid", String(isWrong));

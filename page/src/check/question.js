@@ -21,8 +21,10 @@ import { checkTable } from "./topics/table.js";
  * @typedef {Arm & { key: string, title: string, explorer?: string, locked?: number }} ListedArm
  */
 /**
- * Judges an answer; throws ArmError if it cannot be judged.
- * @typedef {(question: Question, arm: Arm) => Verdict} Checker
+ * Judges an answer; throws ArmError if it cannot be judged. If a page fixes the configuration, no
+ * verdict proposes another one.
+ * @typedef {(question: Question, arm: Arm, page: { isConfigurationFixed: boolean }) => Verdict}
+ *   Checker
  */
 
 /**
@@ -245,9 +247,10 @@ export function findArm(question, arms) {
  * Judge an answer.
  * @param {Question} question
  * @param {Arm[]} arms
+ * @param {{ isConfigurationFixed: boolean }} [page]
  * @returns {Outcome}
  */
-export function judgeQuestion(question, arms) {
+export function judgeQuestion(question, arms, page = { isConfigurationFixed: false }) {
   let arm, q;
   try {
     arm = applyOwnJoints(findArm(question, arms), question);
@@ -261,7 +264,7 @@ export function judgeQuestion(question, arms) {
     const { checker, longest = MAX_ANSWER_LENGTH } = QUESTIONS[question.ask];
     if (question.answer.length > longest)
       return { error: `The answer is longer than ${longest} characters.`, arm, q };
-    const verdict = checker(question, arm);
+    const verdict = checker(question, arm, page);
     return { verdict, arm, q, advice: verdict.advice, tokens: findTokens(verdict) };
   } catch (error) {
     if (!(error instanceof ArmError)) throw error;

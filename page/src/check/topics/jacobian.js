@@ -7,11 +7,17 @@ import { ArmError } from "../../../../judge/sentences.js";
 import { compareTorques } from "../../../../judge/topics/torques.js";
 
 /** @type {import("../question.js").Checker} */
-export function checkJacobian({ answer, q, unit, frame, first, lengths, values }, arm) {
+export function checkJacobian({ answer, q, unit, frame, first, lengths, values }, arm, page) {
   if (Number(frame) > arm.rows.length) {
     throw new ArmError(`frame is ${frame}; expected a whole number from 0 to ${arm.rows.length}`);
   }
-  const how = { angles: unit, frame: Number(frame), angularFirst: first === "omega", lengths };
+  const how = {
+    angles: unit,
+    frame: Number(frame),
+    angularFirst: first === "omega",
+    lengths,
+    ...page,
+  };
   return compareJacobian(answer, arm, q, { ...how, values: readSymbolValues(values) });
 }
 
