@@ -71,8 +71,8 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  *
  * Causes in this order: coordinates of the centre left out; if the tip is off the path, a mistake
  * in the table or the path; the rule of the loop, to the digits; with symptoms, a mistake in the
- * joint values; two mistakes in the loop; any other shift; with symptoms, the rule to the error of a
- * right program; two mistakes in the path.
+ * joint values; two mistakes in the loop; any other shift; with symptoms, the rule to the error of
+ * a right program; two mistakes in the path.
  * @param {Trace} trace
  * @param {number[][]} tip its points
  * @param {number[]} allowed largest error of the tip at each step (m)

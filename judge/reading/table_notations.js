@@ -8,6 +8,7 @@ import { readLinks } from "./table_links.js";
 import { listBrackets, listEntries, makeUntyped } from "./table_named_entries.js";
 import { ENTRIES, isVariable } from "./table_rows.js";
 import { refuseLongText } from "./odd_texts.js";
+import { hasNumberOrUnit } from "./unused_lines.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const MOST_ROWS = 32;
@@ -101,8 +102,8 @@ function listUnused(text, parts, sources) {
     [...line.matchAll(DECIMAL)].filter(({ index }) => !isUsed(from + index)).map(([x]) => x),
   );
   const trimmed = otherLines.map((line) => line.text.trim());
-  const withText = trimmed.filter((line) => /[\p{L}\d]{2}/u.test(line));
-  return { context: trimmed.join("\n"), unusedLines: [...withText, ...decimals] };
+  const unusedLines = [...trimmed.filter(hasNumberOrUnit), ...decimals];
+  return { context: trimmed.join("\n"), unusedLines };
 }
 
 const DECIMAL = /(?<!\d)\d*\.\d+/g;

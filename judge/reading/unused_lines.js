@@ -2,15 +2,24 @@
 
 import { linesOf } from "./characters.js";
 import { hasDecimals } from "./formula.js";
+import { UNIT } from "./units.js";
 
 /** @typedef {import("./block.js").Block} Block */
 /** @typedef {import("./spans.js").SpannedText} SpannedText */
 
 const textsOf = (cells) => cells.map(({ text }) => text);
 
+const UNIT_WORD = new RegExp(String.raw`(?<![\p{L}\d_\\])(?:${UNIT}|kg)(?![\p{L}\d_])`, "u");
+const NUMBER = /(?<![\p{L}\d_])\.?\d/u; // no part of a name such as q1
+const FACTOR = /^1\.0e[+-]\d+ ?\*$/; // that MATLAB prints above a matrix, and that is applied
+
+/** Return whether a line has a number or a unit, so that it may matter that it was not used. */
+export const hasNumberOrUnit = (line) =>
+  !FACTOR.test(line.trim()) && (NUMBER.test(line) || UNIT_WORD.test(line));
+
 /**
- * List the lines with text above and below a block, and the comments and unused numbers on the
- * lines of the block.
+ * List the lines with a number or a unit above and below a block, such comments on the lines of the
+ * block, and its unused numbers.
  * @param {string} text @param {Block} block
  * @param {SpannedText} [uncommented] the text without comments
  */
@@ -18,14 +27,14 @@ export function listUnusedLines(text, block, uncommented = null) {
   const { firstLine, lastLine } = block;
   const lines = linesOf(text);
   const rest = lines.filter((_, i) => i < firstLine || i > lastLine);
-  const linesWithText = rest.filter((line) => /[\p{L}\d]/u.test(line.replace(ENVIRONMENT, "")));
+  const linesWithNumbers = rest.filter((line) => hasNumberOrUnit(line.replace(ENVIRONMENT, "")));
   const isAligned = uncommented?.text.length === text.length;
   const uncommentedLines = isAligned ? linesOf(uncommented.text) : lines;
   const comments = lines
     .slice(firstLine, lastLine + 1)
     .map((line, i) => line.slice(uncommentedLines[firstLine + i].trimEnd().length).trim())
-    .filter(Boolean);
-  return [...linesWithText.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
+    .filter(hasNumberOrUnit);
+  return [...linesWithNumbers.map((line) => line.trim()), ...comments, ...listNumbersBeside(block)];
 }
 
 const ENVIRONMENT = /\\(?:begin|end)\{\w+\*?\}/g; // of LaTeX

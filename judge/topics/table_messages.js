@@ -140,8 +140,18 @@ export const typedRowNumber = ({ added, modified }, row, column) =>
 const typedText = (table, row, column) =>
   table.texts[typedRowNumber(table, row, column) - 1]?.[column];
 
-export const entryText = (table, row, column) =>
-  typedText(table, row, column) ?? formatNumber(table.rows[row - 1][column], 6);
+/** The names of multiples of a right angle. @type {Record<number, string>} */
+export const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
+
+/** Return the text of an entry, or its number if the text is LaTeX or missing. */
+export function entryText(table, row, column) {
+  const text = typedText(table, row, column);
+  if (text !== undefined && !text.includes("\\")) return text;
+  const value = table.rows[row - 1][column];
+  const turns = value / (Math.PI / 2);
+  const isRight = isAngleColumn(column) && Math.abs(turns - Math.round(turns)) < 1e-9;
+  return (isRight && RIGHT_ANGLES[Math.round(turns)]) || formatNumber(value, 6);
+}
 
 // Return the unit of an angle's last decimal, or 0 if it has fewer than two decimals.
 export function entryUnit(table, row, column) {

@@ -15,6 +15,7 @@ import { makeVerdict } from "../verdict.js";
 import {
   describeEntry,
   entryText,
+  RIGHT_ANGLES,
   entryUnit,
   listDifferentEntries,
   roundTo,
@@ -273,8 +274,6 @@ function describeDifferentEntries({ table, rows, expectedRows }, length, column 
 
 // Turn a sentence into a clause, with a small first letter and without a full stop.
 const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
-
-const RIGHT_ANGLES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
 
 // Note the angles that were replaced by multiples of a right angle more than `tolerance` (rad)
 // away. The table has a single note, which joins equal angles of a column.

@@ -8,7 +8,7 @@ import {
   makeTorqueMaker,
 } from "../causes/torques.js";
 import { causeName, joinCauseMessages } from "../causes/ranking.js";
-import { RIGHT, SO_FAR, WRONG } from "../digits.js";
+import { agrees, RIGHT, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { selectColumn, transpose } from "../geometry/chains.js";
 import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
@@ -349,13 +349,11 @@ function reportWrongTorques(causes, wrong, typed, expected, arm) {
 // Describe a wrong joint by its largest error, or report that its torques have the opposite sign.
 function describeWrongJoint(arm, k, typed, expectedTorques) {
   const dof = movingRows(arm).length;
-  const [actual, expected] = [typed.values, expectedTorques].map((list) =>
+  const [actual, units, expected] = [typed.values, typed.units, expectedTorques].map((list) =>
     selectColumn(list, k, dof),
   );
   const largestError = Math.max(...subtractEach(actual, expected).map(Math.abs));
-  const isNegated = actual.every(
-    (x, i) => Math.abs(x + expected[i]) < Math.abs(x - expected[i]) / 1e3,
-  );
+  const isNegated = agrees({ values: actual.map((x) => -x), units }, expected);
   const words = formatMessage(isNegated ? "tau other way" : "tau off", {
     joint: jointNumbers(arm)[k],
     most: actual.length > 1 ? formatMessage("up to") : "",
