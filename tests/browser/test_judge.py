@@ -380,6 +380,8 @@ def test_trajectory_file_is_judged(page, tmp_path):
     page.locator("input[type=file]").set_input_files(file)
     page.get_by_text("From run.csv, 25 lines.").wait_for()
     verdict(page, "UR10e (homework) draws the path")
+    caption = page.locator(".path figcaption")
+    expect(caption).to_have_text(re.compile("yours, its errors 10+ times as large"))
 
 
 @both
@@ -776,6 +778,30 @@ def test_answer_number_chooses_among_several_answers(page):
     page.get_by_role("button", name="My answer is in line 5").click()
     expect(answer).to_have_value(re.compile("\n# 0.5 1.5"))
     verdict(page, "The torques of UR10e are not right")
+
+
+@wide
+def test_wrong_jacobian_and_torques_are_shown_beside_the_right_ones(page):
+    ask(page, WRONG)
+    verdict(page, "check vz")
+    page.get_by_role("link", name="Show it").click()
+    explorer = page.locator(".arm-explorer")
+    explorer.get_by_text(
+        "When joint 3 moves alone, the tip has the velocity (−0.078, −0.043, 0.287); "
+        "the typed column says (−0.078, −0.043, 0.387)"
+    ).wait_for()
+    expect(explorer.locator(".heat .typed")).to_have_text(["typed: 0.387"])
+    explorer.get_by_role("button", name="q1").focus()
+    explorer.get_by_text("When joint 1 moves alone").wait_for()
+    explorer.get_by_role("slider").first.press("ArrowRight")
+    expect(explorer.locator(".heat .typed")).to_have_count(0)  # typed for another configuration
+    enter(page)
+    page.get_by_label("Question", exact=True).select_option("torques")
+    page.get_by_role("button", name="Show an example").click()
+    page.get_by_role("link", name="Show it").click()
+    explorer.get_by_text("−56.32 ✘").wait_for()
+    expect(explorer.locator("td.typed")).to_have_count(6)
+    assert list_serious_findings(page, ".arm-explorer") == []
 
 
 SHORT_TABLE = "a (mm) alpha (deg) d (mm) theta\n0 90 500 q1\n400 0 0 q2\n200 0 0 q3"

@@ -63,7 +63,9 @@ def test_check_page_prints_question_answer_and_verdict(browser):
 def test_picture_takes_at_most_half_a_printed_page(paper, name):
     """A page is blank before a picture that does not fit on it."""
     paper.goto((HTML / f"{name}.html").as_uri())
-    paper.wait_for_function("[...document.images].every((i) => ((i.loading = 'eager'), i.complete))")
+    paper.wait_for_function(
+        "[...document.images].every((i) => ((i.loading = 'eager'), i.complete))"
+    )
     heights = paper.locator("figure, .arm-explorer").evaluate_all(
         "(parts) => parts.map((part) => part.getBoundingClientRect().height)"
     )

@@ -1,11 +1,12 @@
 // Draws the path of a checked trajectory over the wanted path, seen at right angles to its wall.
 
 import { h, svg } from "../dom.js";
-import { linkFrames } from "../../../judge/geometry/kinematics.js";
+import { linkFrames, minus, norm, plus, scaled } from "../../../judge/geometry/kinematics.js";
 
 const SIZE = 260; // width and height of the picture
 const MARGIN = 0.12; // share of the picture
 const ARROW = 16; // length of an arrowhead
+const SHOWN_ERROR = 0.25; // the largest error as a share of the path's width, once magnified
 const AXES = ["x", "y", "z"];
 
 /**
@@ -31,7 +32,8 @@ export function showPath(place, { ask, plane }, { verdict, arm }) {
  */
 function drawPaths(actual, wanted, plane) {
   const across = AXES.indexOf(plane.replace("z", ""));
-  const [actualPixels, wantedPixels] = projectPaths([actual, wanted], across);
+  const { factor, path } = magnifyErrors(actual, wanted);
+  const [actualPixels, wantedPixels] = projectPaths([path, wanted], across);
   const [x, y] = actualPixels[0].map(formatPixel);
   const label = `The tip's path beside the wanted circle, by ${AXES[across]} and z`;
   const picture = svg(
@@ -46,7 +48,19 @@ function drawPaths(actual, wanted, plane) {
   const depth = Math.max(...actual.map((p) => Math.abs(p[1 - across] - wanted[0][1 - across])));
   const depthNote = depth > 1e-3 ? `; it leaves the wall by ${(1000 * depth).toFixed(0)} mm` : "";
   const names = [h("span.wanted", {}, "wanted"), " ", h("span.actual", {}, "yours")];
-  return h("figure.path", {}, picture, h("figcaption", {}, ...names, depthNote));
+  const factorNote = factor > 1 ? `, its errors ${factor} times as large` : "";
+  return h("figure.path", {}, picture, h("figcaption", {}, ...names, factorNote, depthNote));
+}
+
+// Magnify the errors of a path by the power of ten that makes them plain to see.
+function magnifyErrors(actual, wanted) {
+  if (actual.length !== wanted.length) return { factor: 1, path: actual };
+  const errors = actual.map((p, i) => minus(p, wanted[i]));
+  const largest = Math.max(...errors.map(norm));
+  const width = Math.max(...wanted.map((p) => norm(minus(p, wanted[0]))));
+  const power = Math.floor(Math.log10((SHOWN_ERROR * width) / Math.max(largest, 1e-9)));
+  const factor = 10 ** Math.max(0, power);
+  return { factor, path: wanted.map((p, i) => plus(p, scaled(factor, errors[i]))) };
 }
 
 const formatPixel = (v) => v.toFixed(1);
