@@ -55,7 +55,7 @@ def test_jacobian_in_millimetres_is_right_once_its_unit_is_set():
 
 c, s = sp.cos, sp.sin
 t1, t2, t3 = sp.symbols("theta1:4", real=True)
-PLANAR = Arm.from_table("q1 0 0.4 0\nq2 0 0.3 0")
+PLANAR = Arm.from_table("theta d a alpha\nq1 0 0.4 0\nq2 0 0.3 0")
 T = sp.Symbol("t")
 x1, x2 = (sp.Function(n)(T) for n in ("theta1", "theta2"))
 
@@ -102,12 +102,12 @@ def test_table_source_records_units_and_conversions():
         arm.source == "columns a α d θ; the standard convention; lengths in mm; angles in degrees"
     )
     assert arm.rows[1].theta == "-pi/2"
-    slide = Arm.from_table("q1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0", values={"d3": 0.2})
+    slide = Arm.from_table("theta d a alpha\nq1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0", values={"d3": 0.2})
     assert [r.joint.kind for r in slide.rows] == ["revolute", "revolute", "prismatic"]
     assert slide.rows[2].d == -0.2
     assert "backwards in row 3" in slide.source
     with pytest.raises(ArmError, match="no value for L1"):
-        Arm.from_table("q1 L1 0 0\nq2 0 0 0")
+        Arm.from_table("theta d a alpha\nq1 L1 0 0\nq2 0 0 0")
 
 
 # Slips of the errata on arms or input types that the page does not have. cases.json has the rest.
