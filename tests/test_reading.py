@@ -389,7 +389,8 @@ def test_numbers_of_stored_tables_have_owners():
 # JavaScript does not count a pattern's steps, so its time is measured: a text four times as long
 # takes four times as long (measured: two to six), and sixteen times if the steps are quadratic.
 REPEATED = ["-", "[", "(", "{", ",", " ", "\t", "1", ".", "+", "a=", "a - ", "a_1 = ", "dict(",
-            "Link(", "a(", "\\begin{", "Columns 1", "q1 = 1\n"]  # fmt: skip
+            "Link(", "a(", "\\begin{", "Columns 1", "q1 = 1\n", "<a,", "(/ ", "0·0 ",
+            "\\underbrace{"]  # fmt: skip
 
 
 @pytest.mark.parametrize("kind", ["table", "numbers"])

@@ -96,8 +96,27 @@ const NOUNS = "wrist|joint|step|column|link|angle|torque|axis|branch|sol(?:ution
 // Join a noun and its number to a single word: "joint 2" becomes "joint_2".
 const joinedNoun = (noun) => `${noun.trim()}_`;
 
+// The argument of a LaTeX command, with braces two deep.
+const ARGUMENT = String.raw`\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}`;
+const BRACE_BELOW = new RegExp(
+  String.raw`\\(?:under|over)brace${ARGUMENT}(?:[_^]${ARGUMENT})?`,
+  "g",
+);
+
+/** @type {[RegExp, string][]} */
+const MAPLE_VECTOR = [
+  [/<(?<=(?:^|[=:])[ \t]{0,9}<)(?=\S[^<>\n]{0,500}[,|][^<>\n]{0,500}>)/gm, "["],
+  [/>(?<=(?:^|[=:])[ \t]{0,9}\[[^<>[\]\n]{1,500}[,|][^<>[\]\n]{1,500}>)/gm, "]"],
+];
+/** @type {[RegExp, string][]} */
+const FORTRAN_ARRAY = [
+  [/\(\/(?=[^()]{0,2000}\/\))/g, "["],
+  [/\/\)(?<=\[[^()[\]]{0,2000}\/\))/g, "]"],
+];
+
 /** @type {[RegExp, any][]} */
 const MATRIX_CHARACTERS = [
+  [BRACE_BELOW, "$1"],
   [/\r\n?|[\v\f]/g, "\n"],
   [/\+?[⎛-⎭─-╬]+\+?/g, " "],
   [/\b(?:Sin|Cos|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
@@ -111,14 +130,18 @@ const MATRIX_CHARACTERS = [
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
   [END_IN_COLUMN, ";"],
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
+  ...MAPLE_VECTOR, // <a, b, c>
+  ...FORTRAN_ARRAY, // (/ a, b, c /)
   [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
   [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
   [/(?<!\^)\{([-,*])\}/g, "$1"], // 0{,}5, {-}0.5 and N{\cdot}m
-  [/(?<![\d.·])0·(?=\d{2,}(?![\d^·]))/g, "0."], // a British decimal point
   [/\b(?:Fraction|Rational)\(\s*(-?\d+)\s*,\s*(\d+)\s*\)/g, "$1/$2"],
   [/(?<=\d\.\d{0,20})[dD](?=[-+]?\d{1,3}(?![\d.]))/g, "e"], // Fortran's exponents
   [/(?<=\d\.\d{1,20})f(?:0|32|64)?(?!\w)/g, ""], // types of C, Julia and Rust
 ];
+// A raised decimal point. No product is written as 0·3, so in its text 12·5 is no product either.
+const RAISED_POINT = /(?<![\d.·])0·\d/;
+const RAISED_POINTS = /(?<=(?<![\d.·])\d{1,20})·(?=\d{1,20}(?![\d.·^]))/g;
 const WORD_MATRIX = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
 // Dashes before a bracket, or below a name as in YAML, are bullets. Any other dash may be a minus.
 const DASHES_ARE_BULLETS = /^[ \t]*- +(?=[-[{])|^[A-Za-z]\w*:[ \t]*(?:\n- \d[\d.]*[ \t]*){2}/m;
@@ -133,7 +156,10 @@ export function plainCharacters(folded) {
     (text, [pattern, replacement]) => text.replace(pattern, replacement),
     folded,
   );
-  const spaced = withoutSpacing(replaced);
+  const pointed = RAISED_POINT.test(replaced.text)
+    ? replaced.replace(RAISED_POINTS, ".")
+    : replaced;
+  const spaced = withoutSpacing(pointed);
   const plain = spaced.replace(WORD_MATRIX, (_, rows) => `(${rows.replaceAll("@", ROW_END)})`);
   return DASHES_ARE_BULLETS.test(plain.text) ? plain.replace(BULLET, "") : plain;
 }
