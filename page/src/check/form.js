@@ -68,6 +68,7 @@ const ANSWER_HINTS = {
   trace: "A row for each time, one value for each joint:\nCSV, MATLAB, NumPy, a spreadsheet.",
   torques: "One torque for each joint, in N m (N where it slides).",
 };
+const STATED_LENGTHS = "m, unless the text says";
 const CONTRACT =
   "I judge the numbers of your answer: sentences change none of them, and a number that belongs " +
   "to nothing stops me.";
@@ -249,6 +250,8 @@ export function adaptForm({ fields, boxes, told, folded }, question, arms) {
     fields.frame.replaceChildren(...all);
     fields.frame.value = question.frame;
   }
+  const unset = question.ask === "jacobian" ? STATED_LENGTHS : CHOICES.lengths[""];
+  setText(fields.lengths.options[0], unset);
   const shown = FOLDED_FIELDS.filter((key) => asked.has(key));
   folded.hidden = !shown.length;
   setText(told, describeFolded(shown, fields));
@@ -270,8 +273,9 @@ export function listNumberNames(key, { ask, arm: armKey }, arms) {
 // Describe the folded fields in one line.
 function describeFolded(keys, fields) {
   const getText = (key) => fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
+  const isGuessed = (key) => FIELDS[key].name && getText(key) !== STATED_LENGTHS;
   const filled = keys.filter((key) => fields[key].value);
-  const guessed = keys.filter((key) => !fields[key].value && FIELDS[key].name);
+  const guessed = keys.filter((key) => !fields[key].value && isGuessed(key));
   const parts = filled.map((key) => `${FIELDS[key].told} ${getText(key)}`);
   if (guessed.length)
     parts.push(`${joinList(guessed.map((key) => FIELDS[key].name))} as they look`);
