@@ -104,6 +104,18 @@ export function findColumnUnits(rows, typedUnits) {
   );
 }
 
+/**
+ * Give an entry of few decimals, such as 1.3 beside 0.1157, the finest typed unit if the expected
+ * number rounds to it at that unit: its further decimals are zeros that were left out.
+ * @param {Entries} typed @param {number[]} expected @returns {Entries}
+ */
+export function sharpenUnits(typed, expected) {
+  const { values, units: lastPlaces } = typed;
+  const finest = Math.min(...lastPlaces.filter((unit, i) => unit && values[i]));
+  const isExact = (x, i) => lastPlaces[i] > finest && Math.abs(x - expected[i]) <= HALF * finest;
+  return { ...typed, units: lastPlaces.map((unit, i) => (isExact(values[i], i) ? finest : unit)) };
+}
+
 // Read a plain number as typed; null for a formula.
 function readLiteral(text) {
   const trimmed = text.trim();

@@ -10,6 +10,7 @@ import {
   RIGHT,
   ROUNDED,
   computeSlack,
+  sharpenUnits,
   SO_FAR,
   canBeDistinguished,
   WRONG,
@@ -42,8 +43,9 @@ import {
 
 /** Judge entries. @param {EntriesQuestion} question @returns {EntriesVerdict} */
 export function judgeEntries(question) {
-  const { typed, q, dof, makeExpected, mistakes, furtherLists = [], tolerance = null } = question;
+  const { q, dof, makeExpected, mistakes, furtherLists = [], tolerance = null } = question;
   const expected = makeExpected(q.values);
+  const typed = sharpenUnits(question.typed, expected);
   const zeros = expected.map(() => 0);
   const lookalikes = tolerance === null ? mistakes.filter(looksLike(typed, q, expected)) : [];
   const [grade, slack] =

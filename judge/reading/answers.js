@@ -28,6 +28,7 @@ import { refuseUnread, tokensOf } from "./owners.js";
 import { isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { findComputation } from "./surroundings.js";
+import { readUnits } from "./units.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
 import { listUnusedLines } from "./unused_lines.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
@@ -101,6 +102,7 @@ function findIn(pasted, text, question) {
   const { rows, taken } = orderByListedNames(block, want, text);
   const tokens = tokensOf(text, { ...block, rows });
   refuseUnread(text, tokens, what);
+  refuseTwoUnits(block, what);
   const computation = findComputation(text, block);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
@@ -116,6 +118,18 @@ function findIn(pasted, text, question) {
   );
   return { ...block, rows, taken, unusedLines, tokens };
 }
+
+// Refuse values without units below headers, or behind names, in degrees and in radians.
+/** @param {Block} block @param {string} what */
+function refuseTwoUnits({ rows, headers, labels, sources }, what) {
+  const names = [...headers, ...labels.flat()].map(({ text }) => text);
+  const units = new Set([...names, ...sources.map(({ name }) => name)].map(findAngleUnit));
+  const isBare = rows.flat().every(({ text }) => !/ deg$/.test(text));
+  if (isBare && units.has("deg") && units.has("rad"))
+    throw new ArmError(formatMessage("names in two units", { what }));
+}
+
+const findAngleUnit = (name) => readUnits(name).angles;
 
 // Make an error for an entry without a number, such as "q_6 = ?".
 /** @param {string} text @param {Question} question */

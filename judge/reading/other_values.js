@@ -3,6 +3,7 @@
 
 import { parse, simple, symbols, symbolsIn, value } from "./formula.js";
 import { refuseUnreadCell } from "./owners.js";
+import { LENGTH_UNIT, LENGTH_UNITS } from "./units.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 // A symbol with its value, such as c23 = cos(q2 + q3) and a2 = 0.4.
@@ -10,7 +11,7 @@ const VALUE = /(?<![\p{L}\d_.])(\p{L}_?\{?\d{1,4}\}?) *:?= *([^\s=,;][^\n=,;]{0,
 
 /**
  * Raise an error if the text gives a symbol of the answer a value that differs from its value in
- * the question. A value that is no formula of known symbols, such as 400 mm, is skipped.
+ * the question. A value that is no formula of known symbols is skipped.
  * @param {string} text @param {Map<string, number>} meanings of the symbols in the answer
  * @param {(names: Set<string>) => Map<string, number>} known looks symbols up
  */
@@ -28,10 +29,13 @@ export function refuseOtherValues(text, meanings, known) {
 
 const ROUND_OFF = 1e-9;
 
-function evaluateKnown(formula, known) {
+const MEASURED = new RegExp(String.raw`^(.*\d) ?(${LENGTH_UNIT})$`);
+
+function evaluateKnown(typed, known) {
+  const [, formula = typed, unit = "m"] = MEASURED.exec(typed) ?? [];
   const tree = parse(formula);
   const meanings = known(symbols(tree));
-  return value(tree, (name) => meanings.get(name));
+  return value(tree, (name) => meanings.get(name)) * LENGTH_UNITS[unit];
 }
 
 // Cut a formula at a closing bracket that it did not open, and drop the full stop at its end.

@@ -4,7 +4,7 @@
 
 import { withoutComments, withoutStruckText } from "./decorations.js";
 import { linesOf } from "./characters.js";
-import { hasDecimals, simple } from "./formula.js";
+import { hasDecimals, simple, symbolsIn } from "./formula.js";
 import { refuseUnreadValues } from "./other_values.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
@@ -234,7 +234,14 @@ function readCells(block, { options, known }) {
   const { unusedLines } = block;
   const typedCells = trimmed.flat();
   const matrices = splitMatrices(trimmed);
-  if (matrices) return [{ ...readMatrices(matrices, known, options), unusedLines, typedCells }];
+  if (matrices) {
+    const hasLengths = typedCells.some((cell) =>
+      symbolsIn(cell)?.some((name) => known.has(simple(name))),
+    );
+    const context = hasLengths ? "" : block.context; // a symbol has its value in m
+    const table = readMatrices(matrices, known, options, context);
+    return [{ ...table, unusedLines, typedCells }];
+  }
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
@@ -252,11 +259,12 @@ function readCells(block, { options, known }) {
   }));
 }
 
-function readMatrices(matrices, known, options) {
+function readMatrices(matrices, known, options, context) {
   refuseManyRows(matrices.length);
   const rows = matrices.map((matrix, k) => readLinkMatrix(k + 1, matrix, known));
   const statements = chooseStatements({ headers: [], context: "" }, options);
-  return { ...statements, rows, assumptions: [formatMessage("taken: matrices")] };
+  const { lengths } = chooseStatements({ headers: [], context }, options);
+  return { ...statements, lengths, rows, assumptions: [formatMessage("taken: matrices")] };
 }
 
 // Read rows in each possible order of columns. If the stated order fails, try exchanged headers of

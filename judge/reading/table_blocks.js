@@ -149,8 +149,8 @@ function markColumnHeaders(plain) {
 const LINE = new RegExp(`[^\n${ROW_END}]+`, "g");
 const trimOpening = (line) => line.replace(/^[\s[({|]+/, "");
 
-// List the edits that write 0 into the empty cells of a line. The line must have as many cells as
-// a line of column headers.
+// List the edits that write 0 into the empty cells of a line, and a short word for a row without a
+// number. The line must have as many cells as a line of column headers.
 function listZeros(line, headerLines) {
   if (!line.text.trim()) return [];
   for (const headerLine of headerLines) {
@@ -161,8 +161,12 @@ function listZeros(line, headerLines) {
     return cells.flatMap((cell, k) => {
       const start = next;
       next += cell.length + 1;
-      const isEmpty = !cell.trim() && headers[k].trim() !== "";
-      return isEmpty ? [{ from: start, to: start + cell.length, text: "0" }] : [];
+      const header = headers[k].trim();
+      const isEmpty = !cell.trim() && header !== "";
+      // The last row may have a word in place of its number: "n (or z)".
+      const isWord = findEntry(header) === "i" && /^\p{L}\D*$/u.test(cell.trim());
+      const text = isEmpty ? "0" : "tool";
+      return isEmpty || isWord ? [{ from: start, to: start + cell.length, text }] : [];
     });
   }
   return [];
