@@ -5148,7 +5148,7 @@ input.small {
 }
 .solutions button[aria-current="true"] {
   border-color: var(--accent);
-  background: color-mix(in srgb, var(--accent) 11%, var(--ground));
+  background: color-mix(in srgb, var(--accent) 6%, var(--ground));
   box-shadow: inset 5px 0 0 var(--accent);
 }
 .swatch {
