@@ -804,6 +804,23 @@ def test_wrong_jacobian_and_torques_are_shown_beside_the_right_ones(page):
     assert list_serious_findings(page, ".arm-explorer") == []
 
 
+def test_shown_mistake_needs_no_webgl_and_no_motion(browser):
+    page = browser.new_page(offline=True, reduced_motion="reduce")
+    page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    enter(page)
+    ask(page, WRONG)
+    page.get_by_role("link", name="Show it").press("Enter")
+    explorer = page.locator(".arm-explorer")
+    explorer.get_by_text("the typed column says (−0.078, −0.043, 0.387)").wait_for()
+    page.go_back()
+    page.get_by_label("Question", exact=True).select_option("table")
+    page.get_by_label("Your answer", exact=True).fill(SHORT_TABLE)
+    page.get_by_role("link", name="Show it").press("Enter")
+    explorer.get_by_role("slider", name="From the ghost's table").fill("0.5")
+    explorer.get_by_text("its tip is 50.0 mm").wait_for()
+    page.close()
+
+
 SHORT_TABLE = "a (mm) alpha (deg) d (mm) theta\n0 90 500 q1\n400 0 0 q2\n200 0 0 q3"
 
 

@@ -45,9 +45,11 @@ function writeReport({ form, reading, question, outcome, given }) {
     const value = fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
     return `${boxes[key].querySelector("label").textContent}: ${value}`;
   });
-  const rows = reading.root.hidden ? [] : [...reading.root.querySelectorAll("tr")];
+  const lines = [...reading.root.querySelectorAll(".by-column caption, tr")];
   const getText = (cell) => (cell.querySelector(".value") ?? cell).textContent; // of a formula
-  const read = rows.map(({ cells }) => [...cells].map(getText).join("\t"));
+  const read = reading.root.hidden
+    ? []
+    : lines.map((line) => (line.cells ? [...line.cells] : [line]).map(getText).join("\t"));
   const { verdict, error } = outcome;
   return [
     settings.join("\n"),
