@@ -52,26 +52,16 @@ class Element {
   get children() {
     return this.childNodes.filter((node) => node instanceof Element);
   }
-  get firstChild() {
-    return this.childNodes[0] ?? null;
-  }
-  /** Take nodes from their old parents, since a node has one parent, and turn strings into texts. */
-  #adopt(nodes) {
-    return nodes.map((node) => {
-      if (!(node instanceof Element)) return node instanceof Text ? node : new Text(node);
-      node.parent?.childNodes.splice(node.parent.childNodes.indexOf(node), 1);
-      node.parent = this;
-      return node;
-    });
+  #toNodes(nodes) {
+    return nodes.map((node) => (node instanceof Element || node instanceof Text ? node : new Text(node)));
   }
   append(...nodes) {
-    this.childNodes.push(...this.#adopt(nodes));
+    this.childNodes.push(...this.#toNodes(nodes));
   }
   prepend(...nodes) {
-    this.childNodes.unshift(...this.#adopt(nodes));
+    this.childNodes.unshift(...this.#toNodes(nodes));
   }
   replaceChildren(...nodes) {
-    for (const node of this.childNodes) node.parent = null;
     this.childNodes = [];
     this.append(...nodes);
   }
@@ -86,10 +76,6 @@ class Element {
   }
   set selectedIndex(index) {
     this.options.forEach((option, i) => (option.selected = i === index));
-  }
-  get value() {
-    if (this.tag !== "select") return this.getAttribute("value") ?? "";
-    return "";
   }
   set value(text) {
     if (this.tag !== "select") this.setAttribute("value", text);
@@ -139,7 +125,7 @@ class Element {
   }
 }
 
-for (const name of ["hidden", "disabled", "selected", "open"])
+for (const name of ["hidden", "selected", "open"])
   Object.defineProperty(Element.prototype, name, {
     get() {
       return this.attributes.has(name);
@@ -149,7 +135,7 @@ for (const name of ["hidden", "disabled", "selected", "open"])
       else this.removeAttribute(name);
     },
   });
-for (const name of ["className", "tabIndex", "id", "type", "title", "href", "placeholder"]) {
+for (const name of ["className", "tabIndex", "type"]) {
   const attribute = { className: "class", tabIndex: "tabindex" }[name] ?? name;
   Object.defineProperty(Element.prototype, name, {
     get() {
@@ -160,8 +146,7 @@ for (const name of ["className", "tabIndex", "id", "type", "title", "href", "pla
     },
   });
 }
-for (const name of ["addEventListener", "scrollIntoView", "focus"])
-  Element.prototype[name] = doNothing;
+Element.prototype.addEventListener = doNothing;
 
 Object.assign(globalThis, {
   document: {
@@ -171,7 +156,6 @@ Object.assign(globalThis, {
     createElementNS: (_, tag) => new Element(tag),
   },
   location: { hash: "", href: "" },
-  console: { error: doNothing, warn: doNothing, log: doNothing },
   matchMedia: () => ({ matches: false, addEventListener: doNothing }),
   MutationObserver: class {
     observe() {}
@@ -180,8 +164,5 @@ Object.assign(globalThis, {
     signal = { aborted: false, addEventListener: doNothing };
   },
   addEventListener: doNothing,
-  setTimeout: doNothing,
   clearTimeout: doNothing,
-  requestAnimationFrame: doNothing,
-  cancelAnimationFrame: doNothing,
 });
