@@ -4,11 +4,13 @@ Keys and pointer events are real ones, so differences between browsers show here
 this folder take these steps in Chromium.
 """
 
+import json
 import time
 
 import pytest
 
 from tests.browser import engines
+from tests.browser.reader import AXE, FIT_ALL_BOXES, LIST_AXE_FINDINGS
 from tests.browser.test_judge import ELBOW
 from tests.test_book import HTML, wait_until_built
 from tools.browser import NoBrowser
@@ -189,3 +191,18 @@ def test_links_and_end_key_scroll_to_target(reader):
     reader.open("02_jacobian")
     reader.press("End")
     reader.until("scrollY + innerHeight > document.body.scrollHeight - 2")
+
+
+@pytest.mark.parametrize("name", ["intro", "04_static_torque", "explorer", "check_your_homework"])
+def test_page_passes_axe(reader, name):
+    """Chromium passes axe on all pages in both themes in test_pages.py."""
+    if name in {"intro", "explorer"}:
+        reader.explorer(name=name)
+    else:
+        reader.open(name)
+        reader.until("!document.querySelector('.arm-judge:not(.small) > .unscripted')")
+    reader.ask(FIT_ALL_BOXES)
+    reader.ask(f"(0, eval)({json.dumps(AXE.read_text(encoding='utf-8'))}) && false")
+    reader.ask(f"(({LIST_AXE_FINDINGS})().then((found) => (window.axeFindings = found)), true)")
+    reader.until("window.axeFindings")
+    assert reader.ask("axeFindings") == []
