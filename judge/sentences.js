@@ -67,6 +67,9 @@ export const capitalize = (text) => text.slice(0, 1).toUpperCase() + text.slice(
 export const uncapitalize = (text) =>
   /^.(\p{Lu}|_)/su.test(text) ? text : text.slice(0, 1).toLowerCase() + text.slice(1);
 
+/** Turn a sentence into a clause, without a capital and a full stop. @param {string} sentence */
+export const toClause = (sentence) => uncapitalize(sentence).replace(/\.+$/, "");
+
 /** Format a number with so many significant digits. @param {number} x */
 export const formatNumber = (x, digits = 3) => String(Number(x.toPrecision(digits)));
 

@@ -7,17 +7,24 @@ import {
   listSingleMistakes,
   listJacobianSteps,
 } from "../causes/jacobian.js";
-import { causeName, joinCauseMessages } from "../causes/ranking.js";
-import { agrees, compareDigits, RIGHT, SO_FAR, canBeDistinguished, WRONG } from "../digits.js";
+import {
+  agrees,
+  compareDigits,
+  RIGHT,
+  ROUNDED,
+  SO_FAR,
+  canBeDistinguished,
+  WRONG,
+} from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
 import { listGeneralConfigurations } from "../geometry/general_configurations.js";
 import { DEG } from "../geometry/angles.js";
 import { fixedRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { lookup, readConfiguration, refuseOtherLists } from "../reading/numbers.js";
-import { completeVerdicts, makeVerdict } from "../verdict.js";
-import { askAboutDegrees } from "./degrees.js";
-import { judgeWholeOrBeginning, listCountsBelow } from "./beginning.js";
+import { makeFinding } from "../verdict.js";
+import { listCountsBelow } from "./beginning.js";
+import { makeJudge } from "./frame.js";
 import { judgeAtConfigurations, makeExactEntries, readMatrix } from "./jacobian_matrix.js";
 import {
   ALL_ROWS,
@@ -29,40 +36,45 @@ import {
   ROWS,
   selectRows,
 } from "./jacobian_rows.js";
-import { formatMessage, formatNumber, joinList, uncapitalize } from "../sentences.js";
+import { formatMessage, formatNumber, joinList } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
 /**
  * Judge a Jacobian of an arm's tip. Formulas in the joints are compared at five configurations,
- * numbers at q.
- * @param {string | any[]} mine text or nested lists
- * @param {Arm} arm
- * @param {any} q joint values, a text or a list; an empty text if there are none
- * @returns {import("../verdict.js").Verdict}
+ * numbers at q, which is a text or a list; an empty text if there is none.
  */
-export const compareJacobian = completeVerdicts(judgeJacobian);
-
-function judgeJacobian(mine, arm, q, givenOptions = {}) {
-  const isMissing = typeof q === "string" && !q.trim();
-  const options = isMissing ? { ...givenOptions, generic: true } : givenOptions;
-  const typedQ = isMissing
-    ? makeExactEntries(listGeneralConfigurations(arm)[0])
-    : readConfiguration(q, arm, options.angles);
-  return judgeWholeOrBeginning(mine, () => judgeWholeJacobian(mine, arm, q, typedQ, options), {
-    topic: "Jacobian",
-    arm,
-    listBeginnings: () => listFirstParts(arm, typedQ, options),
-  });
-}
+export const compareJacobian = makeJudge({
+  name: "Jacobian",
+  sentences: {
+    [RIGHT]: "J right",
+    [SO_FAR]: "J so far",
+    [ROUNDED]: "J rounded",
+    wrong: "J wrong",
+    places: "J wrong places",
+  },
+  otherUnit: { deg: "J.degrees", rad: "J.degrees" },
+  ask(arm, q, options) {
+    const isMissing = typeof q === "string" && !q.trim();
+    const typedQ = isMissing
+      ? makeExactEntries(listGeneralConfigurations(arm)[0])
+      : readConfiguration(q, arm, options.angles);
+    const known = lookup(arm, typedQ.values, options.values ?? []);
+    const generic = isMissing || options.generic;
+    return { ...options, generic, arm, typedQ, known, frame: options.frame ?? 0 };
+  },
+  read: (mine, question) => ({ typed: readMatrix(mine, question.known, question.arm, question) }),
+  compare: ({ typed }, question) => judgeAtConfigurations(typed, question, compareMatrix),
+  getAngles: ({ typed }, { typedQ }) => (typed.hasJoints ? null : typedQ),
+  listBeginnings: listFirstParts,
+});
 
 // List the beginnings of a Jacobian: its first rows, or the first columns of all rows. Three rows
 // are a half, which is judged as a whole answer.
 /** @returns {import("./beginning.js").Beginning[]} */
-function listFirstParts(arm, typedQ, options) {
-  const { angularFirst = false, tolerance = null, frame = 0, values = [] } = options;
+function listFirstParts(question) {
+  const { arm, typedQ, known, frame, angularFirst = false, tolerance = null } = question;
   const dof = typedQ.values.length;
-  const known = lookup(arm, typedQ.values, values);
   const makeWhole = makeJacobian(arm, frame);
   const order = (list) => (angularFirst ? exchangeHalves(list) : list);
   const rowNames = order(ROWS);
@@ -76,68 +88,45 @@ function listFirstParts(arm, typedQ, options) {
     names: rows < 6 ? rowNames : columnNames,
     read(text) {
       const wants = [{ rows, columns, by: "row" }];
-      const typed = readMatrix(text, known, arm, { ...options, typedQ, wants });
-      return { typed, taken: [...typed.taken, ...(typedQ.locked ?? [])] };
+      const typed = readMatrix(text, known, arm, { ...question, wants });
+      return { typed, taken: listAssumptions(typed, typedQ) };
     },
     judge({ typed }) {
       if (`${typed.shape}` !== `${[rows, columns]}`) return null;
       const isTyped = (_, i) => i < rows * dof && i % dof < columns;
       const makeExpected = (q) => order(makeWhole(q)).filter(isTyped);
-      const judged = judgeAtConfigurations(typed, { ...options, arm, typedQ }, (at) =>
+      const { grade, wrong } = judgeAtConfigurations(typed, question, (at) =>
         judgeEntries({ typed: at.typed, q: at.typedQ, dof, makeExpected, mistakes: [], tolerance }),
       );
-      return judged.grade === WRONG
-        ? null
-        : { wrong: judged.wrong, rowNames: rowNames.slice(0, rows) };
+      return grade === WRONG ? null : { wrong, rowNames: rowNames.slice(0, rows) };
     },
   }));
 }
 
-function judgeWholeJacobian(mine, arm, q, typedQ, options) {
-  const known = lookup(arm, typedQ.values, options.values ?? []);
-  const typed = readMatrix(mine, known, arm, { ...options, typedQ });
-  const question = { ...options, arm, typedQ, frame: options.frame ?? 0 };
-  const first = judgeAtConfigurations(typed, question, (at) =>
-    judgeReadMatrix(at.typed, at, [...typed.taken, ...(at.typedQ.locked ?? [])]),
-  );
-  if (typed.hasJoints) return { ...first, typed };
-  const verdict = askAboutDegrees(first, {
-    arm,
-    values: typedQ.values,
-    angles: options.angles,
-    keys: { deg: "J.degrees", rad: "J.degrees" },
-    judgeIn: (angles) => judgeJacobian(mine, arm, q, { ...options, angles }),
-    makeHeadline: (cause) => formatMessage("J wrong", { arm: arm.name, cause: `${cause}.` }),
-  });
-  return { ...verdict, typed };
-}
+const listAssumptions = ({ taken }, { locked = [] }) => [...taken, ...locked];
 
-function judgeReadMatrix(typed, question, taken) {
-  const { arm, typedQ, angularFirst = false, others = [] } = question;
+// Compare a matrix at a configuration.
+/** @returns {import("./frame.js").Outcome} */
+function compareMatrix(question) {
+  const { typed, arm, typedQ, angularFirst = false, others = [] } = question;
   const [rows, width] = typed.shape;
+  const taken = listAssumptions(typed, typedQ);
   const isJudged = rows === 6 || listRowSelections(arm, rows).length > 0;
-  if (width !== typedQ.values.length || !isJudged) return reportWrongShape(typed, question, taken);
+  if (width !== typedQ.values.length || !isJudged)
+    return { ...describeWrongShape(question), taken };
   if (!typed.values.some(Boolean)) {
-    const headline = formatMessage("J wrong", {
-      arm: arm.name,
-      cause: uncapitalize(formatMessage("J zero")),
-    });
-    const wrong = typed.values.map(() => true);
-    return { ...makeJacobianVerdict(arm, WRONG, headline, { taken }), wrong };
+    const findings = [makeFinding("zero", formatMessage("J zero"))];
+    return { grade: WRONG, findings, taken, wrong: typed.values.map(() => true) };
   }
-  if (!angularFirst || rows < 6 || typed.hasRowNames)
-    return judgeSelectedRows(typed, question, taken);
-  const exchanged = others.map((one) => ({ ...one, typed: exchangeTypedHalves(one.typed) }));
-  const verdict = judgeSelectedRows(
-    exchangeTypedHalves(typed),
-    { ...question, others: exchanged },
-    [...taken, formatMessage("taken: angular first")],
-  );
-  return { ...verdict, wrong: exchangeHalves(verdict.wrong) };
+  if (!angularFirst || rows < 6 || typed.hasRowNames) return compareRows(question, taken);
+  const exchange = (one) => ({ ...one, typed: exchangeTypedHalves(one.typed) });
+  const outcome = compareRows({ ...exchange(question), others: others.map(exchange) }, [
+    ...taken,
+    formatMessage("taken: angular first"),
+  ]);
+  return { ...outcome, wrong: exchangeHalves(outcome.wrong) };
 }
 
-const makeJacobianVerdict = (arm, grade, headline, fields) =>
-  makeVerdict("Jacobian", arm, grade, headline, fields);
 const exchangeHalves = (list) => [
   ...list.slice(list.length / 2),
   ...list.slice(0, list.length / 2),
@@ -148,8 +137,8 @@ const exchangeTypedHalves = (typed) => ({
   units: exchangeHalves(typed.units),
 });
 
-// Report a wrong shape, with its cause if all entries are right.
-function reportWrongShape(typed, { arm, typedQ, frame }, taken) {
+// Describe a wrong shape, with its cause if all entries are right.
+function describeWrongShape({ typed, arm, typedQ, frame }) {
   const { values, units, shape } = typed;
   const [rows, width] = shape;
   const columns = computeAllColumns(arm, typedQ.values, frame).sort(([i], [j]) => i - j);
@@ -162,47 +151,22 @@ function reportWrongShape(typed, { arm, typedQ, frame }, taken) {
   let key = "J.shape";
   if (rows === dof && width === 6) key = "J.transposed";
   else if (hasRows(ALL_ROWS)) key = "J.locked column kept";
-  else if (hasLocked && ALL_ROWS.some((row) => hasRows(listRowsWithout(row))))
+  else if (hasLocked && ALL_ROWS.some((row) => hasRows(ALL_ROWS.filter((i) => i !== row))))
     key = "J.row for column"; // slip 3 of the book
   if (key === "J.shape") refuseOtherLists(typed, `${arm.name}: your Jacobian`, `6x${dof}`);
-  const words = formatMessage(key, { shape: `${rows}x${width}`, dof });
-  const findings = [
-    { what: "shape", where: "", mine: [rows, width], expected: [6, dof], words: `${words}.` },
-  ];
-  const headline = formatMessage("J wrong", { arm: arm.name, cause: `${uncapitalize(words)}.` });
-  return makeJacobianVerdict(arm, WRONG, headline, { findings, causes: [key], taken });
+  const words = `${formatMessage(key, { shape: `${rows}x${width}`, dof })}.`;
+  const findings = [{ what: "shape", where: "", mine: [rows, width], expected: [6, dof], words }];
+  return { grade: WRONG, findings, causeNames: [key] };
 }
 
-const listRowsWithout = (row) => ALL_ROWS.filter((i) => i !== row);
-
-/** @returns {import("../verdict.js").Verdict} */
-function judgeSelectedRows(typed, request, takenBefore) {
-  const { arm, typedQ, frame } = request;
-  const selection = selectRows(typed, arm, makeJacobian(arm, frame)(typedQ.values));
-  const { judged, notes } = judgeSelectedEntries(typed, request, selection);
-  const rowNames = nameRows(selection);
-  const taken = [...takenBefore, ...describeSelection(selection, arm)];
-  const shared = { taken, wrong: judged.wrong, rowNames };
-  if (judged.grade !== WRONG) {
-    const verdict = reportRight(judged, typed, request, selection.half);
-    return { ...verdict, ...shared, notes: [...verdict.notes, ...notes] };
-  }
-  const columns = computeAllColumns(arm, typedQ.values, frame).map(([number, J]) => [
-    number,
-    pickRows(J, selection),
-  ]);
-  const findWrongColumns = () => listWrongColumns(typed, columns, judged.wrong, arm, rowNames);
-  const causes = judged.mistakes.map(({ cause }) => cause);
-  return { ...reportWrong(causes, findWrongColumns, arm), ...shared };
-}
-
-// Judge the entries of the selected rows. A right Jacobian of numbers gets a note on the mistakes
-// that would not change it.
-/** @param {import("./jacobian_rows.js").RowSelection} selection */
-function judgeSelectedEntries(typed, request, selection) {
-  const { arm, typedQ, frame, tolerance = null, isGradeOnly, others = [] } = request;
-  const steps = listJacobianSteps(arm, typedQ.values, frame);
+// Compare the rows that were typed, of a whole Jacobian or a half. A right Jacobian of numbers gets
+// a note on the mistakes that would not change it.
+/** @returns {import("./frame.js").Outcome} */
+function compareRows(question, takenBefore) {
+  const { typed, arm, typedQ, frame, tolerance = null, isGradeOnly, others = [] } = question;
   const makeWhole = makeJacobian(arm, frame);
+  const selection = selectRows(typed, arm, makeWhole(typedQ.values));
+  const steps = listJacobianSteps(arm, typedQ.values, frame);
   const restrict = (mistake) => ({
     ...mistake,
     make: (q) => pickRows(mistake.make(q), selection),
@@ -213,22 +177,42 @@ function judgeSelectedEntries(typed, request, selection) {
     (list) => () => Array.from(list(arm, frame, steps), restrict),
   );
   const dof = typedQ.values.length;
-  const question = { typed, q: typedQ, dof, makeExpected, mistakes, furtherLists };
-  const judged = judgeEntries({ ...question, tolerance, isGradeOnly });
-  const fitsOthers = ({ make }) =>
-    others.every((other) => {
-      const values = make(other.typedQ.values);
-      return (
-        compareDigits(
-          other.typed,
-          values,
-          values.map(() => 0),
-        ) !== ""
-      );
-    });
-  const mayHide = !typed.isEverywhere && selection.rows.length === 6;
-  const notes = mayHide ? noteHiddenMistakes(steps, mistakes, request, makeExpected) : [];
-  return { judged: { ...judged, mistakes: judged.mistakes.filter(fitsOthers) }, notes };
+  const entries = { typed, q: typedQ, dof, makeExpected, mistakes, furtherLists };
+  const judged = judgeEntries({ ...entries, tolerance, isGradeOnly });
+  const { grade, wrong } = judged;
+  const rowNames = nameRows(selection);
+  const taken = [...takenBefore, ...describeSelection(selection, arm)];
+  const shared = { grade, taken, wrong, rowNames };
+  if (grade !== WRONG) {
+    const mayHide = !typed.isEverywhere && selection.rows.length === 6;
+    const hidden = mayHide ? noteHiddenMistakes(steps, mistakes, question, makeExpected) : [];
+    const right = describeRight(judged, question, selection.half);
+    return { ...shared, ...right, notes: [...right.notes, ...hidden] };
+  }
+  const fitsOther = (make) => (other) => {
+    const expected = make(other.typedQ.values);
+    const zeros = expected.map(() => 0);
+    return compareDigits(other.typed, expected, zeros) !== "";
+  };
+  const causes = judged.mistakes
+    .filter(({ make }) => others.every(fitsOther(make)))
+    .map(({ cause }) => cause);
+  if (causes.length) return { ...shared, causes };
+  const columns = computeAllColumns(arm, typedQ.values, frame).map(([number, J]) => [
+    number,
+    pickRows(J, selection),
+  ]);
+  const findings = listWrongColumns(typed, columns, wrong, arm, rowNames);
+  return { ...shared, findings, ...askAboutFirstJoint(findings, arm) };
+}
+
+// If all columns are wrong without a cause, ask about the first joint in the headline.
+function askAboutFirstJoint(findings, arm) {
+  const [joint, ...others] = jointNumbers(arm);
+  if (findings.length <= others.length) return {};
+  const key = revoluteFlags(arm)[0] ? "J turns" : "J slides";
+  const question = formatMessage(key, { joint });
+  return { headline: formatMessage("J wrong everywhere", { arm: arm.name, question }) };
 }
 
 // Note how many mistakes in the recipe give the same Jacobian at this configuration. Name a
@@ -248,30 +232,30 @@ function noteHiddenMistakes(steps, mistakes, question, makeExpected) {
   return count ? [formatMessage("J hidden", { count, all: recipe.length, other })] : [];
 }
 
-// Report a Jacobian that is right, rounded or right so far. `half` is 0 or 1 if only the linear or
-// the angular half was typed, else null.
-function reportRight({ grade, agreement, wrong }, typed, { arm, typedQ, angles }, half) {
+// Describe a Jacobian that is right, rounded or right so far. `half` is 0 or 1 if only the linear
+// or the angular half was typed, else null.
+function describeRight({ grade, agreement, wrong }, { typed, arm, typedQ, angles }, half) {
   const where = typed.isEverywhere
     ? ""
     : formatMessage("at configuration", { q: describeConfiguration(typedQ.values, arm, angles) });
   const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
-  const [typedHalf, other] = half ? ["angular", "linear"] : HALVES;
-  const keys = { [RIGHT]: half === null ? "J right" : "J half right", [SO_FAR]: "J so far" };
   const width = typed.shape[1];
-  const roundedColumns = jointNumbers(arm).flatMap((_, k) =>
-    chains.selectColumn(wrong, k, width).includes(true)
-      ? [formatMessage("column", { column: k + 1 })]
-      : [],
+  const places = joinList(
+    typedQ.values.flatMap((_, k) =>
+      chains.selectColumn(wrong, k, width).includes(true)
+        ? [formatMessage("column", { column: k + 1 })]
+        : [],
+    ),
   );
-  const places = joinList(roundedColumns);
-  const fields = { arm: arm.name, where, precision, half: typedHalf, other, places };
-  const headline = formatMessage(keys[grade] ?? "J rounded", fields);
-  const words = formatMessage("J half missing", { other });
-  const missing = { what: "missing", where: `${other} rows`, words };
-  return makeJacobianVerdict(arm, half !== null && grade === RIGHT ? SO_FAR : grade, headline, {
-    findings: half === null ? [] : [missing],
-    notes: agreement === "cut" ? [formatMessage("cut")] : [],
-  });
+  const notes = agreement === "cut" ? [formatMessage("cut")] : [];
+  if (half === null) return { fields: { where, precision, places }, notes };
+  const other = HALVES[1 - half];
+  const findings = [
+    makeFinding("missing", formatMessage("J half missing", { other }), `${other} rows`),
+  ];
+  if (grade !== RIGHT) return { fields: { where, precision, places }, findings, notes };
+  const fields = { arm: arm.name, where, precision, half: HALVES[half], other };
+  return { grade: SO_FAR, headline: formatMessage("J half right", fields), findings, notes };
 }
 
 // Write joint values in the unit of the question, "0.5, -1.2" or "28.65°, -68.75°".
@@ -281,30 +265,6 @@ function describeConfiguration(q, arm, angles) {
   return q
     .map((x, k) => (angles === "deg" && turns[k] ? inDegrees(x) : formatNumber(x, 4)))
     .join(", ");
-}
-
-function reportWrong(causes, findWrongColumns, arm) {
-  if (causes.length) {
-    const words = joinCauseMessages(causes);
-    const findings = [{ what: "cause", where: "", words: `${words}.` }];
-    const headline = formatMessage("J wrong", { arm: arm.name, cause: `${uncapitalize(words)}.` });
-    return makeJacobianVerdict(arm, WRONG, headline, { findings, causes: causes.map(causeName) });
-  }
-  const findings = findWrongColumns();
-  const numbers = jointNumbers(arm);
-  if (findings.length === numbers.length) {
-    const key = revoluteFlags(arm)[0] ? "J turns" : "J slides";
-    const question = formatMessage(key, { joint: numbers[0] });
-    const headline = formatMessage("J wrong everywhere", { arm: arm.name, question });
-    return makeJacobianVerdict(arm, WRONG, headline, { findings });
-  }
-  const [first] = findings;
-  const places = joinList(findings.map(({ where }) => where));
-  const headline =
-    findings.length === 1
-      ? formatMessage("J wrong", { arm: arm.name, cause: uncapitalize(first.words) })
-      : formatMessage("J wrong places", { arm: arm.name, places });
-  return makeJacobianVerdict(arm, WRONG, headline, { findings });
 }
 
 // Describe each wrong column. It may be the column of a different joint, or wrong in some rows.

@@ -10,7 +10,13 @@ import { findJointMap, formatJointValue, listMappedJoints, wrap } from "../geome
 import { linkFrames, minus, norm, rotationBetween } from "../geometry/kinematics.js";
 import { expressInOwnJoints, formatRows, toOwnJoints } from "../geometry/own_joints.js";
 import { ANGLE_TOLERANCE, snapAngle } from "../geometry/rows.js";
-import { formatMessage, formatNumber, uncapitalize, formatRowNumbers } from "../sentences.js";
+import {
+  formatMessage,
+  formatNumber,
+  toClause,
+  uncapitalize,
+  formatRowNumbers,
+} from "../sentences.js";
 import { makeVerdict } from "../verdict.js";
 import {
   describeEntry,
@@ -271,9 +277,6 @@ function describeDifferentEntries({ table, rows, expectedRows }, length, column 
     .filter(([, entry]) => !column || entry === column)
     .map((entry) => describeEntry(table, comparison, entry, length));
 }
-
-// Turn a sentence into a clause, with a small first letter and without a full stop.
-const toClause = (words) => uncapitalize(words).replace(/\.+$/, "");
 
 // Note the angles that were replaced by multiples of a right angle more than `tolerance` (rad)
 // away. The table has a single note, which joins equal angles of a column.

@@ -7,8 +7,8 @@ import {
   listTorqueSteps,
   makeTorqueMaker,
 } from "../causes/torques.js";
-import { causeName, joinCauseMessages } from "../causes/ranking.js";
-import { agrees, RIGHT, SO_FAR, WRONG } from "../digits.js";
+import { causeName } from "../causes/ranking.js";
+import { agrees, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { selectColumn, transpose } from "../geometry/chains.js";
 import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
@@ -27,10 +27,10 @@ import {
   unnamed,
 } from "../reading/numbers.js";
 import { MOMENT_UNITS, momentFactor } from "../reading/units.js";
-import { completeVerdicts, makeVerdict } from "../verdict.js";
-import { askAboutDegrees } from "./degrees.js";
-import { judgeWholeOrBeginning, listCountsBelow } from "./beginning.js";
-import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
+import { makeFinding } from "../verdict.js";
+import { listCountsBelow } from "./beginning.js";
+import { makeJudge } from "./frame.js";
+import { ArmError, joinList, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81]; // m/s²
 // Names of variables that hold the answer; "effort" is the name in ROS.
@@ -39,79 +39,68 @@ const SAMPLE_SIZE = 5; // configurations of a trajectory at which mistakes are t
 
 /**
  * A question about torques at the configurations q of a loaded arm. `taken` describes q and the
- * masses.
+ * masses; `request` is how to read an answer.
  * @typedef {{ arm: import("../geometry/arm.js").Arm, q: import("../digits.js").Entries,
  *   load: import("../causes/torques.js").Load, tolerance: number | null,
- *   isGradeOnly: boolean | undefined, taken: string[] }} TorqueContext
+ *   isGradeOnly: boolean | undefined, taken: string[], request: any }} TorqueQuestion
  */
 
-/**
- * Judge torques at q or along a list of q.
- * @param {string | any[]} mine text or nested lists
- * @param {import("../geometry/arm.js").Arm} arm
- * @param {any} q joint values, a text or nested lists
- * @returns {import("../verdict.js").Verdict}
- */
-export const compareTorques = completeVerdicts(judgeAllTorques);
-
-function judgeAllTorques(mine, arm, q, options = {}) {
-  const { tolerance = null, gravity = GRAVITY, isGradeOnly } = options;
-  const dof = movingRows(arm).length;
-  const [typedQ, wrenches] = pairConfigurationsWithWrenches(
-    readConfigurations(q, arm, options.angles),
-    dof,
-    options.wrench,
-  );
-  const load = makeLoad(arm, wrenches, gravity);
-  if (![...load.masses, ...wrenches.flat()].some(Boolean))
-    throw new ArmError(formatMessage("no load", { arm: arm.name }));
-  const given = [...rowsOf(typedQ.values, dof), ...wrenches];
-  const request = { names: ANSWER_NAMES, given, which: options.which };
-  const taken = [...(typedQ.locked ?? []), ...describeModel(load)];
-  const context = { arm, q: typedQ, load, tolerance, isGradeOnly, taken };
-  const read = (wants, text = mine) => {
-    const what = `${arm.name}: your torques`;
-    const typed = numbers(unnamed(text), what, undefined, undefined, { ...request, wants });
-    if (typed.values.length === dof) refuseMisfitUnits(typed.entries, arm, what, true);
-    return convertToNewtonMetres(typed);
-  };
-  const listBeginnings = () => (wrenches.length > 1 ? [] : listFirstTorques(read, context));
-  const verdict = judgeWholeOrBeginning(
-    mine,
-    () => judgeTorques(read(listShapes(wrenches.length, arm)), context),
-    { topic: "torques", arm, listBeginnings },
-  );
-  return askAboutDegrees(verdict, {
-    arm,
-    values: typedQ.values,
-    angles: options.angles,
-    keys: { deg: "tau.degrees", rad: "tau.degrees" },
-    judgeIn: (angles) => judgeAllTorques(mine, arm, q, { ...options, angles }),
-    makeHeadline: (cause) => formatMessage("tau wrong", { arm: arm.name, cause: `${cause}.` }),
-  });
-}
-
-/** @param {TorqueContext} context */
-function judgeTorques(typed, context) {
-  const { arm, q, load, taken } = context;
-  const count = load.wrenches.length;
-  const arranged = arrangeByConfiguration(typed, count, arm);
-  if (arranged) {
-    const allTaken = [...typed.taken, ...arranged.taken, ...taken];
-    const verdict = judgeArrangedTorques({ ...arranged, taken: allTaken }, q, load, context);
-    if (!arranged.isPerJoint) return { ...verdict, typed };
+/** Judge torques at q or along a list of q, which is a text or nested lists. */
+export const compareTorques = makeJudge({
+  name: "torques",
+  sentences: {
+    [RIGHT]: "tau right",
+    [SO_FAR]: "tau so far",
+    [ROUNDED]: "tau rounded",
+    wrong: "tau wrong",
+    places: "tau wrong places",
+  },
+  otherUnit: { deg: "tau.degrees", rad: "tau.degrees" },
+  ask(arm, q, options) {
+    const { tolerance = null, gravity = GRAVITY, isGradeOnly, angles, wrench, which } = options;
+    const dof = movingRows(arm).length;
+    const read = readConfigurations(q, arm, angles);
+    const [typedQ, wrenches] = pairConfigurationsWithWrenches(read, dof, wrench);
+    const load = makeLoad(arm, wrenches, gravity);
+    if (![...load.masses, ...wrenches.flat()].some(Boolean))
+      throw new ArmError(formatMessage("no load", { arm: arm.name }));
+    const given = [...rowsOf(typedQ.values, dof), ...wrenches];
+    const request = { names: ANSWER_NAMES, given, which };
+    const taken = [...(typedQ.locked ?? []), ...describeModel(load)];
+    return { arm, q: typedQ, load, tolerance, isGradeOnly, taken, request };
+  },
+  read: (mine, question) => readTorques(mine, question, listShapes(question)),
+  compare({ typed }, question) {
+    const { arm, load, taken } = question;
+    const count = load.wrenches.length;
+    const arranged = arrangeByConfiguration(typed, count, arm);
+    if (!arranged) return describeWrongShape(typed, count, arm);
+    const outcome = compareArranged(arranged, question);
+    const { isPerJoint } = arranged;
+    const shape = [count, movingRows(arm).length];
     return {
-      ...verdict,
-      typed,
-      wrong: transpose(verdict.wrong ?? [], [count, movingRows(arm).length]),
+      ...outcome,
+      taken: [...typed.taken, ...arranged.taken, ...taken],
+      wrong: isPerJoint ? transpose(outcome.wrong, shape) : outcome.wrong,
     };
-  }
-  return { ...reportWrongShape(typed, count, arm), typed };
+  },
+  getAngles: (_, { q }) => q,
+  listBeginnings: listFirstTorques,
+});
+
+function readTorques(mine, { arm, request }, wants) {
+  const what = `${arm.name}: your torques`;
+  const typed = numbers(unnamed(mine), what, undefined, undefined, { ...request, wants });
+  if (typed.values.length === movingRows(arm).length)
+    refuseMisfitUnits(typed.entries, arm, what, true);
+  return { typed: convertToNewtonMetres(typed) };
 }
 
 // List the beginnings of torques at one configuration, of two joints at least.
 /** @returns {import("./beginning.js").Beginning[]} */
-function listFirstTorques(read, { arm, q, load, tolerance, taken }) {
+function listFirstTorques(question) {
+  const { arm, q, load, tolerance, taken } = question;
+  if (load.wrenches.length > 1) return [];
   const names = jointNumbers(arm).map((joint) => formatMessage("joint", { joint }));
   const { dof } = load.c;
   const makeTorques = makeTorqueMaker(load, dof, q.values)();
@@ -120,21 +109,25 @@ function listFirstTorques(read, { arm, q, load, tolerance, taken }) {
     count,
     names,
     read(text) {
-      const typed = read(
-        [
-          { rows: 1, columns: count, by: "joint" },
-          { rows: count, columns: 1 },
-        ],
-        text,
-      );
+      const wants = [
+        { rows: 1, columns: count, by: "joint" },
+        { rows: count, columns: 1 },
+      ];
+      const { typed } = readTorques(text, question, wants);
       return { typed, taken: [...typed.taken, ...taken] };
     },
     judge({ typed }) {
       const isList = typed.shape.every((n) => n === 1 || n === count);
       if (!isList || typed.values.length !== count) return null;
       const makeExpected = (values) => makeTorques(values).slice(0, count);
-      const question = { typed, q, dof, makeExpected, mistakes: [], tolerance };
-      const { grade, wrong } = judgeEntries(question);
+      const { grade, wrong } = judgeEntries({
+        typed,
+        q,
+        dof,
+        makeExpected,
+        mistakes: [],
+        tolerance,
+      });
       return grade === WRONG ? null : { wrong };
     },
   }));
@@ -142,7 +135,8 @@ function listFirstTorques(read, { arm, q, load, tolerance, taken }) {
 
 // List the shapes that are read. They have a row for each configuration or a list for each joint,
 // with or without locked joints. A single number for each configuration is an energy.
-function listShapes(count, arm) {
+function listShapes({ arm, load }) {
+  const count = load.wrenches.length;
   const widths = [...new Set([movingRows(arm).length, arm.rows.length])];
   return [
     ...widths.flatMap((columns) => [
@@ -225,10 +219,8 @@ function arrangeByConfiguration({ values, units, shape }, count, arm) {
   return null;
 }
 
-const makeTorquesVerdict = (arm, grade, headline, fields) =>
-  makeVerdict("torques", arm, grade, headline, fields);
-
-function reportWrongShape(typed, count, arm) {
+/** @returns {import("./frame.js").Outcome} */
+function describeWrongShape(typed, count, arm) {
   const { shape, values } = typed;
   const dof = movingRows(arm).length;
   const key = values.length === count ? "tau.energy" : "tau.shape";
@@ -237,38 +229,49 @@ function reportWrongShape(typed, count, arm) {
   const sizes = count > 1 ? shape : shape.filter((n) => n !== 1);
   const words = formatMessage(key, { shape: sizes.join("x") || "1", wanted, dof });
   const findings = [{ what: "shape", where: "", mine: shape, expected: [count, dof], words }];
-  const headline = formatMessage("tau wrong", { arm: arm.name, cause: uncapitalize(words) });
-  return makeTorquesVerdict(arm, WRONG, headline, { findings, causes: [key] });
+  return { grade: WRONG, findings, causeNames: [key] };
 }
 
-/** @returns {import("../verdict.js").Verdict} */
-function judgeArrangedTorques(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
-  const judged = judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly });
-  const causes = judged.mistakes.map(({ cause }) => cause);
-  const expected = makeTorqueMaker(load, load.c.dof, typedQ.values)()(typedQ.values);
-  const figures = measureErrors(typed.values, expected, judged, load.c.dof);
-  const rest = { taken: typed.taken, figures, wrong: judged.wrong };
-  if (judged.grade === WRONG) {
-    const verdict = typed.values.some(Boolean)
-      ? reportWrongTorques(causes, judged.wrong, typed, expected, arm)
-      : reportZeroTorques(causes, arm);
-    return { ...verdict, ...rest };
+// Compare torques with a row for each configuration.
+/** @returns {import("./frame.js").Outcome} */
+function compareArranged(typed, question) {
+  const { arm, q, load } = question;
+  const judged = judgeBySample(typed, question);
+  const { grade, wrong, agreement } = judged;
+  const expected = makeTorqueMaker(load, load.c.dof, q.values)()(q.values);
+  const shared = {
+    grade,
+    wrong,
+    figures: measureErrors(typed.values, expected, judged, load.c.dof),
+  };
+  const wrongJoints = listWrongJoints(wrong, arm);
+  const places = joinList(wrongJoints.map((k) => nameJoint(arm, k)));
+  if (grade !== WRONG) {
+    const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
+    const notes = agreement === "cut" ? [formatMessage("cut")] : [];
+    return { ...shared, fields: { precision, places }, notes };
   }
-  const keys = { [RIGHT]: "tau right", [SO_FAR]: "tau so far" };
-  const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
-  const places = joinList(listWrongJoints(judged.wrong, arm).map((k) => nameJoint(arm, k)));
-  const headline = formatMessage(keys[judged.grade] ?? "tau rounded", {
-    arm: arm.name,
-    precision,
-    places,
-  });
-  const notes = judged.agreement === "cut" ? [formatMessage("cut")] : [];
-  return makeTorquesVerdict(arm, judged.grade, headline, { ...rest, notes });
+  const causes = judged.mistakes.map(({ cause }) => cause);
+  // An answer of zeros is empty, or a load was forgotten: the message asks about both.
+  if (!typed.values.some(Boolean)) {
+    const findings = [makeFinding("zero", formatMessage("tau zero"))];
+    return { ...shared, findings, causeNames: causes.slice(0, 1).map(causeName) };
+  }
+  if (causes.length) {
+    const isFromReport = causes.some(({ keys }) => keys.includes("tau.report"));
+    return { ...shared, causes, notes: isFromReport ? [formatMessage("slip 8")] : [] };
+  }
+  const findings = wrongJoints.map((k) => describeWrongJoint(arm, k, typed, expected));
+  return {
+    ...shared,
+    findings,
+    headline: formatMessage("tau wrong places", { arm: arm.name, places }),
+  };
 }
 
 // Judge torques at all configurations. If there are many configurations, each mistake is tried at a
 // few configurations first. Only mistakes that fit there are tried at all configurations.
-function judgeBySample(typed, typedQ, load, { arm, tolerance, isGradeOnly }) {
+function judgeBySample(typed, { arm, q: typedQ, load, tolerance, isGradeOnly }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
   const steps = listTorqueSteps(arm, load);
@@ -304,16 +307,6 @@ function measureErrors(actual, expected, { grade, wrong }, dof) {
   return { worst: Math.max(0, ...errors), right: dof - wrongJoints.size, of: dof };
 }
 
-// Report torques that are all 0. The answer is empty or a load was forgotten, so the message asks
-// about both.
-function reportZeroTorques(causes, arm) {
-  const headline = formatMessage("tau wrong", {
-    arm: arm.name,
-    cause: uncapitalize(formatMessage("tau zero")),
-  });
-  return makeTorquesVerdict(arm, WRONG, headline, { causes: causes.slice(0, 1).map(causeName) });
-}
-
 const nameJoint = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
 const listWrongJoints = (wrong, arm) => {
   const dof = movingRows(arm).length;
@@ -321,30 +314,6 @@ const listWrongJoints = (wrong, arm) => {
     selectColumn(wrong, k, dof).includes(true) ? [k] : [],
   );
 };
-
-function reportWrongTorques(causes, wrong, typed, expected, arm) {
-  if (causes.length) {
-    const words = joinCauseMessages(causes);
-    const findings = [{ what: "cause", where: "", words: `${words}.` }];
-    const headline = formatMessage("tau wrong", {
-      arm: arm.name,
-      cause: `${uncapitalize(words)}.`,
-    });
-    const isFromReport = causes.some(({ keys }) => keys.includes("tau.report"));
-    const notes = isFromReport ? [formatMessage("slip 8")] : [];
-    return makeTorquesVerdict(arm, WRONG, headline, {
-      findings,
-      causes: causes.map(causeName),
-      notes,
-    });
-  }
-  const findings = listWrongJoints(wrong, arm).map((k) =>
-    describeWrongJoint(arm, k, typed, expected),
-  );
-  const places = joinList(findings.map(({ where }) => where));
-  const headline = formatMessage("tau wrong places", { arm: arm.name, places });
-  return makeTorquesVerdict(arm, WRONG, headline, { findings });
-}
 
 // Describe a wrong joint by its largest error, or report that its torques have the opposite sign.
 function describeWrongJoint(arm, k, typed, expectedTorques) {
