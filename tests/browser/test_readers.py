@@ -114,7 +114,7 @@ def test_slowly_loaded_bar_does_not_shift(browser, size):
     reader = Reader(browser, "light", size, address)
     reader.page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
     keep_first_typeface(reader.page)
-    reader.page.goto(f"{address}/check_your_homework.html")
+    reader.page.goto(f"{address}/glossary.html")
     expect(reader.page.locator(".bar-links")).to_be_visible()
     assert reader.page.evaluate("window.layoutShift") < 0.001
     reader.context.close()
