@@ -2,7 +2,7 @@
 // solution branches that are missing.
 
 import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
-import { causeName, causeMessage } from "../causes/ranking.js";
+import { causeName } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { isOutsideLimits } from "../geometry/arm.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
@@ -10,10 +10,10 @@ import { solveTarget } from "../geometry/target.js";
 import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { readJointVectors } from "../reading/joint_vectors.js";
 import { listGivenRows } from "../reading/numbers.js";
-import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
-import { askAboutDegrees } from "./degrees.js";
-import { ArmError, joinList, uncapitalize, formatMessage } from "../sentences.js";
-import { judgeWholeOrBeginning, listAngleBeginnings } from "./beginning.js";
+import { makeFinding } from "../verdict.js";
+import { ArmError, joinList, formatMessage } from "../sentences.js";
+import { listAngleBeginnings } from "./beginning.js";
+import { makeJudge } from "./frame.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
@@ -22,63 +22,41 @@ import { judgeWholeOrBeginning, listAngleBeginnings } from "./beginning.js";
 /** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("../matching.js").Solutions} Solutions */
 
-/**
- * Judge joint vectors for a target of an arm with a closed form.
- * @param {string | any[]} mine text or nested lists
- * @param {Arm} arm
- * @param {number[] | number[][]} target three coordinates or the rows of a pose
- * @returns {import("../verdict.js").Verdict}
- */
-export const compareBranches = completeVerdicts(judgeBranches);
-
-function judgeBranches(mine, arm, typedTarget, options = {}) {
-  const { angles = "rad", tolerance = null, found: solved = null } = options;
-  const isSolved = solved && solved.arm === arm.name;
-  const target = solved?.target ?? typedTarget;
-  const solutions = makeSolutions(arm, isSolved ? solved.branches : solveTarget(arm, target));
-  const given = listGivenRows(target);
-  const listBeginnings = () =>
-    listAngleBeginnings(solutions, { angles, tolerance, given, many: true });
-  const part = { topic: "branches", arm, listBeginnings };
-  return judgeWholeOrBeginning(mine, () => judgeAnswers(mine, solutions, target, options), part);
-}
-
 // The most joint vectors of an answer, twice the 16 branches that an arm of six joints can have.
 // The search for mistakes in each wrong vector takes time.
 const MOST_ANSWERS = 32;
 
-function judgeAnswers(mine, solutions, target, options) {
-  const { arm } = solutions;
-  const { angles, tolerance = null } = options;
-  const read = readAnswers(mine, solutions, target, options);
-  const { typed, taken } = read;
-  const { wrongNumbers, ...firstVerdict } = judgeReadAnswers(
-    solutions,
-    read.answers,
-    tolerance,
-    taken,
-  );
-  const verdict = askAboutDegrees(firstVerdict, {
-    arm,
-    values: read.answers.flatMap(({ values }) => values),
-    angles,
-    keys: { deg: "ik.degrees", rad: "ik.radians" },
-    judgeIn: (unit) => judgeAnswers(mine, solutions, target, { ...options, angles: unit }),
-    makeHeadline: (cause) => formatMessage("ik wrong", { arm: arm.name, cause }),
-  });
-  const dof = movingRows(solutions.arm).length;
-  const isReadByRows = !taken.length && typed.shape.at(-1) === dof;
-  if (!isReadByRows) return { ...verdict, typed };
-  const wrong = read.answers.flatMap(({ values }, i) =>
-    values.map(() => wrongNumbers.includes(i + 1)),
-  );
-  return { ...verdict, typed, wrong };
-}
+/**
+ * Judge joint vectors for a target of an arm with a closed form, which is three coordinates or the
+ * rows of a pose.
+ */
+export const compareBranches = makeJudge({
+  name: "branches",
+  sentences: {
+    [RIGHT]: "ik right",
+    [SO_FAR]: "ik so far",
+    [ROUNDED]: "ik rounded",
+    wrong: "ik wrong",
+    places: "ik some wrong",
+  },
+  otherUnit: { deg: "ik.degrees", rad: "ik.radians" },
+  ask(arm, typedTarget, { angles = "rad", tolerance = null, which = null, found }) {
+    const isSolved = found && found.arm === arm.name;
+    const target = found?.target ?? typedTarget;
+    const solutions = makeSolutions(arm, isSolved ? found.branches : solveTarget(arm, target));
+    return { solutions, given: listGivenRows(target), angles, tolerance, which };
+  },
+  read: readAnswers,
+  compare: compareAnswers,
+  getAngles: ({ answers }) => ({ values: answers.flatMap(({ values }) => values) }),
+  listBeginnings: ({ solutions, ...question }) =>
+    listAngleBeginnings(solutions, { ...question, many: true }),
+});
 
 // Read answers as rows, or as columns if the list is square and only its columns are branches.
-function readAnswers(mine, solutions, target, { angles = "rad", tolerance = null, which = null }) {
+function readAnswers(mine, { solutions, given, angles, tolerance, which }) {
   const { arm } = solutions;
-  const request = { given: listGivenRows(target), which, most: MOST_ANSWERS * arm.rows.length };
+  const request = { given, which, most: MOST_ANSWERS * arm.rows.length };
   const rows = readJointVectors(mine, arm, angles, request);
   const count = rows.answers.length;
   if (count > MOST_ANSWERS)
@@ -97,8 +75,8 @@ const makeSolutions = (arm, branches) => ({
   count: branches.reduce((sum, { times }) => sum + times, 0),
 });
 
-/** @returns {import("../verdict.js").Verdict & { wrongNumbers: number[] }} */
-function judgeReadAnswers(solutions, answers, tolerance, taken) {
+/** @returns {import("./frame.js").Outcome} */
+function compareAnswers({ answers, taken, typed }, { solutions, tolerance }) {
   const { arm, branches } = solutions;
   const { answerByBranch, wrongNumbers, isExact } = matchAnswers(solutions, answers, tolerance);
   const explanations = wrongNumbers.map((number) =>
@@ -115,20 +93,26 @@ function judgeReadAnswers(solutions, answers, tolerance, taken) {
     answers.some((answer) => answerByBranch.size && looksLikeMistake(solutions, answer));
   const isUnfinished = missing.length > 0 && !unreachable.length;
   const grade = chooseGrade(hasWrong, isUnfinished || hasTooFewDigits, isExact);
-  const commonCause = findCommonCause(explanations);
-  const causes = [
+  const common = findCommonCause(explanations);
+  const causeNames = [
     ...explanations.flatMap((explanation) => explanation.causes.map(causeName)),
     ...forgottenSigns.map(({ what }) => what),
   ];
-  const headline = formatHeadline(grade, solutions, { commonCause, found, isUnfinished });
+  const fields = { arm: arm.name, count: found.length, all: branches.length };
+  const headline = chooseHeadline(grade, { branches, common, isUnfinished });
+  const isReadByRows = !taken.length && typed.shape.at(-1) === movingRows(arm).length;
+  const flagAnswer = ({ values }, i) => values.map(() => wrongNumbers.includes(i + 1));
   return {
-    ...makeVerdict("branches", arm, grade, headline),
-    wrongNumbers,
-    findings: [...listFindings({ commonCause, explanations, found, missing }), ...forgottenSigns],
-    causes: [...new Set(causes)],
+    grade,
+    causes: common ? [common] : [],
+    causeNames: [...new Set(causeNames)].filter((name) => !common || name !== causeName(common)),
+    findings: [...listFindings({ common, explanations, found, missing }), ...forgottenSigns],
+    fields,
+    ...(headline ? { headline: formatMessage(headline, fields) } : {}),
     taken,
     notes: [...noteBranches(solutions), ...noteEqualAnswers(arm, answers), ...unreachable],
     figures: { found, right: found.length, of: branches.length, wrong: wrongNumbers.length },
+    ...(isReadByRows ? { wrong: answers.flatMap(flagAnswer) } : {}),
   };
 }
 
@@ -150,13 +134,13 @@ function chooseGrade(hasWrong, isUnfinished, isExact) {
 // List the wrong answers, the branches in the answer unless it is complete, and the missing
 // branches unless no answer is right.
 /** @returns {Finding[]} */
-function listFindings({ commonCause, explanations, found, missing }) {
+function listFindings({ common, explanations, found, missing }) {
   const hasWrong = explanations.length > 0;
-  const findings = commonCause ? [makeFinding("cause", `${causeMessage(commonCause)}.`)] : [];
+  const findings = [];
   if (missing.length || hasWrong)
     for (const name of found)
       findings.push(makeFinding("found", formatMessage("ik found", { name }), name));
-  if (!commonCause) findings.push(...explanations.map(({ finding }) => finding));
+  if (!common) findings.push(...explanations.map(({ finding }) => finding));
   if (missing.length && (found.length || !hasWrong))
     findings.push(
       makeFinding("missing", formatMessage("ik missing", { names: missing.join("; ") })),
@@ -164,15 +148,11 @@ function listFindings({ commonCause, explanations, found, missing }) {
   return findings;
 }
 
-function formatHeadline(grade, { arm, branches }, { commonCause, found, isUnfinished }) {
-  const fields = { arm: arm.name, count: found.length, all: branches.length };
-  if (!branches.length) return formatMessage("ik none", fields);
-  if (commonCause)
-    return formatMessage("ik wrong", { cause: uncapitalize(causeMessage(commonCause)), ...fields });
-  if (grade === WRONG) return formatMessage("ik some wrong", fields);
-  if (grade === SO_FAR)
-    return formatMessage(isUnfinished ? "ik so far" : "ik so far digits", fields);
-  return formatMessage(grade === RIGHT ? "ik right" : "ik rounded", fields);
+// Return the key of a headline that neither the grade nor a common cause gives, or null.
+function chooseHeadline(grade, { branches, common, isUnfinished }) {
+  if (!branches.length) return "ik none";
+  if (grade === WRONG) return common ? null : "ik some wrong";
+  return grade === SO_FAR && !isUnfinished ? "ik so far digits" : null;
 }
 
 // Report a forgotten sign of a root. A joint then has the same sign in all answers and the opposite

@@ -2,7 +2,7 @@
 // the pose of the tip.
 
 import { listJointMistakes } from "../causes/joints.js";
-import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
+import { combineCauses, makeCause } from "../causes/ranking.js";
 import { listTableMistakes } from "../causes/chain.js";
 import { agrees, FINE_UNIT, RIGHT, ROUNDED, computeSlack, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
@@ -25,8 +25,7 @@ import {
 import { describeMiss } from "../matching.js";
 import { readJointVectors } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, listGivenRows } from "../reading/numbers.js";
-import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
-import { askAboutDegrees } from "./degrees.js";
+import { makeFinding } from "../verdict.js";
 import {
   ArmError,
   describeShape,
@@ -34,9 +33,9 @@ import {
   formatNumber,
   joinList,
   tryOrNull,
-  uncapitalize,
 } from "../sentences.js";
-import { judgeWholeOrBeginning, listAngleBeginnings } from "./beginning.js";
+import { listAngleBeginnings } from "./beginning.js";
+import { makeJudge } from "./frame.js";
 
 const TARGETS = [
   { rows: 4, columns: 4 },
@@ -54,47 +53,39 @@ const MOST_LISTED = 3; // wrong entries of a target: a wrong q changes more entr
  */
 
 /**
- * Judge whether a joint vector takes the tip to a target.
- * @param {string | any[]} q text or nested lists
- * @param {import("../geometry/arm.js").Arm} arm
- * @param {any} T pose (4, 4) or point (3,), a text or nested lists
- * @returns {import("../verdict.js").Verdict}
+ * Judge whether a joint vector takes the tip to a target, a pose (4, 4) or a point (3,), which is a
+ * text or nested lists.
  */
-export const comparePose = completeVerdicts(judgePose);
-
-function judgePose(q, arm, T, options = {}) {
-  const listBeginnings = () => listFirstJoints(arm, T, options);
-  const part = { topic: "pose", arm, listBeginnings };
-  return judgeWholeOrBeginning(q, () => judgeJoints(q, arm, T, options), part);
-}
-
-function judgeJoints(q, arm, T, options) {
-  const { angles = "rad", tolerance = null, which = null, isGradeOnly } = options;
-  const wants = jointShapes(arm, false);
-  const read = readJointVectors(q, arm, angles, { wants, given: listGivenRows(T), which });
-  const [answer, ...more] = read.answers;
-  if (!answer || more.length)
-    throw new ArmError(formatMessage("one answer", { arm: arm.name, count: read.answers.length }));
-  const known = lookup(arm, answer.values);
-  const target = readTarget(T, arm, known);
-  const units = target.formulas ? answer.units.map(() => 0) : answer.units;
-  const question = { tolerance, taken: read.taken, isGradeOnly };
-  const verdict = judgeTarget({ ...answer, units }, arm, target, question);
-  const tip = chainFrames(makeChain(arm, answer.values)).at(-1);
-  const off = describeMiss(...measureTargetMiss(tip, target));
-  const complete = askAboutDegrees(verdict, {
-    arm,
-    values: answer.values,
-    angles,
-    keys: { deg: "ik.degrees", rad: "ik.radians" },
-    judgeIn: (unit) => judgeJoints(q, arm, T, { ...options, angles: unit }),
-    makeHeadline: (cause) => formatMessage("pose cause", { arm: arm.name, off, cause }),
-  });
-  return { ...complete, typed: read.typed };
-}
+export const comparePose = makeJudge({
+  name: "pose",
+  sentences: {
+    [RIGHT]: "pose right",
+    [SO_FAR]: "pose so far",
+    [ROUNDED]: "pose rounded",
+    wrong: "pose cause",
+    places: "pose wrong",
+  },
+  otherUnit: { deg: "ik.degrees", rad: "ik.radians" },
+  ask: (arm, T, options) => ({ angles: "rad", tolerance: null, ...options, arm, T }),
+  read(mine, { arm, T, angles, which = null }) {
+    const wants = jointShapes(arm, false);
+    const read = readJointVectors(mine, arm, angles, { wants, given: listGivenRows(T), which });
+    const count = read.answers.length;
+    if (count !== 1) throw new ArmError(formatMessage("one answer", { arm: arm.name, count }));
+    return read;
+  },
+  compare({ answers: [answer], taken }, question) {
+    const { arm, T } = question;
+    const target = readTarget(T, arm, lookup(arm, answer.values));
+    const units = target.formulas ? answer.units.map(() => 0) : answer.units;
+    return { ...compareWithTarget({ ...answer, units }, target, question), taken };
+  },
+  getAngles: ({ answers: [answer] }) => answer,
+  listBeginnings: listFirstJoints,
+});
 
 // List the beginnings of joint vectors that reach a target, if the arm has a closed form for it.
-function listFirstJoints(arm, T, { angles = "rad", tolerance = null }) {
+function listFirstJoints({ arm, T, angles, tolerance }) {
   const form = findClosedForm(arm);
   const target = tryOrNull(() => readTarget(T, arm, undefined));
   if (!form || target?.pose !== needsPose(form)) return [];
@@ -132,8 +123,8 @@ function movesTip(q, makeExpected) {
   return ({ make }) => make(q.values).some((x, i) => !(Math.abs(x - expected[i]) <= slack[i]));
 }
 
-/** @returns {import("../verdict.js").Verdict} */
-function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
+/** @returns {import("./frame.js").Outcome} */
+function compareWithTarget(q, T, { arm, tolerance, isGradeOnly }) {
   const typed = { values: T.values.flat(), units: findTargetUnits(T.units.flat()) };
   const makeExpected = makeTipEntries(arm, T);
   const judged = judgeEntries({
@@ -148,38 +139,21 @@ function judgeTarget(q, arm, T, { tolerance, taken, isGradeOnly }) {
     areGiven: true,
   });
   const coarseSlack = computeSlack(q, q.values.length, makeExpected, Infinity);
-  const isUnexplained = judged.grade === WRONG && tolerance === null && !judged.mistakes.length;
+  const causes = judged.mistakes.map(({ cause }) => cause);
+  const isUnexplained = judged.grade === WRONG && tolerance === null && !causes.length;
   const hasTooFewDigits = isUnexplained && agrees(typed, makeExpected(q.values), coarseSlack);
   const grade = hasTooFewDigits ? SO_FAR : judged.grade;
   const tip = chainFrames(makeChain(arm, q.values)).at(-1);
   const [distance, angle] = measureTargetMiss(tip, T);
-  const shared = { taken, figures: { position_error: distance, orientation_error: angle } };
-  if (grade !== WRONG)
-    return makePoseVerdict(arm, grade, formatMessage(HEADLINES[grade], { arm: arm.name }), {
-      ...shared,
-      notes: [...noteBeyondLimits(arm, q)],
-    });
   const off = describeTargetMiss(T, judged.wrong, distance, angle);
-  const causes = judged.mistakes.map(({ cause }) => cause);
-  const findings = causes.length
-    ? [makeFinding("cause", `${joinCauseMessages(causes)}.`)]
-    : locateWrongJoint(q, arm, T, typed, makeExpected);
-  return reportMiss(arm, off, causes, findings, {
-    ...shared,
-    wrongEntries: listWrongEntries(T, judged.wrong),
-  });
-}
-
-// Report that the tip misses the target, by the cause, by the only wrong joint, or else by the
-// wrong entries of the target.
-function reportMiss(arm, off, causes, explanations, { wrongEntries, ...shared }) {
-  const [finding] = explanations;
-  const cause = finding && uncapitalize(finding.words.replace(/\.$/, ""));
-  const fields = { arm: arm.name, off, cause };
-  const headline = formatMessage(cause ? "pose cause" : "pose wrong", fields);
-  const findings = finding ? [finding] : wrongEntries;
-  const names = causes.map(causeName);
-  return makePoseVerdict(arm, WRONG, headline, { ...shared, findings, causes: names });
+  const figures = { position_error: distance, orientation_error: angle };
+  const shared = { grade, figures, fields: { off } };
+  if (grade !== WRONG) return { ...shared, notes: [...noteBeyondLimits(arm, q)] };
+  if (causes.length) return { ...shared, causes };
+  const findings = locateWrongJoint(q, arm, T, typed, makeExpected);
+  if (findings.length) return { ...shared, findings };
+  const headline = formatMessage("pose wrong", { arm: arm.name, off });
+  return { ...shared, headline, findings: listWrongEntries(T, judged.wrong) };
 }
 
 // Return the finding that a single joint is off, if its change alone takes the tip to a target of
@@ -212,10 +186,6 @@ function findTargetUnits(typedUnits) {
   const finest = fineUnits.length ? Math.min(...fineUnits) : 0;
   return typedUnits.map((unit) => (unit < FINE_UNIT ? unit : finest));
 }
-
-const HEADLINES = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
-const makePoseVerdict = (arm, grade, headline, fields) =>
-  makeVerdict("pose", arm, grade, headline, fields);
 
 // Describe how far the tip is from the target. An angle is given only if an entry of the rotation
 // is wrong; that of a point is 0.
