@@ -4645,8 +4645,8 @@ td {
 .stage:not(.drawn) .paper {
   pointer-events: none;
 }
-.grip:not([style]) {
-  opacity: 0; /* not placed yet */
+.stage:not(.drawn) .grip {
+  opacity: 0; /* the still picture has another scale */
 }
 .why,
 .lost {
