@@ -1,8 +1,8 @@
 """Compute with robot arms from DH tables, for all notebooks of the book.
 
 ``from helpers import Arm, PANDA`` takes an arm's class or an arm of the catalogue, and
-``from helpers import kinematics`` a module. `helpers.other_programs` lists the names that other
-libraries have for the functions.
+``from helpers import kinematics`` a module. The book's page *The same numbers in other programs*
+lists the names that other libraries have for the functions.
 """
 
 import importlib
@@ -18,6 +18,8 @@ _PUBLIC = {
     ),
 }  # fmt: skip
 
+__all__ = [name for names in _PUBLIC.values() for name in names]
+
 
 def __getattr__(name: str) -> Any:
     """Import a name of `_PUBLIC` when it is asked for, so that `import helpers` stays fast."""
@@ -28,4 +30,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *(name for names in _PUBLIC.values() for name in names)])
+    return sorted([*globals(), *__all__])

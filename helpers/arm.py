@@ -312,7 +312,8 @@ class Arm:
                     raise ArmError(
                         f"{option} is {shorten(given)}; expected {unit!r}, for rows are in metres"
                         " and radians in the standard convention"
-                        " (helpers.conventions.standard_from_modified converts Craig's)"
+                        " (a text takes other units; helpers.conventions.standard_from_modified"
+                        " converts Craig's)"
                     )
             numbers = Values(values or {}, name)
             return cls(name, read_rows(source, columns or "theta d a alpha", numbers), numbers)

@@ -54,7 +54,8 @@ PANDA = Arm(
     ),
     home=(0, 0, 0, pi / 2, 0, pi, 0),
     source="Franka Emika, Robot and interface specifications; masses: Gaz et al. (2019),"
-    " hal-02265293, supplementary material hal-02265294",
+    " hal-02265293, supplementary material hal-02265294; joints 2, 4 and 7 count against the"
+    " maker's, the tip is that of a 0.1 m pen, and the bodies have no inertia tensors",
     circle=CircleTask(normal="x", seconds=5, locked_joint=3),
 )
 
