@@ -26,8 +26,8 @@ import {
  * @property {number} dof
  * @property {(q: number[]) => number[]} makeExpected computes the right entries from q
  * @property {Mistake[]} mistakes usual mistakes
- * @property {(() => Iterable<Mistake>)[]} [furtherLists] lists of mistakes that are tried only if
- *   the earlier lists explain nothing
+ * @property {() => Iterable<Mistake>} [listPairs] pairs of mistakes, tried only if no single
+ *   mistake explains the entries
  * @property {number | null} [tolerance] used instead of the typed digits
  * @property {boolean} [isGradeOnly] whether the mistakes in a wrong answer are not asked for
  * @property {boolean} [areGiven] whether the entries are those of a given target
@@ -43,7 +43,7 @@ import {
 
 /** Judge entries. @param {EntriesQuestion} question @returns {EntriesVerdict} */
 export function judgeEntries(question) {
-  const { q, dof, makeExpected, mistakes, furtherLists = [], tolerance = null } = question;
+  const { q, dof, makeExpected, mistakes, listPairs, tolerance = null } = question;
   const expected = makeExpected(q.values);
   const typed = sharpenUnits(question.typed, expected);
   const zeros = expected.map(() => 0);
@@ -61,17 +61,9 @@ export function judgeEntries(question) {
   const { areGiven } = question;
   const usedSlack = tolerance === null ? slack : zeros;
   const answer = { typed, q, dof, expected, slack: usedSlack, wrong, areGiven };
-  const explanations = explainByFirstList(answer, [() => mistakes, ...furtherLists]);
+  const single = findExplanations(answer, mistakes);
+  const explanations = single.length || !listPairs ? single : findExplanations(answer, listPairs());
   return { grade, agreement, mistakes: explanations, wrong };
-}
-
-// Return the mistakes of the first list in which some explain an answer.
-function explainByFirstList(answer, lists) {
-  for (const list of lists) {
-    const explanations = findExplanations(answer, list());
-    if (explanations.length) return explanations;
-  }
-  return [];
 }
 
 // Return a function that tests whether an answer also fits a mistake that only more digits could

@@ -2,14 +2,9 @@
 // table. The course marks by these lists, so that marks and messages agree.
 
 import { listConfigurationMistakes, listTableMistakes } from "./causes/chain.js";
-import { listJacobianSteps, listSingleMistakes } from "./causes/jacobian.js";
-import { causeMessage, causeName, makeCause } from "./causes/ranking.js";
-import {
-  listTorqueSteps,
-  makeLoad,
-  listSingleMistakes as listSingleTorqueMistakes,
-  makeTorqueMaker,
-} from "./causes/torques.js";
+import { listJacobianSteps, makeJacobianMaker } from "./causes/jacobian.js";
+import { causeMessage, causeName, listSingleMistakes, makeCause } from "./causes/ranking.js";
+import { listTorqueSteps, makeLoad, makeTorqueMaker } from "./causes/torques.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR } from "./digits.js";
 import { compareAxes, describeAxes } from "./geometry/axes.js";
 import { chainFrames, makeChain, transpose } from "./geometry/chains.js";
@@ -33,11 +28,12 @@ const SAME_ANGLE = 0.02; // rad: a right angle was typed with two decimals
 // The function that lists the mistakes of each kind of question.
 const MISTAKES_BY_KIND = {
   tip: ({ arm }) => listTipMistakes(arm),
-  jacobian: ({ arm, q }) => listSingleMistakes(arm, 0, listJacobianSteps(arm, q, 0)),
+  jacobian: ({ arm, q }) =>
+    listSingleMistakes(listJacobianSteps(arm, q, 0), makeJacobianMaker(arm, 0)),
   torques({ arm, q, wrench }) {
     const load = makeLoad(arm, [wrench], GRAVITY);
     const maker = makeTorqueMaker(load, movingRows(arm).length, q);
-    return listSingleTorqueMistakes(listTorqueSteps(arm, load), maker);
+    return listSingleMistakes(listTorqueSteps(arm, load), maker);
   },
 };
 

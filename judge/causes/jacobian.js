@@ -5,7 +5,7 @@
 import { jointNumbers } from "../geometry/kinematics.js";
 import * as chains from "../geometry/chains.js";
 import { listConfigurationMistakes, listTableMistakes } from "./chain.js";
-import { combineCauses, makeCause } from "./ranking.js";
+import { cacheResults, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 /** @typedef {import("../geometry/chains.js").Chain} Chain */
@@ -21,21 +21,28 @@ import { combineCauses, makeCause } from "./ranking.js";
  */
 
 /**
- * Return a function from q to the Jacobian there, with some of the steps done wrong.
+ * Return a maker of Jacobians. It takes the step done wrong, and returns a function from q to the
+ * Jacobian there.
  * @param {Arm} arm
  * @param {number} frame whose axes the rows are in; 0 is the base
- * @param {Partial<JacobianStep>} [step]
+ * @returns {(step?: Partial<JacobianStep>) => (q: number[]) => number[]}
  */
-export const makeJacobian =
-  (arm, frame, step = {}, build = buildBy(arm, frame, step)) =>
-  (q) => {
-    const { J, T } = build(q);
-    return (step.write ?? keep)(J, T);
+export function makeJacobianMaker(arm, frame) {
+  const buildersOf = cacheResults((change) =>
+    cacheResults((recipe) => buildBy(arm, frame, change, recipe)),
+  );
+  return ({ change = keep, recipe = chains.flatJacobian, write = keep } = {}) => {
+    const build = buildersOf(change)(recipe);
+    return (q) => {
+      const { J, T } = build(q);
+      return write(J, T);
+    };
   };
+}
 
 // Build the Jacobian before it is written down. The last one is kept, since many writings are tried
 // on it.
-function buildBy(arm, frame, { change = keep, recipe = chains.flatJacobian }) {
+function buildBy(arm, frame, change, recipe) {
   let [lastQ, lastResult] = [null, null];
   return (q) => {
     if (q === lastQ) return lastResult;
@@ -62,57 +69,6 @@ export function listJacobianSteps(arm, q, frame) {
     ...Array.from(listWritingMistakes(arm, c, frame), ([cause, write]) => ({ cause, write })),
   ];
 }
-
-/** List single mistakes. @param {Arm} arm @param {JacobianStep[]} steps @returns {Mistake[]} */
-export const listSingleMistakes = (arm, frame, steps) =>
-  steps.map((step) => ({ cause: step.cause, make: makeJacobian(arm, frame, step) }));
-
-/**
- * List Jacobians with a column that is a copy of a neighbouring column.
- * @param {Arm} arm @returns {Generator<Mistake>}
- */
-export function* listCopiedColumns(arm, frame) {
-  const makeRight = makeJacobian(arm, frame);
-  const joint = jointNumbers(arm);
-  for (const k of joint.keys())
-    for (const n of [k - 1, k + 1].filter((index) => index in joint)) {
-      const make = (q) => {
-        const J = makeRight(q);
-        return J.map((x, i) => (i % joint.length === k ? J[i - k + n] : x));
-      };
-      yield { cause: makeCause("J.column of", { joint: joint[n], i: joint[k] }), make };
-    }
-}
-
-/**
- * List pairs of mistakes with at most a single mistake in the recipe.
- * @param {Arm} arm @param {JacobianStep[]} steps @returns {Generator<Mistake>}
- */
-export function* listMistakePairs(arm, frame, steps) {
-  for (const [n, first] of steps.entries()) {
-    const build = buildBy(arm, frame, first);
-    for (const second of steps.slice(n + 1)) {
-      if (first.recipe && second.recipe) continue;
-      const steps = joinSteps(first, second);
-      yield {
-        // Computed on demand, since hardly any of thousands of pairs explains an answer.
-        get cause() {
-          return combineCauses(first.cause, second.cause);
-        },
-        make: makeJacobian(arm, frame, steps, second.write ? build : undefined),
-      };
-    }
-  }
-}
-
-const joinSteps = (first, second) => ({
-  change: composeFunctions(first.change, second.change),
-  recipe: first.recipe ?? second.recipe,
-  write: composeFunctions(first.write, second.write),
-});
-
-const composeFunctions = (first, second) =>
-  first && second ? (x, T) => second(first(x, T), T) : (first ?? second);
 
 /**
  * List the recipes with a wrong step. The judges of Jacobians, torques and trajectories use this
@@ -198,6 +154,10 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
     for (let j = i + 1; j < dof; j++) {
       const exchanged = reorderColumns((k) => (k === i ? j : k === j ? i : k));
       yield [makeCause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];
+    }
+    for (const j of [i - 1, i + 1].filter((n) => n in joint)) {
+      const copied = reorderColumns((k) => (k === i ? j : k)); // handed in
+      yield [makeCause("J.column of", { joint: joint[j], i: joint[i] }), copied];
     }
   }
 }

@@ -33,6 +33,64 @@ const VALUES_ONE_OFF = 3;
  * @typedef {{ cause: Cause, make: (q: number[]) => number[], steps?: any }} Mistake
  */
 
+/**
+ * A step of a computation that a mistake does otherwise, as functions by the name of the step.
+ * @typedef {{ cause: Cause } & Record<string, any>} Step
+ */
+/**
+ * Computes numbers with some steps done otherwise: returns a function from joint values to them.
+ * @typedef {(step?: any) => (q: number[]) => number[]} Maker
+ */
+
+// Steps that a second function can follow. In any other step one mistake replaces the other.
+const COMPOSED_STEPS = ["change", "write"];
+
+/** List single mistakes. @param {Step[]} steps @param {Maker} maker @returns {Mistake[]} */
+export const listSingleMistakes = (steps, maker) =>
+  steps.map((step) => ({ cause: step.cause, steps: step, make: maker(step) }));
+
+/**
+ * List pairs of mistakes that can be made together.
+ * @param {Step[]} steps @param {Maker} maker @returns {Generator<Mistake>}
+ */
+export function* listMistakePairs(steps, maker) {
+  for (const [n, first] of steps.entries())
+    for (const second of steps.slice(n + 1)) {
+      const both = combineSteps(first, second);
+      if (!both) continue;
+      yield {
+        // Computed on demand, since hardly any of thousands of pairs explains an answer.
+        get cause() {
+          return combineCauses(first.cause, second.cause);
+        },
+        steps: both,
+        make: maker(both),
+      };
+    }
+}
+
+// Return both steps in one, or null if one would replace the other.
+function combineSteps({ cause: _, ...first }, second) {
+  const both = { ...first, ...second };
+  for (const name of Object.keys(first).filter((key) => second[key])) {
+    if (!COMPOSED_STEPS.includes(name)) return null;
+    both[name] = (x, T) => second[name](first[name](x, T), T);
+  }
+  return both;
+}
+
+/**
+ * Cache a function's results by its argument, an object or a function.
+ * @param {(argument: any) => any} compute @returns {(argument: any) => any}
+ */
+export function cacheResults(compute) {
+  const results = new WeakMap();
+  return (argument) => {
+    if (!results.has(argument)) results.set(argument, compute(argument));
+    return results.get(argument);
+  };
+}
+
 /** Make the cause of a single mistake. @param {string} key @returns {Cause} */
 export const makeCause = (key, fields = {}) => ({ keys: [key], fields: [fields] });
 

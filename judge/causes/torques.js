@@ -11,11 +11,10 @@ import { formatNumber, joinList } from "../sentences.js";
 import { listConfigurationMistakes, listTableMistakes } from "./chain.js";
 import { listJacobianRecipes } from "./jacobian.js";
 import { makeMakersCause } from "./joints.js";
-import { combineCauses, makeCause } from "./ranking.js";
+import { cacheResults, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 /** @typedef {import("../geometry/kinematics.js").Frame} Frame */
-/** @typedef {import("./ranking.js").Mistake} Mistake */
 /**
  * An arm with masses under gravity, and a wrench for each of its configurations.
  * @typedef {object} Load
@@ -34,7 +33,6 @@ import { combineCauses, makeCause } from "./ranking.js";
  * @typedef {object} TorqueStep
  * @property {import("./ranking.js").Cause} cause
  * @property {(load: Load) => Load} [change]
- * @property {(load: Load) => Load} [secondChange] of a pair, done after `change`
  * @property {(at: PlacedLoad) => number[]} [weight]
  * @property {(at: PlacedLoad) => number[]} [force]
  * @property {(tau: number[]) => number[]} [write]
@@ -71,22 +69,12 @@ export function makeLoad(arm, wrenches, gravity) {
   };
 }
 
-// Cache a function's results, in a WeakMap if its arguments are short-lived objects.
-/** @param {(argument: any) => any} compute @param {Map<any, any> | WeakMap<any, any>} results */
-function cacheResults(compute, results = new Map()) {
-  return (argument) => {
-    let result = results.get(argument);
-    if (result === undefined) results.set(argument, (result = compute(argument)));
-    return result;
-  };
-}
-
 // Computes torques at some configurations. Mistakes share the cached frames, weights and forces.
 class TorqueComputer {
   /** @param {Load} load @param {number} dof @param {number[]} q all joint values */
   constructor(load, dof, q) {
     const loads = rowsOf(q, dof).map((values) => ({ ...load, c: { ...load.c, q: values, dof } }));
-    const framesOf = cacheResults(chains.chainFrames, new WeakMap());
+    const framesOf = cacheResults(chains.chainFrames);
     this.place = (changed, i) => ({ ...changed, T: framesOf(changed.c), F: load.wrenches[i] });
     this.loadsOf = cacheResults((change) => loads.map((load, i) => this.place(change(load), i)));
     const partsOf = (change) => cacheResults((part) => this.loadsOf(change).map(part));
@@ -98,18 +86,9 @@ class TorqueComputer {
    * Compute the torques with some steps done wrong.
    * @param {Partial<TorqueStep>} steps @returns {number[]}
    */
-  compute({
-    change = keep,
-    secondChange,
-    weight = computeWeight,
-    force = computeForce,
-    write = keep,
-  }) {
-    const loads =
-      secondChange && this.loadsOf(change).map((load, i) => this.place(secondChange(load), i));
-    const weights = loads ? loads.map(weight) : this.weightsOf(change)(weight);
-    const forces = loads ? loads.map(force) : this.forcesOf(change)(force);
-    return weights.flatMap((g, i) => write(subtractEach(g, forces[i])));
+  compute({ change = keep, weight = computeWeight, force = computeForce, write = keep }) {
+    const forces = this.forcesOf(change)(force);
+    return this.weightsOf(change)(weight).flatMap((g, i) => write(subtractEach(g, forces[i])));
   }
 }
 
@@ -148,44 +127,10 @@ function listChainMistakes(arm) {
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map(({ body }) => (body ?? MASSLESS).slice(1));
   return [...listConfigurationMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
-    const changed = cacheResults(change, new WeakMap());
+    const changed = cacheResults(change);
     const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
     return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };
   });
-}
-
-/**
- * List single mistakes.
- * @param {TorqueStep[]} steps
- * @param {ReturnType<typeof makeTorqueMaker>} maker
- * @returns {(Mistake & { steps: TorqueStep })[]}
- */
-export const listSingleMistakes = (steps, maker) =>
-  steps.map((step) => ({ cause: step.cause, steps: step, make: maker(step) }));
-
-/**
- * List pairs of mistakes in different steps, or of two changes.
- * @param {TorqueStep[]} steps
- * @param {ReturnType<typeof makeTorqueMaker>} maker
- * @returns {Generator<Mistake & { steps: TorqueStep }>}
- */
-export function* listMistakePairs(steps, maker) {
-  for (const [n, first] of steps.entries()) {
-    for (const second of steps.slice(n + 1)) {
-      if (["weight", "force", "write"].some((step) => first[step] && second[step])) continue;
-      const steps = { ...first, ...second };
-      if (first.change && second.change)
-        [steps.change, steps.secondChange] = [first.change, second.change];
-      yield {
-        // Computed on demand, since hardly any of thousands of pairs explains an answer.
-        get cause() {
-          return combineCauses(first.cause, second.cause);
-        },
-        steps,
-        make: maker(steps),
-      };
-    }
-  }
 }
 
 /** @param {Arm} arm @returns {Generator<TorqueStep>} */

@@ -1,12 +1,7 @@
 // Judges a Jacobian of the tip, whole or some of its rows.
 
-import {
-  listCopiedColumns,
-  makeJacobian,
-  listMistakePairs,
-  listSingleMistakes,
-  listJacobianSteps,
-} from "../causes/jacobian.js";
+import { listJacobianSteps, makeJacobianMaker } from "../causes/jacobian.js";
+import { listMistakePairs, listSingleMistakes } from "../causes/ranking.js";
 import {
   agrees,
   compareDigits,
@@ -75,7 +70,7 @@ export const compareJacobian = makeJudge({
 function listFirstParts(question) {
   const { arm, typedQ, known, frame, angularFirst = false, tolerance = null } = question;
   const dof = typedQ.values.length;
-  const makeWhole = makeJacobian(arm, frame);
+  const makeWhole = makeJacobianMaker(arm, frame)();
   const order = (list) => (angularFirst ? exchangeHalves(list) : list);
   const rowNames = order(ROWS);
   const columnNames = typedQ.values.map((_, k) => formatMessage("column", { column: k + 1 }));
@@ -164,20 +159,18 @@ function describeWrongShape({ typed, arm, typedQ, frame }) {
 /** @returns {import("./frame.js").Outcome} */
 function compareRows(question, takenBefore) {
   const { typed, arm, typedQ, frame, tolerance = null, isGradeOnly, others = [] } = question;
-  const makeWhole = makeJacobian(arm, frame);
-  const selection = selectRows(typed, arm, makeWhole(typedQ.values));
+  const makeWhole = makeJacobianMaker(arm, frame);
+  const selection = selectRows(typed, arm, makeWhole()(typedQ.values));
   const steps = listJacobianSteps(arm, typedQ.values, frame);
-  const restrict = (mistake) => ({
-    ...mistake,
-    make: (q) => pickRows(mistake.make(q), selection),
-  });
-  const makeExpected = (q) => pickRows(makeWhole(q), selection);
-  const mistakes = listSingleMistakes(arm, frame, steps).map(restrict);
-  const furtherLists = [listCopiedColumns, listMistakePairs].map(
-    (list) => () => Array.from(list(arm, frame, steps), restrict),
-  );
+  const maker = (step) => {
+    const make = makeWhole(step);
+    return (q) => pickRows(make(q), selection);
+  };
+  const makeExpected = maker({});
+  const mistakes = listSingleMistakes(steps, maker);
+  const listPairs = () => listMistakePairs(steps, maker);
   const dof = typedQ.values.length;
-  const entries = { typed, q: typedQ, dof, makeExpected, mistakes, furtherLists };
+  const entries = { typed, q: typedQ, dof, makeExpected, mistakes, listPairs };
   const judged = judgeEntries({ ...entries, tolerance, isGradeOnly });
   const { grade, wrong } = judged;
   const rowNames = nameRows(selection);

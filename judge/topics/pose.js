@@ -2,7 +2,7 @@
 // the pose of the tip.
 
 import { listJointMistakes } from "../causes/joints.js";
-import { combineCauses, makeCause } from "../causes/ranking.js";
+import { listMistakePairs, listSingleMistakes, makeCause } from "../causes/ranking.js";
 import { listTableMistakes } from "../causes/chain.js";
 import { agrees, FINE_UNIT, RIGHT, ROUNDED, computeSlack, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
@@ -120,20 +120,23 @@ export function readTarget(T, arm, known, orPoint = true) {
 function movesTip(q, makeExpected) {
   const expected = makeExpected(q.values);
   const slack = computeSlack(q, q.values.length, makeExpected);
-  return ({ make }) => make(q.values).some((x, i) => !(Math.abs(x - expected[i]) <= slack[i]));
+  return (make) => make(q.values).some((x, i) => !(Math.abs(x - expected[i]) <= slack[i]));
 }
 
 /** @returns {import("./frame.js").Outcome} */
 function compareWithTarget(q, T, { arm, tolerance, isGradeOnly }) {
   const typed = { values: T.values.flat(), units: findTargetUnits(T.units.flat()) };
-  const makeExpected = makeTipEntries(arm, T);
+  const maker = makeTipMaker(arm, T);
+  const makeExpected = maker();
+  const isFelt = movesTip(q, makeExpected);
+  const steps = listTipSteps(arm, T).filter((step) => isFelt(maker(step)));
   const judged = judgeEntries({
     typed,
     q,
     dof: q.values.length,
     makeExpected,
-    mistakes: [...listSingleMistakes(arm, T)].filter(movesTip(q, makeExpected)),
-    furtherLists: [() => listMistakePairs(arm, T)],
+    mistakes: listSingleMistakes(steps, maker),
+    listPairs: () => listMistakePairs(steps, maker),
     tolerance,
     isGradeOnly,
     areGiven: true,
@@ -194,43 +197,38 @@ function describeTargetMiss(T, wrong, distance, angle) {
   return describeMiss(distance, isRotationWrong ? angle : 0);
 }
 
-// Return a function from q to the entries that a target at the tip has. `change` puts a mistake
-// into the arm's table.
-const makeTipEntries =
-  (arm, T, change = (chain) => chain) =>
+// Return a maker of the entries that a target at the tip has. `correct` undoes a mistake in the
+// joint values, `table` puts a mistake into the arm's table, and `write` into the target.
+/** @returns {import("../causes/ranking.js").Maker} */
+const makeTipMaker =
+  (arm, T) =>
+  ({ correct = keep, table = keep, write = keep } = {}) =>
   (q) => {
-    const tip = chainFrames(change(makeChain(arm, q))).at(-1);
-    return T.pose ? frameMatrix(tip).slice(0, 3).flat() : tip.o;
+    const tip = chainFrames(table(makeChain(arm, correct(q)))).at(-1);
+    return write(T.pose ? frameMatrix(tip).slice(0, 3).flat() : tip.o);
   };
 
-/** @returns {Generator<import("../causes/ranking.js").Mistake>} */
-function* listSingleMistakes(arm, T) {
-  const makeRight = makeTipEntries(arm, T);
-  for (const [cause, correct] of listJointMistakes(arm))
-    yield { cause, make: (q) => makeRight(correct(q)) };
-  for (const [cause, change] of listTableMistakes(arm))
-    yield { cause, make: makeTipEntries(arm, T, change) };
+const keep = (x) => x;
+
+/** @returns {import("../causes/ranking.js").Step[]} */
+function listTipSteps(arm, T) {
   const isPosition = (i) => !T.pose || i % 4 === 3;
-  const makeInMillimetres = (q) => makeRight(q).map((x, i) => (isPosition(i) ? 1000 * x : x));
-  yield { cause: makeCause("pose.millimetres"), make: makeInMillimetres }; // slip 26 of the book
-  const changeRotation = (change) => (q) => {
-    const rows = makeRight(q);
-    return rows.map((x, i) => (isPosition(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
-  };
-  const makeTransposed = changeRotation((R, i, j) => R[4 * j + i]);
-  yield { cause: makeCause("pose.transposed"), make: makeTransposed }; // slip 4
-  const makeTurned = changeRotation((R, i, j) => R[4 * i + j] * (j === 2 ? 1 : -1));
-  yield { cause: makeCause("pose.half turn"), make: makeTurned }; // slip 18
-}
-
-// Combine a mistake in the joint values with a mistake in the table.
-/** @returns {Generator<import("../causes/ranking.js").Mistake>} */
-function* listMistakePairs(arm, T) {
-  for (const [table, change] of listTableMistakes(arm)) {
-    const makeEntries = makeTipEntries(arm, T, change);
-    for (const [joints, correct] of listJointMistakes(arm))
-      yield { cause: combineCauses(table, joints), make: (q) => makeEntries(correct(q)) };
-  }
+  const changeRotation = (change) => (rows) =>
+    rows.map((x, i) => (isPosition(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
+  const inMillimetres = (rows) => rows.map((x, i) => (isPosition(i) ? 1000 * x : x));
+  return [
+    ...listJointMistakes(arm).map(([cause, correct]) => ({ cause, correct })),
+    ...listTableMistakes(arm).map(([cause, table]) => ({ cause, table })),
+    { cause: makeCause("pose.millimetres"), write: inMillimetres }, // slip 26 of the book
+    {
+      cause: makeCause("pose.transposed"), // slip 4
+      write: changeRotation((R, i, j) => R[4 * j + i]),
+    },
+    {
+      cause: makeCause("pose.half turn"), // slip 18
+      write: changeRotation((R, i, j) => R[4 * i + j] * (j === 2 ? 1 : -1)),
+    },
+  ];
 }
 
 // Return the distance (m) and angle (rad) between the tip and T. The angle is 0 for a point and

@@ -1,13 +1,7 @@
 // Judges joint torques at a single configuration or along a trajectory.
 
-import {
-  makeLoad,
-  listMistakePairs,
-  listSingleMistakes,
-  listTorqueSteps,
-  makeTorqueMaker,
-} from "../causes/torques.js";
-import { causeName } from "../causes/ranking.js";
+import { causeName, listMistakePairs, listSingleMistakes } from "../causes/ranking.js";
+import { listTorqueSteps, makeLoad, makeTorqueMaker } from "../causes/torques.js";
 import { agrees, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { selectColumn, transpose } from "../geometry/chains.js";
@@ -277,12 +271,12 @@ function judgeBySample(typed, { arm, q: typedQ, load, tolerance, isGradeOnly }) 
   const steps = listTorqueSteps(arm, load);
   const isEmpty = !typed.values.some(Boolean);
   const request = { dof, tolerance, isGradeOnly };
-  const judgeWith = (torques, q, maker, mistakes, furtherLists) =>
-    judgeEntries({ ...request, typed: torques, q, makeExpected: maker(), mistakes, furtherLists });
+  const judgeWith = (torques, q, maker, mistakes, listPairs = undefined) =>
+    judgeEntries({ ...request, typed: torques, q, makeExpected: maker(), mistakes, listPairs });
   const judgeWithAllMistakes = (torques, q, loadAtConfigurations) => {
     const maker = makeTorqueMaker(loadAtConfigurations, dof, q.values);
-    const pairs = isEmpty ? [] : [() => listMistakePairs(steps, maker)];
-    return judgeWith(torques, q, maker, listSingleMistakes(steps, maker), pairs);
+    const listPairs = () => (isEmpty ? [] : listMistakePairs(steps, maker));
+    return judgeWith(torques, q, maker, listSingleMistakes(steps, maker), listPairs);
   };
   if (count <= SAMPLE_SIZE) return judgeWithAllMistakes(typed, typedQ, load);
   const indices = Array.from({ length: SAMPLE_SIZE }, (_, i) =>
@@ -294,7 +288,7 @@ function judgeBySample(typed, { arm, q: typedQ, load, tolerance, isGradeOnly }) 
   const first = judgeWithAllMistakes(sample(typed), sample(typedQ), { ...load, wrenches });
   const maker = makeTorqueMaker(load, dof, typedQ.values);
   const mistakes = first.mistakes.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
-  return judgeWith(typed, typedQ, maker, mistakes, []);
+  return judgeWith(typed, typedQ, maker, mistakes);
 }
 
 // Return the largest error of a torque, and the number of joints that are right at every
