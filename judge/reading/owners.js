@@ -115,26 +115,30 @@ function markUnclear(text, tokens) {
   }
 }
 
-const OR = /^[^#%\n]{0,20}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2}[-+\u2212]?$/iu;
+const OR = /^[^#%\n]{0,60}(?<!\p{L})(?:or|oder|ou|bzw\.?|oppure|или|或) {0,2}[-+\u2212]?$/iu;
 
 const THAT_IS = /(?:i\.e\.|d\. ?h\.),? {0,2}[-+\u2212]?$/i;
+const TAG = /<[^<>\n]*>/g;
+const COMMENT = /#|%|\/\//;
 const UNITS = [1, RAD, 1 / RAD, 1e-3, 1e3];
 
-// List the numbers behind an entry and "or" or "i.e.", outside comments. A number that repeats the
-// entry in a different unit is left out.
+// List the numbers behind "or" or "i.e." on a line with entries, outside comments. A number that
+// repeats an entry in a different unit is left out.
 /** @param {string} text @param {Token[]} tokens */
 const listAlternatives = (text, tokens) =>
   tokens.filter((token, k) => {
-    const entry = tokens[k - 1];
-    if (entry?.owner !== "entry") return false;
-    const between = text.slice(entry.to, token.from);
+    const before = tokens[k - 1];
+    if (token.owner === "entry" || before?.line !== token.line) return false;
+    const between = text.slice(before.to, token.from).replace(TAG, "");
     const isRestated = THAT_IS.test(between);
     if (!isRestated && !OR.test(between)) return false;
-    const others = isRestated ? tokens.filter(({ owner }) => owner === "entry") : [entry];
+    const entries = tokens.filter(({ owner }) => owner === "entry");
+    const beside = entries.filter(({ line, from }) => line === token.line && from < token.from);
+    if (!beside.length || COMMENT.test(text.slice(beside.at(-1).to, token.from))) return false;
     const value = signedValue(text, token);
     const repeats = (other) =>
       UNITS.some((unit) => Math.abs(value / signedValue(text, other) / unit - 1) < 0.02);
-    return !others.some(repeats);
+    return !(isRestated ? entries : beside).some(repeats);
   });
 
 const signedValue = (text, { text: digits, from }) =>
