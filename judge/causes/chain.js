@@ -6,7 +6,7 @@ import { DEG, RAD } from "../geometry/angles.js";
 import { jointNames, movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { combinations } from "../geometry/axis_gaps.js";
 import { makeMakersCause } from "./joints.js";
-import { makeCause } from "./ranking.js";
+import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 /** @typedef {import("../geometry/arm.js").Row} Row */
@@ -31,7 +31,7 @@ const changeRows = (change) => (c) => ({
 });
 
 /** List lengths of similar arms or parts. @param {Arm} arm @returns {Generator<ChainMistake>} */
-function* listOtherLengths({ penless, alike = [], robots = [] }) {
+export function* listOtherLengths({ penless, alike = [], robots = [] }) {
   if (penless) {
     // handed in: the pen left out, and the pen taken away
     yield [makeCause("table.pen"), changeRows((_, i) => ({ d: penless.rows[i].d }))];
@@ -41,9 +41,11 @@ function* listOtherLengths({ penless, alike = [], robots = [] }) {
   for (const { name, other, rows } of alike)
     // slip 2
     yield [makeCause("table.length", { name, other }), changeRows((_, i) => ({ a: rows[i].a }))];
-  for (const { name, rows } of robots) {
-    const lengths = changeRows((_, i) => ({ a: rows[i].a, d: rows[i].d }));
-    yield [makeCause("table.robot", { name }), lengths]; // slip 9
+  for (const { name, rows, penless: shorter } of robots) {
+    const takeLengths = (other) => changeRows((_, i) => ({ a: other[i].a, d: other[i].d }));
+    const cause = makeCause("table.robot", { name });
+    yield [cause, takeLengths(rows)]; // slip 9
+    if (shorter) yield [combineCauses(cause, makeCause("table.pen")), takeLengths(shorter)];
   }
 }
 
@@ -51,7 +53,7 @@ function* listOtherLengths({ penless, alike = [], robots = [] }) {
  * List two lengths of a column exchanged, with each row's sign kept or exchanged. Handed in.
  * @param {Arm} arm @returns {Generator<ChainMistake>}
  */
-function* listExchangedLengths({ rows }) {
+export function* listExchangedLengths({ rows }) {
   for (const column of ["a", "d"]) {
     const links = rows.flatMap((row, i) => (row[column] ? [i] : []));
     for (const [i, j] of combinations(links, 2)) {

@@ -7,6 +7,7 @@ import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geomet
 import { combinations } from "../geometry/axis_gaps.js";
 import { convertFromCraig } from "../reading/table_conversion.js";
 import { ENTRIES } from "../reading/table_rows.js";
+import { listExchangedLengths, listOtherLengths } from "./chain.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -50,22 +51,33 @@ export function findFewestMistakes(rows, reference, expected, modified, toleranc
 /** @param {Hypothesis} hypothesis */
 const countMistakes = ({ cause, differences }) => (cause?.keys.length ?? 0) + differences.length;
 
+// Compare the corrected rows with each arm that has other lengths, and the typed rows with each arm
+// that has two lengths exchanged.
 /** @returns {Hypothesis[]} */
 function listHypotheses(rows, reference, expected, modified, tolerance) {
-  const others = listOtherArms(reference).map(([cause, other]) => [cause, snapRows(other)]);
+  const changeReference = (mistakes) =>
+    Array.from(mistakes, ([cause, change]) => [
+      cause,
+      snapRows(change({ rows: reference.rows }).rows),
+    ]);
+  const others = [[null, expected], ...changeReference(listOtherLengths(reference))];
+  const exchanged = changeReference(listExchangedLengths(reference));
   const corrections = listCorrections(rows, modified);
-  return [[null, expected], ...others].flatMap(([otherArm, arm]) =>
-    corrections.flatMap(([mistake, correct, isWhole]) => {
-      const cause = otherArm && mistake ? combineCauses(otherArm, mistake) : (otherArm ?? mistake);
-      const corrected = snapRows(correct(rows));
-      const entries = listWrongEntries(corrected, arm, tolerance);
-      const differences = isWhole
-        ? entries
-        : chooseDifferences(entries, listWrongAxes(corrected, arm, tolerance), cause);
-      if (!differences || cause?.keys.length > 2 || (isWhole && differences.length)) return [];
-      return [{ cause, rows: corrected, reference: arm, differences }];
-    }),
-  );
+  /** @type {Correction} */
+  const exactly = [null, (same) => same, true];
+  return [
+    ...others.flatMap((other) => corrections.map((correction) => [...other, ...correction])),
+    ...exchanged.map((other) => [...other, ...exactly]),
+  ].flatMap(([otherArm, arm, mistake, correct, isWhole]) => {
+    const cause = otherArm && mistake ? combineCauses(otherArm, mistake) : (otherArm ?? mistake);
+    const corrected = snapRows(correct(rows));
+    const entries = listWrongEntries(corrected, arm, tolerance);
+    const differences = isWhole
+      ? entries
+      : chooseDifferences(entries, listWrongAxes(corrected, arm, tolerance), cause);
+    if (!differences || cause?.keys.length > 2 || (isWhole && differences.length)) return [];
+    return [{ cause, rows: corrected, reference: arm, differences }];
+  });
 }
 
 // Return the wrong entries if they are few and no more than the wrong axes; else the wrong axes.
@@ -117,7 +129,6 @@ function listCorrections(typedRows, modified) {
     [makeCause("table.into craig"), lowerLinkColumns],
     ...indices.map(exchangeLengthsInRow),
     ...pairs.map(([i, j]) => exchangeRows(i, j)),
-    ...pairs.flatMap(([i, j]) => [...exchangeLengths(typedRows, i, j)]),
   ];
 }
 
@@ -147,52 +158,6 @@ const exchangeRows = (i, j) => [
   true,
 ];
 
-/**
- * Exchange two lengths of a column, with their signs and without. Rows that differ in nothing else
- * are left out, since then the rows are exchanged.
- * @param {TableRow[]} typedRows @param {number} i @param {number} j
- * @returns {Generator<Correction>}
- */
-function* exchangeLengths(typedRows, i, j) {
-  for (const column of ["a", "d"]) {
-    const [first, second] = [typedRows[i], typedRows[j]];
-    const [x, y] = [first[column], second[column]];
-    const areJoints = [first, second].some(({ kind }) => jointColumn(kind) === column);
-    const areSameRows = ENTRIES.every((name) => name === column || first[name] === second[name]);
-    if (areJoints || areSameRows || !x || !y || Math.abs(x) === Math.abs(y)) continue;
-    const signs = x * y < 0 ? [1, -1] : [1];
-    for (const sign of signs)
-      yield [
-        makeCause(`table.${column} exchanged`, { i: i + 1, j: j + 1 }),
-        (rows) => {
-          const lengths = { [i]: sign * rows[j][column], [j]: sign * rows[i][column] };
-          return rows.map((row, k) => (k in lengths ? { ...row, [column]: lengths[k] } : row));
-        },
-        true,
-      ];
-  }
-}
-
 // Move a and alpha down by a row, for a table in which they were typed a row too high.
 const lowerLinkColumns = (rows) =>
   rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));
-
-// List other arms that a student may have described. They lack the pen, take a length for a
-// different length, or are a robot with a similar name.
-/** @returns {[Cause, TableRow[]][]} */
-const listOtherArms = (arm) => [
-  ...(arm.penless ? [[makeCause("table.pen"), arm.penless.rows]] : []),
-  ...(arm.alike ?? []).map(({ name, other, rows }) => [
-    makeCause("table.length", { name, other }),
-    rows,
-  ]),
-  ...(arm.robots ?? []).flatMap(({ name, rows, penless }) => {
-    const cause = makeCause("table.robot", { name });
-    return penless
-      ? [
-          [cause, rows],
-          [combineCauses(cause, makeCause("table.pen")), penless],
-        ]
-      : [[cause, rows]];
-  }),
-];
