@@ -10,7 +10,6 @@ import {
   scaled,
   revoluteFlags,
   pointInBase,
-  pointInFrame,
   vectorInBase,
   vectorInFrame,
 } from "./kinematics.js";
@@ -163,9 +162,6 @@ export function computeTorquesOfMasses(c, T, masses, centres, gravity) {
   }
   return torques;
 }
-
-/** Return the coordinates in frame `to` of a point in frame `from`. */
-export const changeFrame = (from, to, point) => pointInFrame(to, pointInBase(from, point));
 
 /** Rotate a wrench from a frame's axes into the base's (R F). */
 export const wrenchFromFrame = (frame, F) => [

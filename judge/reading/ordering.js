@@ -67,13 +67,6 @@ const COUNTS_ROWS = /^J\(0\)/; // J[0] is the first row in Python; joints count 
 // Return whether the rows of a block were typed as column vectors, [1; 2; 3].
 const areColumnVectors = ({ sources }) => sources.every(({ isColumn }) => isColumn);
 
-/**
- * Return whether two or more column headers name joints.
- * @param {import("./lines.js").Cell[]} headers
- */
-export const namesJoints = (headers) =>
-  headers.filter((header) => findLabel([header])?.kind === "joint").length > 1;
-
 /** A pattern of the mark of a transposed matrix: J^T, J.T and Jᵀ. */
 export const TRANSPOSED = String.raw`(?:\.T|\^\{?(?:T|\\top)\}?|ᵀ)`;
 // The end of the name of a transposed matrix, such as J^T(q), J' and "J transposed".
