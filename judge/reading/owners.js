@@ -193,7 +193,7 @@ export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
 
 // Return whether a word is likely a misspelt number, such as "7l2" or "0.5x".
-export const isMisspelt = (word) =>
+const isMisspelt = (word) =>
   (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) || ODD_NUMBER.test(word);
 
 const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && !isDate(word);

@@ -3,6 +3,7 @@
 // numbers. The judge does not compute the result, but asks for the final numbers.
 
 import { parse, symbols } from "./formula.js";
+import { TRANSPOSED as TRANSPOSE_MARK } from "./ordering.js";
 import { tryOrNull } from "../sentences.js";
 
 /** @typedef {import("./lines.js").Row} Row */
@@ -105,7 +106,7 @@ function findNameBefore(outside) {
 // What a name may have besides its letters: a bullet, the number of a solution in q^{(1)}, a unit
 // and the argument of J(q).
 const BESIDE_NAME = /^- +|\^\{?\(\d\)\}?|\/ ?(?:rad|deg|N?m)$|(?<=\S)\([^()]*\)$/g;
-const TRANSPOSE = /(?:\.T|\^\{?(?:T|\\top)\}?|ᵀ|')$/;
+const TRANSPOSE = new RegExp(`(?:${TRANSPOSE_MARK}|')$`);
 const SYMBOL = /^(?:q|th(?:eta)?|tau|[tjvw])(?:_?\{?\w{1,4}\}?)?$/i;
 // The name of an inverse, a rate or a limit
 const OTHER_NAME = new RegExp(

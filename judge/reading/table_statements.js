@@ -88,7 +88,7 @@ const OWN_INDEX = /[_{(]\s*[ijkn]|(?<=^\W*(?:a|alpha|α))[ijkn](?![\p{L}])/u; //
  * Read the units and the convention that headers state.
  * @param {string[]} typed
  */
-export function readHeaders(typed) {
+function readHeaders(typed) {
   const headers = typed.map(replaceSubscripts);
   const text = headers.join(" ");
   const lengths = new Set([...text.matchAll(UNIT_BEHIND)].map(([, unit]) => unit));
