@@ -58,26 +58,24 @@ function judgeBeginning(mine, { topic, arm, listBeginnings }) {
     const words = formatMessage(headline, { arm: arm.name, count, all: names.length });
     const { taken, typed } = answer;
     const missing = joinList(names.slice(count));
-    return reportBeginning(topic, arm, words, missing, {
-      taken,
-      typed,
-      figures: { right: count, of: names.length },
-      ...fields,
-    });
+    const figures = { right: count, of: names.length };
+    const begun = describeBeginning(words, missing, { taken, typed, figures, ...fields });
+    return makeVerdict(topic, arm, SO_FAR, words, begun);
   }
   return null;
 }
 
 /**
- * Report that an answer is right so far.
+ * Describe an answer that is right so far.
  * @param {string} headline @param {string} missing what is not typed yet
- * @param {Partial<Verdict>} fields
+ * @param {Partial<Omit<Verdict, "causes">>} fields
  */
-export const reportBeginning = (topic, arm, headline, missing, fields) =>
-  makeVerdict(topic, arm, SO_FAR, headline, {
-    findings: [makeFinding("missing", formatMessage("still missing", { missing }), missing)],
-    ...fields,
-  });
+export const describeBeginning = (headline, missing, fields) => ({
+  grade: SO_FAR,
+  headline,
+  findings: [makeFinding("missing", formatMessage("still missing", { missing }), missing)],
+  ...fields,
+});
 
 /**
  * List the beginnings of joint vectors, from which the last joints are missing.

@@ -73,23 +73,21 @@ const formatWrong = ({ sentences }, arm, fields, cause) =>
  * @returns {Verdict}
  */
 export function reportOutcome(topic, arm, outcome) {
-  const { causes = [], causeNames = [], findings = [], fields = {}, ...others } = outcome;
-  const { name, sentences } = topic;
-  const { grade } = outcome;
+  const { causes = [], causeNames = [], findings = [], fields: _, ...others } = outcome;
   const cause = causes.length ? `${joinCauseMessages(causes)}.` : "";
-  const explanation = cause || (findings.length === 1 ? findings[0].words : "");
-  const places = joinList(findings.map(({ where }) => where));
-  const headline =
-    grade === WRONG && explanation
-      ? formatWrong(topic, arm, fields, explanation)
-      : formatMessage(sentences[grade === WRONG ? "places" : grade], {
-          arm: arm.name,
-          places,
-          ...fields,
-        });
-  return makeVerdict(name, arm, grade, headline, {
+  const headline = outcome.headline ?? writeHeadline(topic, arm, outcome, cause);
+  return makeVerdict(topic.name, arm, outcome.grade, headline, {
     ...others,
     findings: cause ? [makeFinding("cause", cause), ...findings] : findings,
     causes: [...causes.map(causeName), ...causeNames],
   });
+}
+
+function writeHeadline(topic, arm, { grade, findings = [], fields = {} }, cause) {
+  const { sentences } = topic;
+  if (grade !== WRONG) return formatMessage(sentences[grade], { arm: arm.name, ...fields });
+  const explanation = cause || (findings.length === 1 ? findings[0].words : "");
+  if (explanation) return formatWrong(topic, arm, fields, explanation);
+  const places = joinList(findings.map(({ where }) => where));
+  return formatMessage(sentences.places, { arm: arm.name, places, ...fields });
 }

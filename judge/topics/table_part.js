@@ -1,8 +1,10 @@
 // Judges a table whose rows describe the first joints of an arm and lack the last joints.
 
+import { SO_FAR } from "../digits.js";
 import { compareAxes, describeAxes } from "../geometry/axes.js";
 import { formatMessage, joinList } from "../sentences.js";
-import { reportBeginning } from "./beginning.js";
+import { makeVerdict } from "../verdict.js";
+import { describeBeginning } from "./beginning.js";
 
 /** @typedef {import("./table_same.js").TablePair} TablePair */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
@@ -44,10 +46,10 @@ export function judgeFirstRows(pair, length, angle) {
     .map((joint) => formatMessage("joint", { joint }));
   const joints = joinList(missing);
   const fields = { mine: table.name, reference: reference.name };
-  return reportBeginning("table", reference, formatMessage("table first rows", fields), joints, {
-    taken: table.assumptions,
-    figures: { right: count, of: all },
-  });
+  const headline = formatMessage("table first rows", fields);
+  const figures = { right: count, of: all };
+  const begun = describeBeginning(headline, joints, { taken: table.assumptions, figures });
+  return makeVerdict("table", reference, SO_FAR, headline, begun);
 }
 
 // Return whether a difference is the position of the last frame along the next axis, which is free.

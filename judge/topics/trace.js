@@ -1,8 +1,8 @@
 // Judges a joint trajectory by whether its tip follows the path and how its joints move.
 
-import { completeVerdicts, makeFinding, makeVerdict } from "../verdict.js";
-import { reportBeginning } from "./beginning.js";
-import { askAboutDegrees } from "./degrees.js";
+import { makeFinding } from "../verdict.js";
+import { describeBeginning } from "./beginning.js";
+import { makeJudge } from "./frame.js";
 import {
   cross,
   dot,
@@ -16,7 +16,7 @@ import { DEG } from "../geometry/angles.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { JOINT_NAMES, jointShapes, numbers } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
-import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
+import { makeCause, causeName } from "../causes/ranking.js";
 import {
   findJumps,
   findSingularStart,
@@ -28,7 +28,7 @@ import { arrangeBySteps, convertToSI } from "./trace_layout.js";
 import { describeWrongRow, findOnlyWrongRow } from "./trace_row.js";
 import { boundTipError, isDriftOfEuler, findUntrimmedUnits } from "./trace_units.js";
 import { findUnfilledRow } from "../reading/unfilled.js";
-import { ArmError, uncapitalize, formatMessage, formatNumber, quoteText } from "../sentences.js";
+import { ArmError, formatMessage, formatNumber, quoteText, toClause } from "../sentences.js";
 import {
   followsPathByEuler,
   makeTrace,
@@ -46,17 +46,33 @@ const SAME_ERROR = 1e-9; // m: errors that differ by less are equal
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("./trace_layout.js").Trajectory} Trajectory */
-/**
- * Judge joint vectors along a path.
- * @param {string | any[]} mine text such as CSV, or nested lists
- * @param {Arm} arm
- * @param {Path} path
- * @returns {import("../verdict.js").Verdict}
- */
-export function compareTrace(mine, arm, path, options = {}) {
-  const typed = readTrace(mine, arm, options.which);
-  return { ...judgeTrace(typed, arm, path, options), typed };
-}
+/** Judge joint vectors, a text such as CSV or nested lists, along a path. */
+export const compareTrace = makeJudge({
+  name: "trace",
+  sentences: { [RIGHT]: "trace right", wrong: "trace wrong" },
+  otherUnit: { deg: "trace.degrees", rad: "trace.radians" },
+  ask: (arm, path, options) => ({ angles: "rad", tolerance: null, ...options, arm, path }),
+  read(mine, { arm, path, angles, which }) {
+    const typed = readTrace(mine, arm, which);
+    const unit = typed.statedUnits?.angles ?? angles;
+    const arranged = arrangeBySteps(typed, arm, path.times.length, unit);
+    return { typed, unit, arranged };
+  },
+  compare({ typed, unit, arranged }, question) {
+    const { arm, path, tolerance } = question;
+    if (!arranged)
+      return compareFirstSteps(typed, unit, question) ?? describeWrongShape(typed, arm, path);
+    const { q, taken } = arranged;
+    const units = findUntrimmedUnits(arranged, arm, path);
+    const allowed = boundTipErrors({ q, units }, question);
+    const trajectory = { ...arranged, units };
+    if (unit === "rad" && followsOnlyInDegrees(trajectory, arm, path, allowed))
+      return { grade: WRONG, causes: [makeCause("trace.degrees")], taken };
+    return { ...compareTrajectory(trajectory, arm, path, allowed, tolerance !== null), taken };
+  },
+  getAngles: ({ unit, arranged }) => arranged && { values: arranged.q.flat(), angles: unit },
+  listBeginnings: () => [],
+});
 
 /**
  * Return the joint values as typed, before any correction.
@@ -75,68 +91,36 @@ export function readTrace(mine, arm, which = null) {
   });
 }
 
-/**
- * Judge joint values as `readTrace` returns them.
- * @param {import("../reading/numbers.js").Typed} typed @param {Arm} arm @param {Path} path
- * @returns {import("../verdict.js").Verdict}
- */
-export const judgeTrace = completeVerdicts(judgeTypedTrace);
+// Return the largest allowed error of the tip at each step (m).
+const boundTipErrors = ({ q, units }, { arm, tolerance }) =>
+  q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
 
-function judgeTypedTrace(typed, arm, path, options = {}) {
-  const { angles = "rad", tolerance = null } = options;
-  const typedUnit = typed.statedUnits?.angles ?? angles;
-  const arranged = arrangeBySteps(typed, arm, path.times.length, typedUnit);
-  if (!arranged)
-    return judgeTooFewSteps(typed, arm, path, options) ?? reportWrongShape(typed, arm, path);
-  const trajectory = { ...arranged, units: findUntrimmedUnits(arranged, arm, path) };
-  const { q, units, unit, taken } = trajectory;
-  const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
-  if (unit === "rad" && followsOnlyInDegrees(trajectory, arm, path, allowed))
-    return reportCause(arm, makeCause("trace.degrees"), [], taken, {});
-  const verdict = judgeTrajectory(trajectory, arm, path, allowed, tolerance !== null);
-  return askAboutDegrees(verdict, {
-    arm,
-    values: q.flat(),
-    angles: unit,
-    keys: { deg: "trace.degrees", rad: "trace.radians" },
-    judgeIn: (unit) => judgeTypedTrace(typed, arm, path, { ...options, angles: unit }),
-    makeHeadline: (cause) => formatMessage("trace wrong", { arm: arm.name, cause: `${cause}.` }),
-  });
-}
-
-// Judge the first rows of a trajectory whose last rows are missing. Refuse a trajectory with gaps
-// between its rows. Return null if the rows leave the path, turn the tool or jump.
-function judgeTooFewSteps(typed, arm, path, { angles = "rad", tolerance = null }) {
-  const count = typed.shape[0];
-  const all = path.times.length;
-  const arranged = arrangeFirstPart(typed, arm, all, angles);
+// Compare the first rows of a trajectory whose last rows are missing. Refuse a trajectory with gaps
+// between its rows. Return null if the rows leave the path, turn the tool or jump, or if at most a
+// single row is missing.
+/** @returns {import("./frame.js").Outcome | null} */
+function compareFirstSteps(typed, unit, question) {
+  const { arm, path } = question;
+  const [count, all] = [typed.shape[0], path.times.length];
+  const isFirstPart = count >= FEWEST_STEPS && count < all - 1;
+  const arranged = isFirstPart ? arrangeBySteps(typed, arm, count, unit) : null;
   if (!arranged) return null;
-  const { q, units, taken } = arranged;
+  const { q, taken } = arranged;
   const firstPart = { ...path, times: path.times.slice(0, count) };
-  const allowed = q.map((row, k) => tolerance ?? METHOD_ERROR + boundTipError(row, units[k], arm));
+  const allowed = boundTipErrors(arranged, question);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const errors = measureDistances(
     firstPart.times.map(path.position),
     frames.map(({ o }) => o),
   );
-  const isTurned = movingRows(arm).length >= 6 && measureToolTurns(frames)[0] > METHOD_TILT;
+  const isTurned = measureToolTurns(frames, arm)[0] > METHOD_TILT;
   if (exceedsAllowed(errors, allowed) && liesOnPath(frames, path, allowed))
     throw new ArmError(formatMessage("trace rows left out", { count, all }));
   if (isTurned || exceedsAllowed(errors, allowed) || findJumps(q, arm, firstPart).length)
     return null;
   const headline = formatMessage("trace so far", { arm: arm.name, count, all });
-  return reportBeginning("trace", arm, headline, `steps ${count} to ${all - 1}`, {
-    taken,
-    figures: { position_error: Math.max(...errors), q },
-  });
-}
-
-// Arrange the rows of the first steps. Return null if there are too few rows, or if at most a
-// single row is missing.
-function arrangeFirstPart(typed, arm, all, angles) {
-  const count = typed.shape[0];
-  if (count < FEWEST_STEPS || count >= all - 1) return null;
-  return arrangeBySteps(typed, arm, count, typed.statedUnits?.angles ?? angles);
+  const figures = { position_error: Math.max(...errors), q };
+  return describeBeginning(headline, `steps ${count} to ${all - 1}`, { taken, figures });
 }
 
 // Return whether each row reaches a point of the path, later than the row before.
@@ -173,53 +157,44 @@ const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > al
 const measureDistances = (pathPoints, points) =>
   points.map((point, k) => norm(minus(point, pathPoints[k])));
 
-/** @returns {import("../verdict.js").Verdict} */
-function makeTraceVerdict(arm, grade, cause, taken, rest = {}) {
-  const key = grade === RIGHT ? "trace right" : "trace wrong";
-  const headline = formatMessage(key, { arm: arm.name, cause });
-  return makeVerdict("trace", arm, grade, headline, { taken, ...rest });
-}
-
-function reportWrongShape({ shape }, arm, { times }) {
+/** @returns {import("./frame.js").Outcome} */
+function describeWrongShape({ shape }, arm, { times }) {
   const fields = { shape: shape.join("x") || "1", rows: times.length, dof: movingRows(arm).length };
-  const words = formatMessage("trace.shape", fields);
-  const findings = [{ what: "shape", where: "", mine: shape, words }];
-  return makeTraceVerdict(arm, WRONG, uncapitalize(words), [], {
-    findings,
-    causes: ["trace.shape"],
-  });
+  const findings = [{ ...makeFinding("shape", formatMessage("trace.shape", fields)), mine: shape }];
+  return { grade: WRONG, findings, causeNames: ["trace.shape"] };
 }
 
 /**
- * Judge a trajectory.
+ * Compare a trajectory with its path.
  * @param {Trajectory} trajectory
  * @param {Arm} arm
  * @param {Path} path
  * @param {number[]} allowed largest error of the tip at each step (m)
  * @param {boolean} hasTolerance whether the question gives the allowed error, so that a trajectory
  *   within it is right by whatever method
- * @returns {import("../verdict.js").Verdict}
+ * @returns {import("./frame.js").Outcome}
  */
-function judgeTrajectory(trajectory, arm, path, allowed, hasTolerance) {
+function compareTrajectory(trajectory, arm, path, allowed, hasTolerance) {
   const [q, turnNotes] = removeWholeTurns(trajectory.q, arm, path);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const motion = { q, turnNotes, frames };
   return (
-    judgeOnlyWrongRow({ ...trajectory, q }, frames, arm, path, allowed) ??
-    judgeMotion(trajectory, motion, { arm, path, allowed, hasTolerance })
+    compareOnlyWrongRow({ ...trajectory, q }, frames, arm, path, allowed) ??
+    compareMotion(trajectory, motion, { arm, path, allowed, hasTolerance })
   );
 }
 
-// Judge a trajectory by its motion, which is its joint values without whole turns and the frames of
-// its tip.
-function judgeMotion(trajectory, { q, turnNotes, frames }, { arm, path, allowed, hasTolerance }) {
+// Compare the motion, which is the joint values without whole turns and the frames of the tip. It
+// may have a known mistake, the drift of Euler's method, symptoms only, or nothing wrong.
+/** @returns {import("./frame.js").Outcome} */
+function compareMotion(trajectory, { q, turnNotes, frames }, { arm, path, allowed, hasTolerance }) {
   const tip = frames.map(({ o }) => o);
   const errors = measureDistances(path.times.map(path.position), tip);
   const isOff = exceedsAllowed(errors, allowed);
-  const [turn, lean] = movingRows(arm).length >= 6 ? measureToolTurns(frames) : [0, 0];
+  const [turn, lean] = measureToolTurns(frames, arm);
   const jumps = findJumps(q, arm, path);
   const singularStart = findSingularStart(q, arm, jumps);
-  const jump = singularStart || !jumps.length ? [] : [describeJump(q, arm, jumps, !isOff)];
+  const jump = singularStart ? [] : describeJump(q, arm, jumps, !isOff);
   const motionSymptoms = [
     ...(isOff ? [makeFinding("step", describeWorstStep(errors, allowed))] : []),
     ...jump,
@@ -232,33 +207,33 @@ function judgeMotion(trajectory, { q, turnNotes, frames }, { arm, path, allowed,
   };
   const cause = singularStart ?? (symptoms.length || !hasTolerance ? findCause() : null);
   const notes = [...turnNotes, ...(singularStart ? [] : listNotes(arm, path, q))];
-  const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
-  const rest = { notes, figures };
+  const shared = { notes, figures: { position_error: Math.max(...errors), tool_turn: turn, q } };
   if (cause) {
-    const unexplained = dropExplainedJumps(cause, symptoms, jump);
-    return reportCause(arm, cause, unexplained, trajectory.taken, rest);
+    const findings = dropExplainedJumps(cause, symptoms, jump);
+    const kinds = findings.map(({ what }) => what);
+    const causeNames = kinds.filter((kind) => INDEPENDENT_CAUSES.includes(kind));
+    return { grade: WRONG, causes: [cause], causeNames, findings, ...shared };
   }
-  const mayDrift = isOff && !hasTolerance && !jump.length;
-  return reportWithoutCause({ ...trajectory, q }, path, { arm, symptoms, errors, mayDrift, rest });
+  const mayDrift = isOff && !hasTolerance && !jump.length && !trajectory.hasExtraStep;
+  if (mayDrift && isDriftOfEuler({ ...trajectory, q }, arm, path, errors[0])) {
+    // The method gives these joint values with the student's steps.
+    const fields = { error: formatMillimetres(Math.max(...errors), 4), steps: errors.length - 1 };
+    const headline = formatMessage("trace right by euler", { arm: arm.name });
+    const drift = formatMessage("trace euler drift", fields);
+    return { grade: RIGHT, headline, ...shared, notes: [...notes, drift] };
+  }
+  return symptoms.length
+    ? { ...shared, ...describeSymptoms(symptoms, arm) }
+    : { grade: RIGHT, ...shared };
 }
 
-// Return the verdict on a trajectory without a known mistake. It may have the drift of Euler's
-// method, symptoms only, or nothing wrong.
-function reportWithoutCause(trajectory, path, { arm, symptoms, errors, mayDrift, rest }) {
-  const { taken, hasExtraStep } = trajectory;
-  if (mayDrift && !hasExtraStep && isDriftOfEuler(trajectory, arm, path, errors[0]))
-    return acceptEulerDrift(arm, errors, taken, rest);
-  if (symptoms.length) return reportSymptoms(arm, symptoms, taken, rest);
-  return makeTraceVerdict(arm, RIGHT, "", taken, rest);
-}
-
-// Accept the drift of Euler's method, since the method gives these joint values with the student's
-// steps.
-function acceptEulerDrift(arm, errors, taken, rest) {
-  const fields = { error: formatMillimetres(Math.max(...errors), 4), steps: errors.length - 1 };
-  const notes = [...rest.notes, formatMessage("trace euler drift", fields)];
-  const headline = formatMessage("trace right by euler", { arm: arm.name });
-  return makeVerdict("trace", arm, RIGHT, headline, { taken, ...rest, notes });
+// Describe a wrong motion whose mistake is unknown: the headline has the first symptom.
+function describeSymptoms(symptoms, arm) {
+  const [first, ...others] = symptoms;
+  const causeNames = symptoms.map(({ what }) => what).filter((what) => what.includes("."));
+  const headline = formatMessage("trace wrong", { arm: arm.name, cause: toClause(first.words) });
+  const findings = [{ ...first, what: "cause" }, ...others];
+  return { grade: WRONG, headline, findings, causeNames };
 }
 
 const listExtraStep = ({ hasExtraStep }) =>
@@ -270,63 +245,44 @@ const dropExplainedJumps = (cause, symptoms, jump) =>
     ? symptoms.filter((symptom) => !jump.includes(symptom))
     : symptoms;
 
-function reportCause(arm, cause, symptoms, taken, rest) {
-  const words = causeMessage(cause);
-  const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
-  const kinds = symptoms.map(({ what }) => what);
-  const causes = [causeName(cause), ...kinds.filter((kind) => INDEPENDENT_CAUSES.includes(kind))];
-  return makeTraceVerdict(arm, WRONG, `${uncapitalize(words)}.`, taken, {
-    findings,
-    causes,
-    ...rest,
-  });
-}
-
-// Judge a trajectory with a single wrong row, or return null. A wrong first or last row may belong
-// to a jump, unless the change of one joint puts it right.
-function judgeOnlyWrongRow(trajectory, frames, arm, path, allowed) {
+// Describe a trajectory with a single wrong row, or return null. A wrong first or last row may
+// belong to a jump, unless the change of one joint puts it right.
+/** @returns {import("./frame.js").Outcome | null} */
+function compareOnlyWrongRow(trajectory, frames, arm, path, allowed) {
   const wrongRow = findOnlyWrongRow(trajectory, arm, path, frames, allowed);
   if (!wrongRow || trajectory.hasExtraStep) return null;
   const { row, correction } = wrongRow;
   const isInside = row > 0 && row < frames.length - 1;
-  return isInside || correction ? reportWrongRow(arm, wrongRow, trajectory, path) : null;
+  return isInside || correction ? describeRow(arm, wrongRow, trajectory, path) : null;
 }
 
 /** @param {import("./trace_row.js").WrongRow} wrongRow */
-function reportWrongRow(arm, wrongRow, trajectory, path) {
+function describeRow(arm, wrongRow, trajectory, path) {
   const { row, distance, angle, correction } = wrongRow;
-  const { q, taken, isPerJoint } = trajectory;
+  const { q, isPerJoint } = trajectory;
   const isWrong = (k, i) => k === row && (!correction || i === correction.index);
   const wrong = q.flatMap((values, k) => values.map((_, i) => isWrong(k, i)));
   const corrected = q.map((values, k) =>
     values.map((x, i) => (correction && isWrong(k, i) ? correction.value : x)),
   );
   const words = describeWrongRow(wrongRow, q[row], arm);
-  return makeTraceVerdict(arm, WRONG, uncapitalize(words), taken, {
+  return {
+    grade: WRONG,
     findings: [makeFinding("step", words, `step ${row}`)],
     notes: correction ? [...listNotes(arm, path, corrected)] : [],
     figures: { position_error: distance, tool_turn: angle, q },
     ...(isPerJoint ? {} : { wrong }),
-  });
-}
-
-function reportSymptoms(arm, symptoms, taken, rest) {
-  const [first, ...others] = symptoms;
-  const findings = [{ ...first, what: "cause" }, ...others];
-  const causes = symptoms.map(({ what }) => what).filter((what) => what.includes("."));
-  return makeTraceVerdict(arm, WRONG, uncapitalize(first.words), taken, {
-    findings,
-    causes,
-    ...rest,
-  });
+  };
 }
 
 // Return the largest rotation of the tool from its first frame, and the largest angle of its z axis
-// from its first direction (rad).
-const measureToolTurns = (frames) => [
-  Math.max(...frames.map((frame) => rotationBetween(frames[0], frame))),
-  Math.max(...frames.map(({ z }) => measureAngle(z, frames[0].z))),
-];
+// from its first direction (rad). They are 0 for an arm that cannot hold its tool.
+function measureToolTurns(frames, arm) {
+  if (movingRows(arm).length < 6) return [0, 0];
+  const turns = frames.map((frame) => rotationBetween(frames[0], frame));
+  const leans = frames.map(({ z }) => measureAngle(z, frames[0].z));
+  return [Math.max(...turns), Math.max(...leans)];
+}
 
 function listToolTurns(lean, turn) {
   const formatDegrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
@@ -340,13 +296,15 @@ function listToolTurns(lean, turn) {
 // Return the angle between two unit vectors (rad).
 const measureAngle = (u, v) => Math.atan2(norm(cross(u, v)), dot(u, v));
 
-// Report the first jump. It leads to a different branch only if the tip stays on the path.
-/** @returns {Finding} */
+// Report the first jump, if there is one. It leads to a different branch only if the tip stays on
+// the path.
+/** @returns {Finding[]} */
 function describeJump(q, arm, jumps, isOnPath) {
+  if (!jumps.length) return [];
   const { step, ...fields } = measureStep(q, arm, jumps[0]);
   const key = isOnPath ? "trace.jump" : "trace jump off";
   const words = formatMessage(key, { step, to: step + 1, count: jumps.length, ...fields });
-  return makeFinding("trace.jump", words, `step ${step}`);
+  return [makeFinding("trace.jump", words, `step ${step}`)];
 }
 
 // Report the step with the tip's largest error, among the steps that exceed the allowed error.

@@ -8,7 +8,7 @@ import { orthonormalize } from "../../../../judge/geometry/target.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
 import { comparePose, readTarget } from "../../../../judge/topics/pose.js";
 import { ArmError } from "../../../../judge/sentences.js";
-import { judgeTrace, readTrace } from "../../../../judge/topics/trace.js";
+import { compareTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 /** @typedef {import("../question.js").Question} Question */
 
@@ -50,9 +50,8 @@ function prepareTarget(question, arm, form) {
 
 /** @type {import("../question.js").Checker} */
 export function checkTrace(question, arm) {
-  const typed = readTrace(question.answer, arm);
-  const path = makePath(question, arm, typed);
-  const verdict = judgeTrace(typed, arm, path, { angles: question.unit });
+  const path = makePath(question, arm, readTrace(question.answer, arm));
+  const verdict = compareTrace(question.answer, arm, path, { angles: question.unit });
   const wanted = path.times.map(path.position); // for the picture
   return { ...verdict, figures: { ...verdict.figures, wanted } };
 }
