@@ -102,7 +102,8 @@ def test_table_source_records_units_and_conversions():
         arm.source == "columns a α d θ; the standard convention; lengths in mm; angles in degrees"
     )
     assert arm.rows[1].theta == "-pi/2"
-    slide = Arm.from_table("theta d a alpha\nq1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0", values={"d3": 0.2})
+    typed = "theta d a alpha\nq1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0"
+    slide = Arm.from_table(typed, values={"d3": 0.2})
     assert [r.joint.kind for r in slide.rows] == ["revolute", "revolute", "prismatic"]
     assert slide.rows[2].d == -0.2
     assert "backwards in row 3" in slide.source
