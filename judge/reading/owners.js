@@ -94,6 +94,7 @@ export function tokensOf(text, block) {
           : { owner: "context", reason: "markup or comment" },
       );
   markUnclear(text, tokens.list);
+  if (block.rows.length === 1) markLabelInBrackets(text, tokens.list);
   return tokens.list;
 }
 
@@ -103,6 +104,18 @@ const listOddLabels = (labels) => {
   const found = labels.map((words) => words.filter(({ text }) => hasDecimals(text)));
   return found.every(({ length }) => length > 0) ? [] : found.flat();
 };
+
+// Mark a label within the brackets of a single row as unread: "[0.5 0.5, 0.7, -0.4]" has four
+// numbers.
+/** @param {string} text @param {Token[]} tokens */
+function markLabelInBrackets(text, tokens) {
+  const first = tokens.findIndex(({ owner }) => owner === "entry");
+  const label = tokens[first - 1];
+  if (label?.owner !== "label" || label.line !== tokens[first].line) return;
+  const isOpen = /[[({][ \t]*[-+\u2212]?$/.test(text.slice(0, label.from));
+  const isBeside = /^[ \t]+[-+\u2212]?$/.test(text.slice(label.to, tokens[first].from));
+  if (isOpen && isBeside) label.owner = "unread";
+}
 
 // Mark numbers as unread if a comma may join them to an entry, "115,2111", or if they are an
 // alternative to an entry, "0.3 or 0.5".
