@@ -205,22 +205,6 @@ def test_question_gets_expected_verdict(case):
         assert words not in found["words"], found
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "[[-1,-1],[1,0],[0,0],[0,0],[0,0],[1,1]]",
-        "np.array([[-1,-1],[1,0],[0,0],[0,0],[0,0],[1,1]])",
-        "[-1,-1;1,0;0,0;0,0;0,0;1,1]",
-        "{{-1,-1},{1,0},{0,0},{0,0},{0,0},{1,1}}",
-    ],
-)
-def test_comma_in_brackets_separates(text):
-    # two links of 1 m, the second at a right angle: the tip is at (1, 1)
-    arm = Arm("unit links", [revolute(a=1), revolute(a=1)])
-    report = checks.compare_jacobian(text, arm, [0, np.pi / 2])
-    assert report.grade in ("right", "so far"), report
-
-
 # Degrees that are read as radians
 
 UR_DEGREES = np.degrees([0.3, -1.1, 1.4, -0.8, 0.9, 0.2])
