@@ -155,7 +155,7 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
       const exchanged = reorderColumns((k) => (k === i ? j : k === j ? i : k));
       yield [makeCause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];
     }
-    for (const j of [i - 1, i + 1].filter((n) => turns[n] === turns[i])) {
+    for (const j of [i - 1, i + 1].filter((n) => n in joint)) {
       const copied = reorderColumns((k) => (k === i ? j : k)); // handed in
       yield [makeCause("J.column of", { joint: joint[j], i: joint[i] }), copied];
     }
