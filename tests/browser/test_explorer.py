@@ -503,7 +503,7 @@ def test_live_figures_share_one_webgl_context(visit):
 
 def test_chapter_2_joints_3_and_5_restore_rank(visit):
     page = visit(name="02_jacobian").page
-    verdict = page.locator(".jacobian .verdict")
+    verdict = page.locator(".jacobian .verdict:not([hidden])")
     lost = "Here the tip cannot move along y, move along z nor turn about x."
     assert verdict.inner_text() == f"Singular: rank 3 of 6. {lost}"
     for joint in (1, 6):
