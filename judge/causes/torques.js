@@ -5,8 +5,7 @@
 
 import * as chains from "../geometry/chains.js";
 import { jointNumbers, movingRows } from "../geometry/kinematics.js";
-import { subtractEach } from "../geometry/linear.js";
-import { rowsOf } from "../reading/numbers.js";
+import { splitIntoRows, subtractEach } from "../geometry/linear.js";
 import { formatNumber, joinList } from "../sentences.js";
 import { listConfigurationMistakes, listTableMistakes } from "./chain.js";
 import { listJacobianRecipes } from "./jacobian.js";
@@ -73,7 +72,10 @@ export function makeLoad(arm, wrenches, gravity) {
 class TorqueComputer {
   /** @param {Load} load @param {number} dof @param {number[]} q all joint values */
   constructor(load, dof, q) {
-    const loads = rowsOf(q, dof).map((values) => ({ ...load, c: { ...load.c, q: values, dof } }));
+    const loads = splitIntoRows(q, dof).map((values) => ({
+      ...load,
+      c: { ...load.c, q: values, dof },
+    }));
     const framesOf = cacheResults(chains.chainFrames);
     this.place = (changed, i) => ({ ...changed, T: framesOf(changed.c), F: load.wrenches[i] });
     this.loadsOf = cacheResults((change) => loads.map((load, i) => this.place(change(load), i)));

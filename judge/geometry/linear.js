@@ -59,6 +59,10 @@ export function determinant(columns) {
   return det;
 }
 
+/** Split a list of numbers into rows. @param {number[]} list @param {number} width */
+export const splitIntoRows = (list, width) =>
+  Array.from({ length: list.length / width }, (_, i) => list.slice(i * width, (i + 1) * width));
+
 /** Subtract lists of numbers entry by entry. @param {number[]} u @param {number[]} v */
 export const subtractEach = (u, v) => u.map((x, i) => x - v[i]);
 

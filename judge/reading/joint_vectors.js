@@ -3,6 +3,7 @@
 import { RAD } from "../geometry/angles.js";
 import { transpose } from "../geometry/chains.js";
 import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
+import { splitIntoRows } from "../geometry/linear.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 import {
   JOINT_NAMES,
@@ -13,7 +14,6 @@ import {
   notPerJoint,
   numbers,
   refuseMisfitUnits,
-  rowsOf,
   noteLockedValues,
   unnamed,
 } from "./numbers.js";
@@ -45,7 +45,8 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
   const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = findMatrixShape(typed, dof);
-  const hasLocked = !shape.includes(dof) || hasLockedColumns(rowsOf(typed.values, shape[1]), arm);
+  const hasLocked =
+    !shape.includes(dof) || hasLockedColumns(splitIntoRows(typed.values, shape[1]), arm);
   const width = hasLocked ? arm.rows.length : dof;
   const areColumns = shape[0] === width && (byColumns || shape[1] !== width);
   if (shape.length !== 2 || shape[areColumns ? 0 : 1] !== width)
@@ -57,7 +58,7 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
   refuseMisfitUnits(entries, arm, what, false);
   refuseMixedUnits({ ...typed, entries }, arm, what);
   const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
-  const [valueRows, unitRows] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
+  const [valueRows, unitRows] = [splitIntoRows(flat.values, dof), splitIntoRows(flat.units, dof)];
   const locked = width > dof ? [noteLockedValues(arm, toRows(typed.values))] : [];
   const notes = [
     ...describeUnits(typed, angles, arm),

@@ -223,6 +223,7 @@ export function unitsOf(entries) {
 
 export const eachJoint = (arm) =>
   formatMessage("each joint", { joints: jointNames(arm).join(", ") });
+
 // List the shapes of joint vectors, with a value for each moving joint or for each row of the arm.
 export const jointShapes = (arm, many = true) =>
   [...new Set([movingRows(arm).length, arm.rows.length])].flatMap((columns) => [
@@ -297,10 +298,6 @@ export function notPerJoint(what, arm, shape) {
     formatMessage("pose shape", { what, given: describeShape(shape), wanted: eachJoint(arm) }),
   );
 }
-
-// Split a list of numbers into rows.
-export const rowsOf = (flat, width) =>
-  Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
 
 /**
  * Raise an error for a value whose unit cannot be that of its joint.

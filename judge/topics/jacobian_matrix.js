@@ -93,7 +93,7 @@ const countLinearRows = (rows, arm) => ({ 6: 3, 3: isPlanar(arm) ? 2 : 3, 2: 2 }
  * @param {any} typed @param {(names: Set<string>) => Map<string, number>} known
  * @returns {import("../digits.js").Entries}
  */
-function evaluateWith({ formulas, entries }, known) {
+export function evaluateWith({ formulas, entries }, known) {
   const names = new Set();
   for (const tree of formulas) symbols(tree, names);
   const meanings = known(names);

@@ -6,7 +6,7 @@ import { agrees, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { selectColumn, transpose } from "../geometry/chains.js";
 import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
-import { subtractEach } from "../geometry/linear.js";
+import { splitIntoRows, subtractEach } from "../geometry/linear.js";
 import {
   eachJoint,
   inRadians,
@@ -16,7 +16,6 @@ import {
   ofMoving,
   refuseMisfitUnits,
   refuseOtherLists,
-  rowsOf,
   noteLockedValues,
   unnamed,
 } from "../reading/numbers.js";
@@ -58,7 +57,7 @@ export const compareTorques = makeJudge({
     const load = makeLoad(arm, wrenches, gravity);
     if (![...load.masses, ...wrenches.flat()].some(Boolean))
       throw new ArmError(formatMessage("no load", { arm: arm.name }));
-    const given = [...rowsOf(typedQ.values, dof), ...wrenches];
+    const given = [...splitIntoRows(typedQ.values, dof), ...wrenches];
     const request = { names: ANSWER_NAMES, given, which };
     const taken = [...(typedQ.locked ?? []), ...describeModel(load)];
     return { arm, q: typedQ, load, tolerance, isGradeOnly, taken, request };
@@ -160,7 +159,9 @@ function convertToNewtonMetres(typed) {
 // configuration to all wrenches.
 function pairConfigurationsWithWrenches(typedQ, dof, wrench = [0, 0, 0, 0, 0, 0]) {
   const count = typedQ.values.length / dof;
-  const wrenches = Array.isArray(wrench[0]) ? wrench : rowsOf(typedQ.values, dof).map(() => wrench);
+  const wrenches = Array.isArray(wrench[0])
+    ? wrench
+    : splitIntoRows(typedQ.values, dof).map(() => wrench);
   if (count !== 1) return [typedQ, wrenches];
   const repeat = (list) => wrenches.flatMap(() => list);
   return [{ ...typedQ, values: repeat(typedQ.values), units: repeat(typedQ.units) }, wrenches];

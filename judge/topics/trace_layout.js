@@ -3,8 +3,9 @@
 import { RAD } from "../geometry/angles.js";
 import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
 import { pick } from "../geometry/task_rows.js";
+import { splitIntoRows } from "../geometry/linear.js";
 import { describeUnits } from "../reading/joint_vectors.js";
-import { hasLockedColumns, noteLockedValues, rowsOf } from "../reading/numbers.js";
+import { hasLockedColumns, noteLockedValues } from "../reading/numbers.js";
 import { formatMessage } from "../sentences.js";
 
 /**
@@ -34,7 +35,7 @@ export function arrangeBySteps(typed, arm, count, unit) {
   const taken = [...typed.taken];
   const counts = [count - 1, count, count + 1];
   let [rows, units] = [typed.values, typed.units].map((list) =>
-    rowsOf(convertToNamedUnits(list, typed, unit), shape[1]),
+    splitIntoRows(convertToNamedUnits(list, typed, unit), shape[1]),
   );
   const isPerJoint =
     shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && counts.includes(shape[1]);

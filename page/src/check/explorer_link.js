@@ -10,9 +10,10 @@ import {
   norm,
   rotationBetween,
 } from "../../../judge/geometry/kinematics.js";
-import { symbols, value } from "../../../judge/reading/formula.js";
+import { splitIntoRows } from "../../../judge/geometry/linear.js";
 import { lookup, numbers, unnamed } from "../../../judge/reading/numbers.js";
 import { readSymbolValues } from "../../../judge/reading/values.js";
+import { evaluateWith } from "../../../judge/topics/jacobian_matrix.js";
 import { formatNumbers, formatRows } from "../fragment.js";
 import { OWN_ARM } from "./question.js";
 
@@ -61,26 +62,20 @@ function makeJacobianLink(arm, question, typed, q) {
   const { frame, first, lengths } = question;
   if (Number(frame) || typed.shape.join() !== `6,${q.length}`) return "";
   const isFormula = typed.hasJoints && !lengths && !typed.statedUnits?.lengths;
+  const knownAt = (at) => lookup(arm, at, readSymbolValues(question.values));
   const shown = (isFormula ? listGeneralConfigurations(arm) : [q])
     .map((at) => {
-      const values = isFormula ? evaluateFormulas(arm, question, typed, at) : typed.values;
+      const { values } = isFormula ? evaluateWith(typed, knownAt(at)) : typed;
       return compareWithRight(arm, first, values, at);
     })
     .reduce((most, one) => (one.size > most.size ? one : most));
   return shown.size < SEEN ? "" : formatLink(arm, { view: "jacobian", ...shown.fields });
 }
 
-function evaluateFormulas(arm, { values }, { formulas }, q) {
-  const names = new Set();
-  for (const tree of formulas) symbols(tree, names);
-  const meanings = lookup(arm, q, readSymbolValues(values))(names);
-  return formulas.map((tree) => value(tree, (name) => meanings.get(name)));
-}
-
 // Return the fields of the link, and how far a typed entry is off at most. A locked joint gets its
 // right column.
 function compareWithRight(arm, first, values, at) {
-  const typedRows = [0, 1, 2, 3, 4, 5].map((i) => values.slice(i * at.length, (i + 1) * at.length));
+  const typedRows = splitIntoRows(values, at.length);
   if (first === "omega") typedRows.push(...typedRows.splice(0, 3));
   const q = unlockJoints(arm, at);
   const unlocked = { ...arm, rows: unlockRow(arm, arm.rows) };
