@@ -161,8 +161,8 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
 
     Args:
         frames_to: Frames in which the points are asked for, at one configuration, shape (n, 4, 4).
-        frames_from: Frames in which the points are given, at the same
-            configuration, shape (n, 4, 4).
+        frames_from: Frames in which the points are given, at the same configuration, shape
+            (n, 4, 4).
         centres: The points, shape (n, 3), in m.
 
     Returns:

@@ -99,7 +99,7 @@ def test_zero_payload_returns_same_arm():
 
 
 def test_centres_in_keeps_points_in_place():
-    """Of two arms whose frames share nothing, at any configuration."""
+    """The frames are those of two arms that have no frame in common."""
     points = np.random.default_rng(2).uniform(-0.3, 0.3, (6, 3))
     ours, theirs = (link_frames(arm, np.linspace(0.3, 1.4, 6))[1:] for arm in (UR10E, STANFORD))
     told = centres_in(ours, theirs, points)

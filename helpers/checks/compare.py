@@ -266,8 +266,7 @@ def compare_torques(
 
     Args:
         answer: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
-            column vectors are transposed. A function of q is called at each
-            configuration.
+            column vectors are transposed. A function of q is called at each configuration.
         arm: with or without masses.
         q: joints of shape (..., dof), or text.
         wrench: on the tool, by the world, shape (6,), or (..., 6) with one for each

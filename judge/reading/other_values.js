@@ -77,7 +77,6 @@ const JOINT = /^(?:q|th|theta|phi)\d+$/;
 function isValue(words, isJoint) {
   const formula = cutAtBracket(words);
   const names = symbolsIn(formula);
-  if (isJoint)
-    return names !== null && names.length > 0 && /[-+*/\d.]\s*[-+*/]|[-+*/]/.test(formula);
+  if (isJoint) return names !== null && names.length > 0 && /[-+*/]/.test(formula);
   return /^[-+(]?\s*[.\d]/.test(formula) || Boolean(names?.every((name) => /\d$/.test(name)));
 }

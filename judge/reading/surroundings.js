@@ -103,8 +103,8 @@ function findNameBefore(outside) {
   return piece.at(-1).split("=")[0].trim();
 }
 
-// What a name may have besides its letters: a bullet, the number of a solution in q^{(1)}, a unit
-// and the argument of J(q).
+// Parts of a name beside its letters: a bullet, the number of a solution in q^{(1)}, a unit, and
+// the argument of J(q).
 const BESIDE_NAME = /^- +|\^\{?\(\d\)\}?|\/ ?(?:rad|deg|N?m)$|(?<=\S)\([^()]*\)$/g;
 const TRANSPOSE = new RegExp(`(?:${TRANSPOSE_MARK}|')$`);
 const SYMBOL = /^(?:q|th(?:eta)?|tau|[tjvw])(?:_?\{?\w{1,4}\}?)?$/i;

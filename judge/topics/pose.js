@@ -167,8 +167,8 @@ function locateWrongJoint(q, arm, T, typed, makeExpected) {
   const goal = T.pose
     ? { point: T.values.map((row) => row[3]), tool: { x, y, z, o: [0, 0, 0] } }
     : { point: T.values[0], tool: null };
-  const poses = T.formulas ? [] : listConfigurationsWithOneChange(arm, q.values, goal);
-  const findings = poses.flatMap((values, k) => {
+  const configurations = T.formulas ? [] : listConfigurationsWithOneChange(arm, q.values, goal);
+  const findings = configurations.flatMap((values, k) => {
     const slack = computeSlack({ ...q, values }, values.length, makeExpected);
     if (!agrees(typed, makeExpected(values), slack)) return [];
     const joint = jointNames(arm)[k];
