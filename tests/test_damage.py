@@ -11,17 +11,18 @@ from tests.measure.damage import (
     list_answers,
 )
 
-SEED, SHARE = 68, 0.05  # of the answers, for each kind
-
-
-# Answers, by their topic, that the judge should refuse:
+SEED = 68
+SHARE = 0.05  # of all answers; each kind of damage is done to as many
+# Damaged answers that the judge should refuse, by the topic of the answer, with the reason:
 MISSED = {"columns numbered with their unit": "one of the units in headers is not applied"}
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_damaged_answer_is_not_called_right(kind):
     wrongly_right = []
-    for damage in draw_damages(list_answers(works=False), SEED, SHARE, [kind]):
+    damages = list(draw_damages(list_answers(works=False), SEED, SHARE, [kind]))
+    assert damages
+    for damage in damages:
         verdict = judge(damage.answer, damage.text)
         if verdict and verdict.grade in CALLED_RIGHT and not explain_right(damage):
             wrongly_right.append((damage.answer.name, damage.damaged, damage.text))
