@@ -17,6 +17,6 @@ function readInForm(table, unit) {
 
 for await (const line of createInterface({ input: process.stdin })) {
   const { text, unit } = JSON.parse(line);
-  const answers = { explorer: readPastedTable(text, unit), form: readInForm(text, unit) };
+  const answers = { explorer: readPastedTable(text), form: readInForm(text, unit) };
   process.stdout.write(`${JSON.stringify(answers)}\n`);
 }
