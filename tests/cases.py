@@ -1,21 +1,30 @@
 """Read tests/cases.json, the typed texts and expected results that all test runners share.
 
-Python, Node and the browser tests read the same file. Each of its `entries` is a text for one
-field: the quantity and unit of that field, and the expected value, or null if the text is rejected.
-Each of its `formulas` has its value at x = 0.7 and q_1 = 0.4, each of its `matrices` its rows of
-numbers. Each of its `tables` has its rows as kind of joint (R, P or F), a, alpha, d and theta, in m
-and degrees, and the `options` that say how it is read; where the order of its columns is `guessed`,
-one of the readings has these rows. The three hold each layout, spelling, header, unit and notation
-of NumPy, MATLAB, LaTeX, spreadsheets and people once. Each of its `questions` fills the fields of
-the judge's page. It also has a topic (`about`), the expected `grade` (or "refused"), the expected
-`cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`).
+Python, Node and the browser tests read the same file. It holds each layout, spelling, header, unit
+and notation of NumPy, MATLAB, LaTeX, spreadsheets and people once. A case that fails has the reason
+under `fails`; one that must be refused has a part of the message under `refused`.
+
+| list | a case |
+|:--|:--|
+| `entries` | the quantity and unit of a field, and the `value`, or null if it is rejected |
+| `formulas` | the `value` at x = 0.7 and q_1 = 0.4 |
+| `numbers` | the `value` of a formula without symbols, or null |
+| `symbols` | the `names` in a formula, or null |
+| `decimals` | the `round_off` of a formula by its typed decimals, at x = 3 |
+| `matrices` | the `rows` of numbers |
+| `vectors` | the joint `values` of each answer for joints of these `kinds`, null if refused |
+| `definitions` | the `lengths` that a text defines, in m |
+| `units` | the unit of `angles`, `lengths` or `moments` that a text names for all its numbers |
+| `tables` | the `rows` as kind of joint (R, P or F), a, alpha, d and theta, in m and degrees, and
+  the `options` of reading; if the order of its columns is `guessed`, one reading has these rows |
+| `questions` | the fields of the judge's form, the topic (`about`), the `grade` (or "refused"), the
+  `cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`) |
+| `pasted` | the rows that the form, the explorer, `Arm.from_table` and `compare_tables` read, which
+  agrees with a `reference` of other rows within the typed digits; without rows all of them ask |
+| `public` | a published table with its rows in the standard convention, or a Jacobian |
+
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
-`judge/`. Each of the tables `pasted` is read as its rows by the form, the explorer,
-`Arm.from_table` and `compare_tables`, which agrees with a `reference` of other rows within the
-typed digits; one without rows is read by none of them without a question. Each case of `public` is
-a table or a Jacobian that somebody published, with the rows in the standard convention or what its
-verdict says; `refused` is what a refusal quotes instead. A case that fails has the reason under
-`fails`.
+`judge/`.
 """
 
 import json

@@ -28,7 +28,11 @@ REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__im
 
 
 @pytest.mark.parametrize("case", MATRICES, ids=range(len(MATRICES)))
-def test_pasted_matrix_is_read(case):
+def test_pasted_matrix_is_read_or_refused(case):
+    if "refused" in case:
+        with pytest.raises(ArmError, match=case["refused"]):
+            read_numbers(case["text"], "your matrix")
+        return
     found = read_numbers(case["text"], "your matrix").values
     np.testing.assert_allclose(found, case["rows"], rtol=1e-6, atol=1e-9)
 
