@@ -2,7 +2,7 @@
 
 import { adviseOnCauses } from "./advice.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { stopAtWords } from "./reading/words.js";
+import { applyWords } from "./reading/words.js";
 import { formatMessage, tryOrNull } from "./sentences.js";
 
 /** The mark that is shown beside each grade. */
@@ -99,10 +99,15 @@ export const makeFinding = (what, words, where = "") => ({ what, where, words })
 export const completeVerdicts =
   (judge) =>
   (mine, ...rest) => {
-    const first = judge(mine, ...rest);
-    const verdict = findRightArm(first, judge, mine, rest) ?? first;
     const options = rest[judge.length - 1] ?? {};
-    if (typeof mine === "string" && verdict.grade !== WRONG) stopAtWords(mine, verdict, options);
+    const judgeInOrder = (stated) => {
+      const args = [...rest];
+      args[judge.length - 1] = { ...options, stated };
+      return judge(mine, .../** @type {Rest} */ (args));
+    };
+    const plain = judge(mine, ...rest);
+    const first = typeof mine === "string" ? applyWords(mine, plain, options, judgeInOrder) : plain;
+    const verdict = findRightArm(first, judge, mine, rest) ?? first;
     const advice = [...(verdict.advice ?? []), ...adviseOnCauses(verdict.causes, options)];
     const unused = first.unusedLines ?? first.typed?.unusedLines ?? mine?.unusedLines ?? [];
     return noteUnusedLines({ ...verdict, advice, tokens: findTokens(first, mine) }, unused);

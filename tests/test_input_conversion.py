@@ -308,6 +308,17 @@ def test_jacobian_with_extra_dimensions_is_read():
         assert f"has {count} values; expected a matrix" in str(refused.value)
 
 
+def test_mapping_is_ordered_by_its_names():
+    J = MIXED.jacobian(Q3).round(6)
+    rows = dict(zip(["vx", "vy", "vz", "wx", "wy", "wz"], J, strict=True))
+    angular_first = {name: rows[name] for name in ["wx", "wy", "wz", "vx", "vy", "vz"]}
+    assert compare_jacobian(angular_first, make_arm(MIXED), Q3).agrees
+    T = forward_kinematics(ELBOW, Q3)
+    q = {sp.Symbol(f"q_{k}"): Q3[k - 1] for k in (3, 1, 2)}
+    assert compare_pose(q, ELBOW, T).agrees
+    assert compare_pose(list(zip(["q3", "q1", "q2"], q.values(), strict=True)), ELBOW, T).agrees
+
+
 def test_wrong_shape_is_reported_with_both_shapes():
     (finding,) = compare_jacobian(np.ones((5, 4)), ELBOW, Q3).findings
     assert (finding.what, finding.mine, finding.expected) == ("shape", (5, 4), (6, 3))

@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 
 from helpers.inputs import shorten
 
-Data = Any  # str, or nested lists of float, str, None (no finite number), {"tree"} and {"odd"}
+# str, or nested lists of float, str, None (no finite number), {"tree"}, {"odd"} and {"named"}
+Data = Any
 _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan")
 
 
 def to_plain_data(answer: Any) -> Data:
-    """Convert numbers, text, SymPy expressions and the values of a mapping to nested lists."""
+    """Convert numbers, text and SymPy expressions to nested lists, mappings to named values."""
     if isinstance(answer, Mapping) and answer:
-        return [to_plain_data(value) for value in answer.values()]
+        return {"named": [[str(key), to_plain_data(value)] for key, value in answer.items()]}
     if isinstance(answer, np.ndarray) and answer.dtype.kind in "iuf" and not np.ma.isMA(answer):
         return _convert_array(answer)
     if hasattr(answer, "tolist"):

@@ -22,7 +22,13 @@ import { flattenFormulas } from "./drawn_formulas.js";
 import { hasDecimals } from "./formula.js";
 import { joinFrameParts } from "./frames.js";
 import { findLabel } from "./labels.js";
-import { isTransposed, orderByLabels, orderByListedNames, transpose } from "./ordering.js";
+import {
+  applyOrder,
+  isTransposed,
+  orderByLabels,
+  orderByListedNames,
+  transpose,
+} from "./ordering.js";
 import { hasHalfNumbers, refuseLongText, refuseOdd } from "./odd_texts.js";
 import { refuseUnread, tokensOf } from "./owners.js";
 import { isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
@@ -45,12 +51,14 @@ const LONGEST = 2_000_000; // characters, enough for a trajectory of 20 000 step
  *
  * A question. `what` is the answer in messages, such as "your torques", and `names` matches names
  * of the answer. `given` are numbers of the question, and `wanted` is the shape in words. `which`
- * is the student's choice among several blocks, from 1. `most` is the largest count of numbers in
+ * is the student's choice among several blocks, from 1. `stated` is the order that words beside the
+ * answer state. `most` is the largest count of numbers in
  * an answer with any number of rows.
  * @typedef {{ rows: number | null, columns: number | null, by?: string, turned?: boolean,
  *   largest?: boolean }} Want
  * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
- *   given?: number[][], which?: number | null, wanted?: string, most?: number }} Question
+ *   given?: number[][], which?: number | null, stated?: import("./ordering.js").StatedOrder,
+ *   wanted?: string, most?: number }} Question
  */
 /** @typedef {import("./lines.js").Cell} Cell */
 /** @typedef {import("./blocks.js").Block} Block */
@@ -91,7 +99,7 @@ export function findAnswer(text, question) {
 
 /** @param {SpannedText} pasted @param {string} text @param {Question} question @returns {Answer} */
 function findIn(pasted, text, question) {
-  const { what, wants, isEntry, names, given = [] } = question;
+  const { what, wants, isEntry, names, given = [], stated } = question;
   if (wants[0].columns === null) refuseOdd(text, question);
   const plain = labelNumberedLines(makePlainText(flattenFormulas(pasted, what)));
   const blockFinders = makeBlockFinders(plain, { isEntry, names, given });
@@ -99,8 +107,8 @@ function findIn(pasted, text, question) {
   if (!answer || hasHalfNumbers(text, answer.block))
     throw makeRefusal(text, question, blockFinders);
   const { block, want } = answer;
-  const { rows, taken } = orderByListedNames(block, want, text);
-  const tokens = tokensOf(text, { ...block, rows });
+  const ordered = stated ? applyOrder(block, stated) : orderByListedNames(block, want, text);
+  const tokens = tokensOf(text, ordered);
   refuseUnread(text, tokens, what);
   refuseTwoUnits(block, what);
   const computation = findComputation(text, block);
@@ -116,7 +124,7 @@ function findIn(pasted, text, question) {
     { ...block, ...findLinesOfEntries(block, tokens) },
     pasted,
   );
-  return { ...block, rows, taken, unusedLines, tokens };
+  return { ...ordered, unusedLines, tokens };
 }
 
 // Refuse values without units below headers, or behind names, in degrees and in radians.

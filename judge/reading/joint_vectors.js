@@ -15,8 +15,8 @@ import {
   numbers,
   refuseMisfitUnits,
   noteLockedValues,
-  unnamed,
 } from "./numbers.js";
+import { orderByGivenNames } from "./ordering.js";
 import { nameLengthUnit } from "./units.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -42,7 +42,7 @@ export function readJointVectors(mine, arm, angles, { byColumns = false, ...opti
   const what = `${arm.name}: your answer`;
   refuseTwoUnits(mine);
   const wants = { wants: jointShapes(arm), names: JOINT_NAMES, ...options };
-  const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
+  const typed = numbers(orderByGivenNames(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = findMatrixShape(typed, dof);
   const hasLocked =

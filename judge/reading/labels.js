@@ -87,11 +87,10 @@ export function findValueLabel({ words, name, isAssigned }) {
  * @param {import("./lines.js").Row[]} rows
  */
 export function readRowLabels(rows) {
-  const [first, ...names] = rows[0].above.filter(({ text }) => !/^#+$/.test(text));
+  const names = rows[0].above.filter((name) => findLabel([name])?.kind === "row");
   const isListOfRows =
-    /^rows?$/i.test(first?.text ?? "") &&
     names.length === rows.length &&
-    names.every((name) => findLabel([name])?.kind === "row");
+    rows[0].above.some(({ text }) => /^(?:rows?|order)$/i.test(text));
   if (isListOfRows) return { labels: names.map((name) => [name]), headers: [] };
   return { labels: rows.map(({ words }) => words), headers: rows[0].above };
 }

@@ -23,6 +23,7 @@ import {
   symbolsIn,
   value,
 } from "./formula.js";
+import { orderByGivenNames } from "./ordering.js";
 import { refuseOtherValues } from "./other_values.js";
 import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "../sentences.js";
 
@@ -82,11 +83,12 @@ const ANY = [{ rows: null, columns: null }];
  * Read typed numbers or numbers from Python.
  * @param {any} mine a text, or nested lists @param {string} what their name in messages
  * @param {{ wants?: import("./answers.js").Want[], names?: RegExp, given?: number[][],
- *   which?: number | null }} [asked]
+ *   which?: number | null, stated?: import("./ordering.js").StatedOrder }} [asked]
  * @returns {Typed}
  */
 export function numbers(mine, what, known = noSymbols, wanted = undefined, asked = {}) {
   if (typeof mine === "string") return readText(mine, { what, known, wanted, ...asked });
+  if (mine?.named) return numbers(orderByGivenNames(mine), what, known, wanted, asked);
   const shape = shapeOf(mine);
   const leaves = [mine].flat(Infinity);
   if (shape.reduce((product, n) => product * n, 1) !== leaves.length) {
@@ -124,15 +126,6 @@ function readLeaf(leaf, what, wanted) {
   if (leaf?.odd) throw new ArmError(formatMessage("no numbers", { what, given: leaf.odd, wanted }));
   if (leaf === null) throw new ArmError(formatMessage("not finite", { what, wanted }));
   return { tree: ["num", leaf], text: String(leaf) };
-}
-
-// Remove the names before values: ('theta1', 0.3) becomes 0.3.
-export function unnamed(mine) {
-  if (!Array.isArray(mine)) return mine;
-  if (mine.length === 2 && typeof mine[0] === "string" && typeof mine[1] !== "string") {
-    return unnamed(mine[1]);
-  }
-  return mine.map(unnamed);
 }
 
 // Return the shape of nested lists: [2, 3] for two lists of three numbers.
@@ -246,7 +239,7 @@ export const JOINT_NAMES = /^(?:q|th|θ|sol|position|ans$|s\d*$)/i; // position:
 // Read a joint vector and its units, without the values of locked joints.
 export function readConfiguration(q, arm, angles = "rad") {
   const wants = jointShapes(arm, false);
-  const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
+  const given = numbers(orderByGivenNames(q), `${arm.name}: q`, undefined, eachJoint(arm), {
     wants,
     names: JOINT_NAMES,
   });

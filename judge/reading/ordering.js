@@ -9,6 +9,11 @@ import { ArmError, formatMessage } from "../sentences.js";
 
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {{ kind: string, numbers: number[] }} Labels labels of one kind */
+/**
+ * The order that words state: the first half of a Jacobian, and its columns.
+ * @typedef {{ angularFirst?: boolean, joints?: number[] | "reversed", transposed?: boolean }}
+ *   StatedOrder
+ */
 
 /**
  * Read the labels of rows or columns. Return null unless all labels have the same kind and
@@ -125,6 +130,29 @@ function findListedJoints(text, size) {
 const sortIndices = (numbers) => numbers.map((_, k) => k).sort((p, q) => numbers[p] - numbers[q]);
 
 /**
+ * Order values from Python by the names before them, and drop the names:
+ * [("theta2", 0.8), ("theta1", 0.3)] becomes [0.3, 0.8].
+ * @param {any} mine nested lists; those of a mapping are { named: pairs }
+ */
+export function orderByGivenNames(mine) {
+  if (isNamed(mine)) return orderByGivenNames(mine[1]);
+  const items = mine?.named ?? mine;
+  if (!Array.isArray(items)) return mine;
+  const labels =
+    items.length > 0 && items.every(isNamed)
+      ? readLabels(items.map(([text]) => [{ text, from: 0, to: 0 }]))
+      : null;
+  const order = labels ? sortIndices(labels.numbers) : [...items.keys()];
+  return order.map((k) => orderByGivenNames(items[k]));
+}
+
+const isNamed = (item) =>
+  Array.isArray(item) &&
+  item.length === 2 &&
+  typeof item[0] === "string" &&
+  typeof item[1] !== "string";
+
+/**
  * Order the rows and columns of a block by their labels.
  * @param {Block} block @param {Want} want
  */
@@ -142,6 +170,27 @@ export function orderByLabels(block, { by }) {
     rows: rowOrder.map((i) => columnOrder.map((k) => block.rows[i][k])),
     taken: isMoved ? [formatMessage("taken: by names")] : [],
     hasRowNames,
+  };
+}
+
+/**
+ * Put the rows and columns of a block in the usual order, given the order that words state.
+ * @param {Block & { taken: string[], hasRowNames?: boolean }} block @param {StatedOrder} stated
+ */
+export function applyOrder(block, { angularFirst, joints, transposed = false }) {
+  const given = transposed && !block.isTransposed ? transpose(block).rows : block.rows;
+  const columns = [...given[0].keys()];
+  const listed = joints === "reversed" ? [...columns].reverse() : (joints ?? columns);
+  const order = listed.length === columns.length ? sortIndices(listed) : columns;
+  const half = given.length / 2;
+  const halves = angularFirst ? [...given.slice(half), ...given.slice(0, half)] : given;
+  const rows = halves.map((row) => order.map((k) => row[k]));
+  const isMoved = rows.flat().some((cell, k) => cell !== block.rows.flat()[k]);
+  return {
+    ...block,
+    rows,
+    taken: isMoved ? [formatMessage("taken: by names")] : block.taken,
+    hasRowNames: block.hasRowNames || angularFirst !== undefined,
   };
 }
 

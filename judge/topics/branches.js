@@ -40,11 +40,11 @@ export const compareBranches = makeJudge({
     places: "ik some wrong",
   },
   otherUnit: { deg: "ik.degrees", rad: "ik.radians" },
-  ask(arm, typedTarget, { angles = "rad", tolerance = null, which = null, found }) {
+  ask(arm, typedTarget, { angles = "rad", tolerance = null, which = null, found, stated }) {
     const isSolved = found && found.arm === arm.name;
     const target = found?.target ?? typedTarget;
     const solutions = makeSolutions(arm, isSolved ? found.branches : solveTarget(arm, target));
-    return { solutions, given: listGivenRows(target), angles, tolerance, which };
+    return { solutions, given: listGivenRows(target), angles, tolerance, which, stated };
   },
   read: readAnswers,
   compare: compareAnswers,
@@ -54,9 +54,9 @@ export const compareBranches = makeJudge({
 });
 
 // Read answers as rows, or as columns if the list is square and only its columns are branches.
-function readAnswers(mine, { solutions, given, angles, tolerance, which }) {
+function readAnswers(mine, { solutions, given, angles, tolerance, which, stated }) {
   const { arm } = solutions;
-  const request = { given, which, most: MOST_ANSWERS * arm.rows.length };
+  const request = { given, which, stated, most: MOST_ANSWERS * arm.rows.length };
   const rows = readJointVectors(mine, arm, angles, request);
   const count = rows.answers.length;
   if (count > MOST_ANSWERS)

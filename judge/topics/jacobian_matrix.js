@@ -24,13 +24,13 @@ const ANSWER_NAMES = /^(?:j|ans$)/i; // variables that may hold the answer
  *   that states none
  */
 export function readMatrix(mine, known, arm, question) {
-  const { typedQ, which, lengths, generic = false, computed = false } = question;
+  const { typedQ, which, stated, lengths, generic = false, computed = false } = question;
   const [what, dof] = [`${arm.name}: your Jacobian`, typedQ.values.length];
   const wants = question.wants ?? [
     ...listShapes(dof, arm.rows.length),
     ...listReducedShapes(arm, dof),
   ];
-  const request = { wants, names: ANSWER_NAMES, given: [typedQ.values], which };
+  const request = { wants, names: ANSWER_NAMES, given: [typedQ.values], which, stated };
   const typed = numbers(mine, what, known, undefined, request);
   const read = convertToMetres(lengths ? setLengthUnit(typed, LENGTH_UNITS[lengths]) : typed, arm);
   const isEverywhere = read.hasJoints || (generic && computed);

@@ -67,9 +67,10 @@ export const comparePose = makeJudge({
   },
   otherUnit: { deg: "ik.degrees", rad: "ik.radians" },
   ask: (arm, T, options) => ({ angles: "rad", tolerance: null, ...options, arm, T }),
-  read(mine, { arm, T, angles, which = null }) {
+  read(mine, { arm, T, angles, which = null, stated }) {
     const wants = jointShapes(arm, false);
-    const read = readJointVectors(mine, arm, angles, { wants, given: listGivenRows(T), which });
+    const request = { wants, given: listGivenRows(T), which, stated };
+    const read = readJointVectors(mine, arm, angles, request);
     const count = read.answers.length;
     if (count !== 1) throw new ArmError(formatMessage("one answer", { arm: arm.name, count }));
     return read;

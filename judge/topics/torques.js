@@ -17,8 +17,8 @@ import {
   refuseMisfitUnits,
   refuseOtherLists,
   noteLockedValues,
-  unnamed,
 } from "../reading/numbers.js";
+import { orderByGivenNames } from "../reading/ordering.js";
 import { MOMENT_UNITS, momentFactor } from "../reading/units.js";
 import { makeFinding } from "../verdict.js";
 import { listCountsBelow } from "./beginning.js";
@@ -50,7 +50,15 @@ export const compareTorques = makeJudge({
   },
   otherUnit: { deg: "tau.degrees", rad: "tau.degrees" },
   ask(arm, q, options) {
-    const { tolerance = null, gravity = GRAVITY, isGradeOnly, angles, wrench, which } = options;
+    const {
+      tolerance = null,
+      gravity = GRAVITY,
+      isGradeOnly,
+      angles,
+      wrench,
+      which,
+      stated,
+    } = options;
     const dof = movingRows(arm).length;
     const read = readConfigurations(q, arm, angles);
     const [typedQ, wrenches] = pairConfigurationsWithWrenches(read, dof, wrench);
@@ -58,7 +66,7 @@ export const compareTorques = makeJudge({
     if (![...load.masses, ...wrenches.flat()].some(Boolean))
       throw new ArmError(formatMessage("no load", { arm: arm.name }));
     const given = [...splitIntoRows(typedQ.values, dof), ...wrenches];
-    const request = { names: ANSWER_NAMES, given, which };
+    const request = { names: ANSWER_NAMES, given, which, stated };
     const taken = [...(typedQ.locked ?? []), ...describeModel(load)];
     return { arm, q: typedQ, load, tolerance, isGradeOnly, taken, request };
   },
@@ -83,7 +91,7 @@ export const compareTorques = makeJudge({
 
 function readTorques(mine, { arm, request }, wants) {
   const what = `${arm.name}: your torques`;
-  const typed = numbers(unnamed(mine), what, undefined, undefined, { ...request, wants });
+  const typed = numbers(orderByGivenNames(mine), what, undefined, undefined, { ...request, wants });
   if (typed.values.length === movingRows(arm).length)
     refuseMisfitUnits(typed.entries, arm, what, true);
   return { typed: convertToNewtonMetres(typed) };
@@ -170,7 +178,7 @@ function pairConfigurationsWithWrenches(typedQ, dof, wrench = [0, 0, 0, 0, 0, 0]
 /** Read a joint vector or a list of joint vectors. */
 export function readConfigurations(q, arm, angles) {
   const dof = movingRows(arm).length;
-  const read = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
+  const read = numbers(orderByGivenNames(q), `${arm.name}: q`, undefined, eachJoint(arm), {
     wants: jointShapes(arm),
   });
   const typed = read.shape.at(-1) === arm.rows.length ? ofMoving(read, arm) : read;

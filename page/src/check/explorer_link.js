@@ -11,7 +11,7 @@ import {
   rotationBetween,
 } from "../../../judge/geometry/kinematics.js";
 import { splitIntoRows } from "../../../judge/geometry/linear.js";
-import { lookup, numbers, unnamed } from "../../../judge/reading/numbers.js";
+import { lookup, numbers } from "../../../judge/reading/numbers.js";
 import { readSymbolValues } from "../../../judge/reading/values.js";
 import { evaluateWith } from "../../../judge/topics/jacobian_matrix.js";
 import { formatNumbers, formatRows } from "../fragment.js";
@@ -93,7 +93,7 @@ function compareWithRight(arm, first, values, at) {
 // Show typed torques beside the right ones.
 function makeTorqueLink(arm, { wrench }, { values }, q) {
   if (values.length !== q.length || arm.locked) return "";
-  const { values: load } = wrench.trim() ? numbers(unnamed(wrench), "the wrench") : { values: [] };
+  const { values: load } = wrench.trim() ? numbers(wrench, "the wrench") : { values: [] };
   return formatLink(arm, {
     q: formatNumbers(q),
     view: "torque",

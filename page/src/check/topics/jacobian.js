@@ -1,6 +1,6 @@
 // Check Jacobians and joint torques.
 
-import { numbers, unnamed } from "../../../../judge/reading/numbers.js";
+import { numbers } from "../../../../judge/reading/numbers.js";
 import { compareJacobian } from "../../../../judge/topics/jacobian.js";
 import { readSymbolValues } from "../../../../judge/reading/values.js";
 import { ArmError } from "../../../../judge/sentences.js";
@@ -27,7 +27,7 @@ export const checkTorques = ({ answer, q, unit, wrench }, arm) =>
 
 function parseWrench(text) {
   if (!text.trim()) return undefined;
-  const { values } = numbers(unnamed(text), "the wrench");
+  const { values } = numbers(text, "the wrench");
   if (values.length !== 6) {
     throw new ArmError(
       `the wrench has ${values.length} numbers; expected six, three of force and three of moment`,
