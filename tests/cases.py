@@ -21,6 +21,9 @@ under `fails`; one that must be refused has a part of the message under `refused
   `cause` ("" for none), and parts of the message that must appear (`said`) or must not (`unsaid`) |
 | `pasted` | the rows that the form, the explorer, `Arm.from_table` and `compare_tables` read, which
   agrees with a `reference` of other rows within the typed digits; without rows all of them ask |
+| `compared` | a table in m and rad, the `reference` table (or `arm`) beside it, and the verdict's
+  `grade`, `causes`, `headline`, `findings` with their places (`where`), other lines (`said`), and
+  whether both are the `same_machine` |
 | `public` | a published table with its rows in the standard convention, or a Jacobian |
 
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
@@ -36,6 +39,7 @@ _CASES = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="u
 ENTRIES, QUESTIONS = _CASES["entries"], _CASES["questions"]
 FORMULAS, MATRICES, TABLES = _CASES["formulas"], _CASES["matrices"], _CASES["tables"]
 PASTED_TABLES, PUBLIC = _CASES["pasted"], _CASES["public"]
+COMPARED_TABLES = _CASES["compared"]
 _EXPECTED = ("about", "grade", "cause", "said", "unsaid", "fails")
 
 
