@@ -91,6 +91,34 @@ window.addEventListener("resize", () => {
   resizeTimer = setTimeout(observeBoxes, 100);
 });
 
+// Keep what a reader sees in its place when something above it changes its height. WebKit does not do
+// so by itself.
+if (!CSS.supports("overflow-anchor", "auto")) document.addEventListener("DOMContentLoaded", () => {
+  const REST_TIME = 200; // ms after the last scroll event; a correction would stop a smooth scroll
+  const article = document.querySelector("article");
+  let seen, top, timer;
+  // Remember the first thing below the bar that is no section, and where it stands.
+  const remember = () => {
+    const { left, width } = article.getBoundingClientRect();
+    for (let y = 64; y < innerHeight / 2; y += 16) {
+      seen = document.elementFromPoint(left + width / 2, y);
+      if (seen && article.contains(seen) && !seen.matches("article, section")) break;
+    }
+    top = seen?.getBoundingClientRect().top;
+  };
+  const correct = () => {
+    timer = null;
+    const moved = seen?.isConnected ? seen.getBoundingClientRect().top - top : 0;
+    if (Math.abs(moved) >= 1) scrollBy({ top: moved, behavior: "instant" });
+  };
+  addEventListener("scroll", () => {
+    remember();
+    clearTimeout(timer);
+    timer = setTimeout(correct, REST_TIME);
+  }, { passive: true });
+  new ResizeObserver(() => timer ?? correct()).observe(article);
+});
+
 // The address of a part that has left the page leads to its new place.
 function followMovedPart() {
   const line = document.getElementById(decodeURIComponent(location.hash.slice(1)));

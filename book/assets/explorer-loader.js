@@ -1,7 +1,8 @@
 // Load the script of a live part. A page without live parts loads nothing. The explorer's page loads
-// at once, a judge when it is near the window, or at once if the link carries an answer. Every other
+// at once, a judge when the page rests near it, or at once if the link carries an answer. Every other
 // arm waits, as a still picture, for the first sign that a reader uses it: an event on its card, or
-// a scrolled page that rests with the card in view. Readers who save data must touch it.
+// a scrolled page that rests with the card in view. Readers who save data must touch it. A judge
+// changes its height, so it waits for rest: the key End leads to where the end was when it was pressed.
 {
   const folder = document.currentScript.src;
   const scripts = {};
@@ -18,24 +19,36 @@
   const bringToLife = (stub) =>
     stub.matches(".arm-judge") ? load("judge.js") : load("explorer.js").then(() => mount(stub));
 
-  // Mount an explorer. A control that has the focus keeps it.
+  // Mount an explorer. A control that has the focus keeps it. WebKit first lays out the new parts
+  // without their height, and would scroll up from the end of the page that is shorter then.
   function mount(stub) {
     const listControls = () => [...stub.shadowRoot.querySelectorAll("button, input, select")];
     const focused = listControls().indexOf(stub.shadowRoot.activeElement);
+    stub.style.minHeight = `${stub.offsetHeight}px`;
     ArmExplorer.mount(stub);
+    void stub.offsetHeight; // lays the page out
+    stub.style.removeProperty("min-height");
     if (focused >= 0) listControls()[focused]?.focus();
   }
 
+  const nearby = new Set(); // what starts when the page rests
   const near = new IntersectionObserver(
     (entries) => {
-      for (const { isIntersecting, target } of entries) {
-        if (!isIntersecting) continue;
-        near.unobserve(target);
-        bringToLife(target);
-      }
+      for (const { isIntersecting, target } of entries)
+        if (isIntersecting) nearby.add(target);
+        else nearby.delete(target);
+      if (!timer) startNearby();
     },
     { rootMargin: "500px" },
   );
+
+  function startNearby() {
+    for (const part of nearby) {
+      near.unobserve(part);
+      bringToLife(part);
+    }
+    nearby.clear();
+  }
 
   const waiting = new Map(); // from each arm that waits to whether it is in view
   const inView = new IntersectionObserver((entries) => {
@@ -54,13 +67,17 @@
       stub.addEventListener(type, () => start(stub), { once: true, passive: true });
   }
 
-  let timer;
-  const startAtRest = () => waiting.forEach((isInView, stub) => isInView && start(stub));
+  let timer = null; // while the page scrolls
+  const startAtRest = () => {
+    timer = null;
+    startNearby();
+    if (!savesData) waiting.forEach((isInView, stub) => isInView && start(stub));
+  };
   const restart = () => {
     clearTimeout(timer);
     timer = setTimeout(startAtRest, REST_TIME);
   };
-  if (!savesData) document.addEventListener("scroll", restart, { passive: true });
+  document.addEventListener("scroll", restart, { passive: true });
 
   document.addEventListener("DOMContentLoaded", () => {
     for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge"))
