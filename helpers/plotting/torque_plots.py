@@ -18,24 +18,42 @@ from helpers.plotting.style import BLUE, GREEN, ORANGE, PURPLE, RED, label_time_
 def plot_torques(
     axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object
 ) -> None:
-    """Draw each joint's torque (N m) over time in its own axes, in a column."""
+    """Draw each joint's torque over time in its own axes, one joint below the other.
+
+    Args:
+        axes: Axes of a column, one for each joint. With two columns, shape (dof, 2), the right one
+            has the same curves again, between the limits of the joint's motor.
+        arm: The arm, with its torque limits.
+        t: Times, shape (n,), s.
+        tau: Torques, shape (n, dof), N m.
+        line: Settings of the line, as in `Axes.plot`.
+    """
     require_type(arm, Arm, "arm")
     t = finite_array(t, "t", "finite times (n,) in s", (None,))
     tau = finite_array(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
     shown_steps = slice(None, None, max(1, len(t) // 200))
-    for ax, i, values, limit in zip(
-        axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
-    ):
+    own_scale, *between_limits = np.reshape(axes, (len(axes), -1)).T
+    joints = zip(own_scale, arm.joints, arm.effort_limits, strict=False)
+    for k, (ax, i, limit) in enumerate(joints):
         # Round-off of 1e-17 N m in an unloaded joint must not set the scale, and neither must a
         # range below a thousandth of the motor's limit.
-        ax.plot(t[shown_steps], values[shown_steps].round(9) + 0.0, **{"color": BLUE, **line})
+        curve = t[shown_steps], tau[shown_steps, k].round(9) + 0.0
+        ax.plot(*curve, **{"color": BLUE, **line})
         ax.set_ylabel(f"joint {i}\n(N m)", rotation=0, ha="right", va="center")
-        ax.yaxis.set_label_coords(-0.16, 0.5)
+        ax.yaxis.set_label_coords(-0.16 * (1 + len(between_limits)), 0.5)  # in widths of a panel
         ax.yaxis.set_major_locator(MaxNLocator(3))
         low, high = ax.get_ylim()
         if np.isfinite(limit) and high - low < 1e-3 * limit:
             ax.set_ylim((low + high - 1e-3 * limit) / 2, (low + high + 1e-3 * limit) / 2)
-    label_time_axis(axes.flat[-1])
+        for column in between_limits:
+            column[k].plot(*curve, **{"color": BLUE, **line})
+            column[k].yaxis.set_major_locator(MaxNLocator(3))
+            if np.isfinite(limit):
+                column[k].set_ylim(-1.2 * limit, 1.2 * limit)
+                for end in (-limit, limit):
+                    column[k].axhline(end, color=RED, ls=":")
+    for column in (own_scale, *between_limits):
+        label_time_axis(column[-1])
 
 
 def plot_torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
