@@ -82,8 +82,9 @@ PAGES = (
         "ur10e",
         "UR10e, the maker's table",
         "The arm as its maker describes it, with the homework's pen. Numbers are given at a bent"
-        " pose, for at home the arm"
-        " stands upright and weighs on no joint.",
+        " configuration, for at home the arm"
+        " stands upright and weighs on no joint. Its inverse kinematics:"
+        " [eight branches](../further/ur10e_by_hand.ipynb#sec-ur-inverse).",
         (replace(UR10E, home=BENT),),
     ),
     SheetPage(
@@ -91,21 +92,24 @@ PAGES = (
         "Stanford arm",
         "Two turns, a slide and a wrist. Joint 3 slides, so its column of the Jacobian is"
         " $z_2$ over 0. The"
-        " homework gives it no masses, so there is no gravity here.",
+        " homework gives it no masses, so there is no gravity here. Its inverse kinematics, in one"
+        " block of formulas: [chapter 5](../05_inverse_kinematics.ipynb#sec-decoupling).",
         (STANFORD,),
     ),
     SheetPage(
         "elbow",
         "Elbow arm",
         "The arm of three joints without an offset at its shoulder."
-        " [Elbow arm with an offset](elbow_with_offset.md) has one.",
+        " [Elbow arm with an offset](elbow_with_offset.md) has one. Its inverse kinematics, in one"
+        " block of formulas: [chapter 5](../05_inverse_kinematics.ipynb#sec-elbow-inverse).",
         (ELBOW,),
     ),
     SheetPage(
         "elbow_with_offset",
         "Elbow arm with an offset",
         "The arm of three joints whose shoulder stands out by $d$. With $d = 0$ it is"
-        " the [elbow arm](elbow.md).",
+        " the [elbow arm](elbow.md). Its inverse kinematics:"
+        " [chapter 5](../05_inverse_kinematics.ipynb#sec-elbow-offset).",
         (replace(ELBOW.with_values(d=0.1), name="Elbow arm with an offset"),),
     ),
 )
