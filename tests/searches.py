@@ -23,7 +23,7 @@ SEARCHES = {
     "Stanford arm table": r"01_.*: The Stanford|answers/stanford.*: Table",
     "homogeneous transform": r"glossary: homogeneous|01_.*: ",
     # Jacobians
-    "lock joint 3": r"02_.*: The Panda|01_.*: Joint 3 locked|answers/panda_joint_3.*|errata: 3 ",
+    "lock joint 3": r"02_.*: The Panda|01_.*: The Panda with joint 3|answers/panda_joint_3.*|errata: 3 ",
     "singularities": r"02_.*: (Where an arm is|How near)",
     "singular pose": r"02_.*: (Where an arm is|How near|Into)|glossary: singular",
     "cross product": r"02_.*: Method 1|where: Jacobians",
