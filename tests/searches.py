@@ -36,8 +36,8 @@ SEARCHES = {
     # circles
     "damped least squares": r"03_.*: |glossary: damped",
     "pseudo-inverse": r"03_.*: |glossary: pseudo",
-    "euler step size error": r"03_.*: (How the error|The Euler)",
-    "joint limits": r"03_.*: (The joints|The way out|Rates that)|robot_data|check_.*: A joint",
+    "euler step size error": r"03_.*: (How the error|The Panda.s circle traced)",
+    "joint limits": r"03_.*: (The Panda.s joints|The real Panda|Rates that)|robot_data|check_.*: A joint",
     "feedback gain": r"03_.*: Feedback",
     # torques
     "gravity torque": r"04_.*|glossary: gravity|answers/.*: Gravity",
@@ -48,10 +48,10 @@ SEARCHES = {
     "does the energy add up": r"04_.*: Does the energy",
     # inverse kinematics
     "ik": r"05_.*: |glossary: inverse|check_.*: My inverse|where: Inverse",
-    "wrist center": r"05_.*: A spherical wrist|glossary: wrist",
+    "wrist center": r"05_.*: The Stanford arm: position|glossary: wrist",
     "atan2": r"05_.*: |errata: 13 ",
-    "Stanford inverse kinematics": r"05_.*: A spherical wrist|where: Inverse",
-    "target out of reach": r"05_.*: Where branches|glossary: (reach|workspace)",
+    "Stanford inverse kinematics": r"05_.*: The Stanford arm: position|where: Inverse",
+    "target out of reach": r"05_.*: The elbow arm.s reach|glossary: (reach|workspace)",
     # the rest
     "UR10 lengths": r"errata: 9 |robot_data: |01_.*: (The maker|Slip 9)",
     "mm or m": r"errata: 26 ",
@@ -87,8 +87,8 @@ STUDENT_SEARCHES = {
     "det(J) = 0": r"02_jacobian: (Where an arm is|How near|A block)",
     # the circle
     "why is my circle not closing": r"check_your_homework: My circle does not close",
-    "euler integration drift": r"03_circle_tracing: (The Euler|How the error|Feedback)",
-    "how many steps N": r"03_circle_tracing: (How the error|The Euler|Exercise 3.1)",
+    "euler integration drift": r"03_circle_tracing: (The Panda.s circle traced|How the error|Feedback)",
+    "how many steps N": r"03_circle_tracing: (How the error|The Panda.s circle traced|Exercise 3.1)",
     "ur10e home position singular": r"03_circle_tracing: The UR10e|02_jacobian: The UR10e",
     "pinv": r"03_circle_tracing: The UR10e",
     "joint limits exceeded": r"check_your_homework: A joint turns|03_circle_tracing: ",
