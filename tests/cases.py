@@ -11,7 +11,7 @@ under `fails`; one that must be refused has a part of the message under `refused
 | `numbers` | the `value` of a formula without symbols, or null |
 | `symbols` | the `names` in a formula, or null |
 | `decimals` | the `round_off` of a formula by its typed decimals, at x = 3 |
-| `matrices` | the `rows` of numbers |
+| `matrices` | the `rows` of numbers, and the `units` of their last typed places |
 | `vectors` | the joint `values` of each answer for joints of these `kinds`, null if refused |
 | `definitions` | the `lengths` that a text defines, in m |
 | `units` | the unit of `angles`, `lengths` or `moments` that a text names for all its numbers |

@@ -3,7 +3,6 @@
 
 import { createInterface } from "node:readline";
 import { computeHoldingTorques, jacobianColumns, movingRows, linkFrames, frameMatrix, computeWrenchTorques } from "../judge/geometry/kinematics.js";
-import { isSameMachine } from "../judge/geometry/axes.js";
 import { findClosedForm, needsPose, solveInverse } from "../judge/geometry/inverse.js";
 import { determinant, decomposeSingular } from "../judge/geometry/linear.js";
 import { findFadingDirections } from "../page/src/dragging.js";
@@ -69,7 +68,6 @@ const jobs = {
   runs: ({ arm, start, runs }) => runs.map((run) => simulateCircle(arm, start, run)),
   torques: ({ arm, path, wrench }) => computeTorquesAlong(arm, path, wrench),
   fading: ({ arm, qs, turns }) => qs.map((q) => findFadingDirections(jacobianColumns(arm, linkFrames(arm, q)), turns)),
-  same: ({ pairs }) => pairs.map(([arm, reference]) => isSameMachine(arm.rows, reference.rows)),
   tables: ({ pairs }) => pairs.map((pair) => compareTables(...pair)),
   links: ({ arms, fragments }) => fragments.map((fragment) => openLink(fragment, arms)),
   copied: ({ arm }) => formatTable(arm),

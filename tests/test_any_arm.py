@@ -146,25 +146,30 @@ def test_solutions_lists_no_branch_twice(name):
 
 
 @pytest.mark.parametrize(
-    "name",
+    "arm",
     [
         "wrist, axes 2 and 3 parallel",
         "wrist, axes 1 and 2 meet",
         "2 to 4 parallel, 5 and 6 meet",
         "4 to 6 parallel, 1 and 2 meet",
+        ELBOW,
+        ELBOW.with_values(d=0.12),
+        STANFORD,
+        UR10E,
     ],
+    ids=str,
 )
-def test_numeric_search_finds_no_further_solution(name):
+def test_numeric_search_finds_no_further_solution(arm):
     rng = np.random.default_rng(7)
-    arm = random_arm(rng, *STRUCTURES[name])
+    arm = arm if isinstance(arm, Arm) else random_arm(rng, *STRUCTURES[arm])
     for q in random_q(arm, 3, rng):
-        T = forward_kinematics(arm, q)
+        target = targets_of(arm, q, "position" if arm.dof == 3 else "")
         starts = random_q(arm, 80, rng)
-        search = solve(arm, np.broadcast_to(T, (80, 4, 4)), starts, limits=False)
+        search = solve(arm, np.broadcast_to(target, (80, *target.shape)), starts, limits=False)
+        found = solutions(arm, target)
         for reached in search.q[search.reached]:
-            found = solutions(arm, T)
             gap = largest_difference(arm, found.q[found.valid], reached)
-            assert gap.min() < 1e-5, (name, reached)
+            assert gap.min() < 1e-5, (arm, reached)
 
 
 @pytest.mark.parametrize("name", STRUCTURES)

@@ -106,35 +106,6 @@ def test_valid_solutions_reach_and_contain_the_pose(form, arm):
     assert (nearest[lost] * weakest).max(initial=0.0) < 1e-10
 
 
-@pytest.mark.parametrize(("form", "arm"), CASES)
-def test_as_many_branches_as_newton_finds(form, arm):
-    """Newton starts from 400 joint vectors, which takes 2 s for a pose."""
-    rng = np.random.default_rng(2)
-    for q in rng.uniform(-2.5, 2.5, (1, arm.dof)):
-        found, asked = solve_poses(form, arm, q[None])
-        at = rng.uniform(-np.pi, np.pi, (400, arm.dof))
-        at[:, ~arm.turning] = rng.uniform(-3, 3, (400, (~arm.turning).sum()))
-        wanted = poses(arm, q[None])
-        for _ in range(60):
-            T, J = poses(arm, at), jacobians(arm, at)
-            R = wanted[:, :3, :3] @ T[:, :3, :3].transpose(0, 2, 1)
-            turn = [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]]
-            e = np.hstack([(wanted - T)[:, :3, 3], 0.5 * np.stack(turn, axis=1)])
-            if arm.dof == 3:
-                J, e = J[:, :3], e[:, :3]
-            damped = J @ J.transpose(0, 2, 1) + (e**2).sum(axis=1)[:, None, None] * np.eye(len(e.T))
-            at = at + (J.transpose(0, 2, 1) @ np.linalg.solve(damped, e[..., None]))[..., 0]
-        miss = asked(poses(arm, at) - wanted).reshape(len(at), -1)
-        arrived = at[np.abs(miss).max(axis=1) < 1e-9]
-        distinct = []
-        for x in arrived:
-            if all(measure_difference(arm, x, y) > 1e-5 for y in distinct):
-                distinct.append(x)
-        assert len(distinct) == found.valid.sum()
-        for x in distinct:
-            assert measure_difference(arm, found.q[0][found.valid[0]], x).min() < 1e-6
-
-
 def test_distance_out_of_reach_is_known_for_every_arm():
     """Beside an offset arm's axis against a fine grid of its reach; a UR's pose moved so far is
     within reach."""

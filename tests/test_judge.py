@@ -33,8 +33,9 @@ def test_pasted_matrix_is_read_or_refused(case):
         with pytest.raises(ArmError, match=case["refused"]):
             read_numbers(case["text"], "your matrix")
         return
-    found = read_numbers(case["text"], "your matrix").values
-    np.testing.assert_allclose(found, case["rows"], rtol=1e-6, atol=1e-9)
+    typed = read_numbers(case["text"], "your matrix")
+    np.testing.assert_allclose(typed.values, case["rows"], rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(typed.units, case.get("units", typed.units), rtol=1e-6)
 
 
 def test_pasted_matrix_with_nan_is_rejected():

@@ -39,19 +39,6 @@ test("a typed table reports how it was read", () => {
   assert.equal(findArm(own, []).reading, "columns a α d θ; the standard convention; lengths in m");
 });
 
-test("a typed table takes joint kinds from its variables", () => {
-  const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0" };
-  const { rows } = findArm(own, []);
-  assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
-  assert.equal(rows[1].alpha, -Math.PI / 2);
-  assert.equal(findArm({ ...own, table: "0, 90, 0.5, q1 + 90" }, []).rows[0].theta, Math.PI / 2);
-  const headed = "theta d(mm) a alpha(deg)\nq1 500 0 90\nq2 0 400 0"; // by the column headers, in their units
-  assert.deepEqual(findArm({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]), [[0, 0.5], [0.4, 0]]);
-  for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
-    assert.throws(() => findArm({ ...own, table }, []), /Type the table|entries|no value for|are these the columns theta d a alpha/);
-  }
-});
-
 test("numbers are formatted with three digits", () => {
   const sizes = [[0, "0"], [-0.00001234, "-0.0000123"], [1234567, "1230000"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
   for (const [x, text] of sizes) assert.equal(formatNumber(x), text);

@@ -6,7 +6,7 @@ import { commentLines, putBehindHash, replaceSpan } from "../../page/src/check/c
 import { includeSign, includeWord, listMarks } from "../../judge/marks.js";
 import { compareTables } from "../../judge/topics/table.js";
 import { splitNumbers } from "../../page/src/check/number_grid.js";
-import { EMPTY, findQuestionFault, judgeQuestion } from "../../page/src/check/question.js";
+import { EMPTY, findQuestionFault } from "../../page/src/check/question.js";
 
 const spanOf = (text, word) => ({ from: text.indexOf(word), to: text.indexOf(word) + word.length });
 
@@ -49,30 +49,6 @@ test("choosing an answer comments the numbers of the others", () => {
     commentLines("a\n1 2\n\n3 4", (line) => line < 3),
     "a\n# 1 2\n\n3 4",
   );
-});
-
-const ARM = { name: "two", rows: [{ kind: "revolute" }, { kind: "revolute" }] };
-const VERDICT = {
-  typed: { values: [1.5, -2], units: [0.1, 1], shape: [2, 1], entries: [] },
-  wrong: [false, true],
-};
-
-test("marks name position and value of each entry", () => {
-  const answer = "1 | 1.5\n2 | -2\n99";
-  const tokens = [
-    { from: 0, to: 1, owner: "label" },
-    { from: 4, to: 7, owner: "entry", row: 0, column: 0, index: 0 },
-    { from: 13, to: 14, owner: "entry", row: 1, column: 0, index: 1 },
-    { from: 15, to: 17, owner: "context", reason: "another list" },
-  ];
-  const marks = listMarks({ ...EMPTY, ask: "torques", answer }, { verdict: VERDICT, arm: ARM, tokens });
-  assert.deepEqual(marks.map(({ kind, isWrong }) => [kind, isWrong]), [
-    ["label", false], ["entry", false], ["entry", true], ["context", false],
-  ]); // prettier-ignore
-  assert.match(marks[1].description, /^entry of joint 1, read as 1\.5$/);
-  assert.match(marks[2].description, /^entry of joint 2, read as −2, wrong$/);
-  assert.equal(answer.slice(marks[2].from, marks[2].to), "-2");
-  assert.equal(marks[3].description, "set aside: another list");
 });
 
 const ELBOW_ROWS = [[0, Math.PI / 2, 0.5], [0.4, 0, 0], [0.3, 0, 0]].map(([a, alpha, d]) => ({
@@ -123,18 +99,6 @@ test("numbers of link matrices name their entries", () => {
     ["0.35", "entry of A_3, row 1, column 4, gives a = 0.35 m, wrong"],
     ["0.35", "entry of A_3, row 2, column 4, gives a = 0.35 m, wrong"],
   ]);
-});
-
-test("a misspelt number is marked in the answer only", () => {
-  const elbow = { key: "ELBOW", name: "Elbow arm", rows: ELBOW_ROWS, home: [0, 0, 0], values: [] };
-  const rows = ["1 2 3", "4 5 6", "7 8 9", "1 2 3", "4 5 6", "7 8 9"];
-  const question = { ...EMPTY, ask: "jacobian", arm: "ELBOW", q: "0.1 0.2 0.3", answer: rows.join("\n") };
-  const answer = question.answer.replace("5", "5.1l2");
-  const unread = judgeQuestion({ ...question, answer }, [elbow]).tokens.filter(({ owner }) => owner === "unread");
-  assert.equal(answer.slice(unread[0].from, unread[0].to), "5.1");
-  const outcome = judgeQuestion({ ...question, q: "0.1 0.2 0.3l7" }, [elbow]);
-  assert.match(outcome.error, /^I cannot read '0\.3l7'/);
-  assert.equal(outcome.tokens, undefined);
 });
 
 test("only plain lists become a grid of numbers", () => {
