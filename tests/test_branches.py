@@ -1,5 +1,7 @@
-"""A branch that is called valid is right, at every configuration: 22 500 at and around all
-boundaries, against link matrices and differences of its own."""
+"""Test that valid branches reach their pose at 22 500 configurations at and around all boundaries.
+
+Link matrices and Jacobians are computed here, without `helpers`.
+"""
 
 import numpy as np
 import pytest
@@ -94,7 +96,7 @@ def test_valid_solutions_reach_and_contain_the_pose(form, arm):
     q = at_boundaries(arm, 2500, np.random.default_rng(1))
     found, asked = solve_poses(form, arm, q, start=q)
     n, branch = np.nonzero(found.valid)
-    assert set(n) == set(range(len(q))), "a pose without a way"
+    assert set(n) == set(range(len(q))), "a pose without a branch"
     miss = asked(poses(arm, found.q[n, branch])) - asked(poses(arm, q[n]))
     assert np.abs(miss).max() < 1e-9
     nearest = np.full(len(q), np.inf)
@@ -121,11 +123,11 @@ def test_distance_out_of_reach_is_known_for_every_arm():
     T[:, :3, 3] *= rng.uniform(0.1, 1.8, (40, 1))
     found = inverse.ur(UR10E, T)
     assert ((found.distance > 0) == ~found.valid.any(axis=1)).all()
-    ways = rng.normal(size=(2000, 3))
-    ways /= np.linalg.norm(ways, axis=1)[:, None]
+    directions = rng.normal(size=(2000, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
     for pose, distance in zip(T, found.distance, strict=True):
-        moved = np.tile(pose, (len(ways), 1, 1))
-        moved[:, :3, 3] += 1.1 * distance * ways
+        moved = np.tile(pose, (len(directions), 1, 1))
+        moved[:, :3, 3] += 1.1 * distance * directions
         assert inverse.ur(UR10E, moved).valid.any()
 
 

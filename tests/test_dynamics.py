@@ -61,11 +61,11 @@ def test_torque_matches_lagranges_equation(arm):
     later, earlier = (
         momentum(q + s * q_dot + s * s * q_ddot / 2, q_dot + s * q_ddot) for s in (h, -h)
     )
-    wanted = (later - earlier) / (2 * h)
-    wanted -= central_differences(lambda x: kinetic_energy(arm, inertias, x, q_dot), q, h)
-    wanted += central_differences(lambda x: potential_energy(arm, x), q, h)
+    expected = (later - earlier) / (2 * h)
+    expected -= central_differences(lambda x: kinetic_energy(arm, inertias, x, q_dot), q, h)
+    expected += central_differences(lambda x: potential_energy(arm, x), q, h)
     tau = inverse_dynamics(arm, q, q_dot, q_ddot, inertias=inertias)
-    np.testing.assert_allclose(tau, wanted, atol=3e-5 * max(1, np.abs(wanted).max()))
+    np.testing.assert_allclose(tau, expected, atol=3e-5 * max(1, np.abs(expected).max()))
 
 
 def test_batches_of_q_and_rates_broadcast():

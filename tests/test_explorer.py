@@ -182,16 +182,16 @@ def test_errata_links_open_described_view(opened_link):
 def test_errata_links_count_branches_as_described(opened_link):
     """Four for slip 22, infinitely many for 14, whose joint 1 is free; two shoulders, at angles of
     no quarter turn, for 15."""
-    said = {}
+    answers = {}
     for number in (14, 15, 22):
         patch = opened_link[number]["patch"]
         assert patch["view"] == "branches"
-        said[number] = ask("verdicts", arm=patch["arm"], qs=[patch["q"]])[0]
-    assert said[22]["counted"].startswith("Four solutions")
-    assert said[14]["counted"].startswith("Infinitely many solutions")
-    assert "joint 1 is free" in said[14]["counted"]
-    shoulders = {round(way["q"][0], 3) for way in said[15]["ways"]["list"]}
-    assert len(said[15]["ways"]["list"]) == 4
+        answers[number] = ask("verdicts", arm=patch["arm"], qs=[patch["q"]])[0]
+    assert answers[22]["counted"].startswith("Four solutions")
+    assert answers[14]["counted"].startswith("Infinitely many solutions")
+    assert "joint 1 is free" in answers[14]["counted"]
+    shoulders = {round(branch["q"][0], 3) for branch in answers[15]["ways"]["list"]}
+    assert len(answers[15]["ways"]["list"]) == 4
     assert len(shoulders) == 2
     assert all(abs(abs(angle) - math.pi / 2) > 0.1 for angle in shoulders)
 
@@ -250,9 +250,9 @@ def test_fading_directions_match_singular_values(arm, turns):
         u, sizes, _ = np.linalg.svd(J[:3] @ still)
         shares = sizes / sizes[0] if sizes.size == 3 else np.ones(3)
         lost = u[:, shares < 0.1]
-        assert [one["share"] for one in found] == pytest.approx(shares[shares < 0.1], abs=1e-9)
-        ways = np.reshape([one["direction"] for one in found], (-1, 3)).T
-        np.testing.assert_allclose(ways @ ways.T, lost @ lost.T, atol=1e-7)
+        assert [each["share"] for each in found] == pytest.approx(shares[shares < 0.1], abs=1e-9)
+        directions = np.reshape([each["direction"] for each in found], (-1, 3)).T
+        np.testing.assert_allclose(directions @ directions.T, lost @ lost.T, atol=1e-7)
 
 
 @needs_node
@@ -270,12 +270,12 @@ def test_fading_directions_match_singular_values(arm, turns):
 def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
     """As the closed forms say: what moves with another choice of the free joint is a family."""
     answer = ask("verdicts", arm=arm_data(arm), qs=[list(q)])[0]
-    families, ways = answer["ways"]["families"], answer["ways"]["list"]
+    families, branches = answer["ways"]["families"], answer["ways"]["list"]
     assert all(family["moving"] == free for family in families)
     assert bool(families) == bool(free)
     assert answer["counted"].startswith("Infinitely many solutions") == bool(free)
     if isolated is not None:
-        assert len(ways) - len(families) == isolated
+        assert len(branches) - len(families) == isolated
     target = link_frames(arm, q)[-1]
     here, there = (SOLVERS[arm](arm, target, np.full(arm.dof, value)) for value in (0.2, 0.5))
     moves = (measure_difference(arm, here.q, there.q) > 1e-3)[here.valid]
@@ -284,11 +284,11 @@ def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
 
 @needs_node
 def test_table_message_agrees_with_compare_tables():
-    """On the pairs of tests.machines, on all of which the judge is held against a search."""
+    """On the pairs of tests.machines, which test_tables.py compares with a numeric search."""
     pairs = [random_pair(seed) for seed in range(300)]
     both = [[arm_data(one) for one in pair] for pair in pairs]
-    said = [words.startswith("The same arm") for words in ask("tables", pairs=both)]
-    assert said == [compare_tables(*pair).figures.get("same machine", False) for pair in pairs]
+    is_same = [message.startswith("The same arm") for message in ask("tables", pairs=both)]
+    assert is_same == [compare_tables(*pair).figures.get("same machine", False) for pair in pairs]
 
 
 RUNS = [
@@ -303,13 +303,13 @@ RUNS = [
 
 
 @needs_node
-@pytest.mark.parametrize(("asked", "wanted"), RUNS, ids=lambda value: "")
-def test_homework_trajectory_matches_python(asked, wanted):
+@pytest.mark.parametrize(("asked", "expected"), RUNS, ids=lambda value: "")
+def test_homework_trajectory_matches_python(asked, expected):
     run = {"steps": 1000, "locked": 2, **asked}
     answer = ask("runs", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, runs=[run])[0]
     locked = PANDA_HOMEWORK.lock(3)
     path = circle_below(locked, locked.home, 0.1, "zy", 5, run["steps"])
-    traced = trace(locked, locked.home, path, **wanted)
+    traced = trace(locked, locked.home, path, **expected)
     ends = np.delete(answer["path"][-1], 2)
     np.testing.assert_allclose(ends, traced.q[-1], atol=1e-9)
     assert answer["largestError"] == pytest.approx(traced.report.position_error, rel=1e-6)
@@ -472,8 +472,8 @@ def test_explorer_accepts_closed_form_solutions():
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     found = ur(UR10E, link_frames(UR10E, q)[-1])
     explorer = ArmExplorer(UR10E, q, branches=found)
-    assert [way["label"] for way in explorer.branches] == list(found.branches)
-    np.testing.assert_allclose([way["q"] for way in explorer.branches], found.q, atol=1e-5)
+    assert [branch["label"] for branch in explorer.branches] == list(found.branches)
+    np.testing.assert_allclose([branch["q"] for branch in explorer.branches], found.q, atol=1e-5)
     beyond = ArmExplorer(ELBOW, branches=elbow(ELBOW, [3, 3, 3]))
     assert beyond.branches == []
     with pytest.raises(ArmError, match="expected one"):
@@ -530,9 +530,9 @@ def test_changing_arm_resets_configuration_and_results(explorer):
     assert (explorer.rows, explorer.arm, explorer.q) == ([], PANDA, PANDA.home)
     with pytest.raises(ArmError, match=r"^arm_name is 'Puma'; expected one of Panda, "):
         explorer.arm_name = "Puma"
-    told = {"arm_name": "Elbow arm", "q": [0.1, 0.2, 0.3], "trace": [[0] * 3, [1] * 3]}
-    explorer.set_state(told)  # the page sends the arm with its configuration and trace
-    assert (explorer.q, explorer.trace) == ((0.1, 0.2, 0.3), told["trace"])
+    state = {"arm_name": "Elbow arm", "q": [0.1, 0.2, 0.3], "trace": [[0] * 3, [1] * 3]}
+    explorer.set_state(state)  # the page sends the arm with its configuration and trace
+    assert (explorer.q, explorer.trace) == ((0.1, 0.2, 0.3), state["trace"])
     explorer.arm_name = "UR10e"
     assert (explorer.q, explorer.trace) == (UR10E.home, None)
 
@@ -650,15 +650,15 @@ def test_placeholder_of_the_form_lists_arms_and_examples():
         "jacobian", "torques", "table", "branches", "pose", "trace"
     ]  # fmt: skip
     arms = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), *ARMS]
-    for arm, told in zip(arms, data["arms"], strict=True):
-        assert told["rows"] == arm_data(arm)["rows"]
-        assert told["values"] == [[name, value] for name, value in arm.values.items()]
-        assert eval(told["key"], vars(judge.robots)) == arm
-        locked = "lock" in told["key"]
+    for arm, entry in zip(arms, data["arms"], strict=True):
+        assert entry["rows"] == arm_data(arm)["rows"]
+        assert entry["values"] == [[name, value] for name, value in arm.values.items()]
+        assert eval(entry["key"], vars(judge.robots)) == arm
+        locked = "lock" in entry["key"]
         name = arm.name if not locked else "Panda" if arm is arms[0] else "Panda (homework)"
-        assert told["title"] == (f"{arm.name}, joint 3 locked" if locked else name)
-        assert told["explorer"] == arm.name
-        assert told.get("locked") == (3 if locked else None)
+        assert entry["title"] == (f"{arm.name}, joint 3 locked" if locked else name)
+        assert entry["explorer"] == arm.name
+        assert entry.get("locked") == (3 if locked else None)
 
 
 def test_placeholder_of_a_chapter_form_has_one_question():

@@ -118,7 +118,7 @@ def test_entry_accepts_numbers_of_other_packages():
 
 
 @pytest.mark.parametrize(
-    ("text", "wanted"),
+    ("text", "expected"),
     [
         ("-(d_7 + l_pen)", "-(d_{7} + l_{pen})"),
         ("2*pi/3", "2\\,\\pi/3"),
@@ -127,8 +127,8 @@ def test_entry_accepts_numbers_of_other_packages():
         (-0.0, "-0"),
     ],
 )
-def test_latex_of_entry(text, wanted):
-    assert entry_latex(text) == wanted
+def test_latex_of_entry(text, expected):
+    assert entry_latex(text) == expected
 
 
 NOT_FORMULAS = (

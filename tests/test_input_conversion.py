@@ -269,9 +269,9 @@ def test_function_of_one_joint_takes_any_argument():
 def test_function_with_wrong_signature_is_rejected(function):
     with pytest.raises(ArmError) as refused:
         call_function(function)
-    said = str(refused.value)
-    assert said.startswith("yours: your function failed (TypeError: ")
-    assert "it was called with q of 3 values. Wrap it" in said
+    message = str(refused.value)
+    assert message.startswith("yours: your function failed (TypeError: ")
+    assert "it was called with q of 3 values. Wrap it" in message
     assert isinstance(refused.value.__cause__, TypeError)
 
 

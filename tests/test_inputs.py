@@ -81,9 +81,9 @@ class Orange:
     ],
 )
 def test_invalid_input_has_complete_message(ask, words):
-    with pytest.raises(ArmError) as told:
+    with pytest.raises(ArmError) as error:
         ask()
-    assert str(told.value) == words
+    assert str(error.value) == words
 
 
 def test_valid_input_is_converted():

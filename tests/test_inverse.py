@@ -159,13 +159,13 @@ def test_target_out_of_reach_has_distance_without_branch():
 
 
 def test_target_on_the_boundary_is_reached():
-    for p, ways in (
+    for p, branches in (
         ((0.7, 0, 0.5), ["front", "back"]),
         ((0, 0.1, 0.5), ["front", "back"]),
         ((0.0, 0.0, 1.2), ["the only one"]),  # joint 1 is free
     ):
         found = elbow(ELBOW, p)
-        assert list(found.by_name) == ways
+        assert list(found.by_name) == branches
         assert found.times.sum() == 4
         assert tip_errors(ELBOW, found, np.array(p)).max() < 1e-12
     assert not elbow(ELBOW, (0.7 + 1e-9, 0, 0.5)).valid.any()
@@ -179,7 +179,7 @@ MAST = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()
 
 
 @pytest.mark.parametrize(
-    ("solver", "arm", "target", "ways", "free"),
+    ("solver", "arm", "target", "branches", "free"),
     [
         (elbow, ELBOW, (0, 0, 0.9), ["elbow up", "elbow down"], [1]),  # back is front, turned round
         (elbow, TWINS, (0, 0, 0.5), ["the only one"], [1, 2]),  # folded onto the shoulder
@@ -188,13 +188,13 @@ MAST = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()
     ],
 )
 @pytest.mark.parametrize("start", [(0.0, 0.3, 0.0), (-2.0, 0.7, 0.3)])
-def test_free_joint_keeps_its_start_value(solver, arm, target, ways, free, start):
+def test_free_joint_keeps_its_start_value(solver, arm, target, branches, free, start):
     found = solver(arm, target, start=start)
-    assert list(found.by_name) == ways
+    assert list(found.by_name) == branches
     assert found.times.sum() == 4
-    wanted = [joint in free for joint in (1, 2, 3)]
-    assert (found.free[found.valid] == wanted).all()
-    kept = np.where(wanted, found.q[found.valid] - start, 0)
+    expected = [joint in free for joint in (1, 2, 3)]
+    assert (found.free[found.valid] == expected).all()
+    kept = np.where(expected, found.q[found.valid] - start, 0)
     np.testing.assert_allclose(kept, 0, atol=1e-12)
     assert tip_errors(arm, found, np.array(target)).max() < 1e-12
 
@@ -534,10 +534,10 @@ def test_solve_finds_reachable_target_by_itself(arm):
 def test_solve_reports_distance_of_unreachable_target():
     """The elbow arm's distance by geometry is what least squares find: two methods, one number."""
     p = np.random.default_rng(2).uniform(-1.5, 1.5, (200, 3))
-    wanted = elbow(ELBOW, p).distance
+    expected = elbow(ELBOW, p).distance
     found = solve(ELBOW, p, (0.1, 0.4, -0.9), restarts=5, iterations=300)
-    np.testing.assert_allclose(found.position_error, wanted, atol=1e-5)
-    np.testing.assert_array_equal(found.reached, wanted == 0)
+    np.testing.assert_allclose(found.position_error, expected, atol=1e-5)
+    np.testing.assert_array_equal(found.reached, expected == 0)
     assert (found.orientation_error == 0).all()
 
 

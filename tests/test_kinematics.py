@@ -116,8 +116,8 @@ def test_jacobian_of_wrist_about_its_tip():
     np.testing.assert_array_equal(J[:, :3], 0)
     c, s, zero = np.cos(q[:, 0]), np.sin(q[:, 0]), np.zeros(5)
     third = [c * np.sin(q[:, 1]), s * np.sin(q[:, 1]), np.cos(q[:, 1])]
-    wanted = np.array([[zero, zero, zero + 1], [-s, c, zero], third]).transpose(2, 1, 0)
-    np.testing.assert_allclose(J[:, 3:], wanted, atol=1e-15)
+    expected = np.array([[zero, zero, zero + 1], [-s, c, zero], third]).transpose(2, 1, 0)
+    np.testing.assert_allclose(J[:, 3:], expected, atol=1e-15)
     for part in ("angular", "all"):
         np.testing.assert_allclose(manipulability(wrist, q, part), np.abs(np.sin(q[:, 1])))
     np.testing.assert_array_equal(manipulability(wrist, q, "linear"), 0)

@@ -247,18 +247,18 @@ def test_homework_circle_is_traced_without_the_loop(monkeypatch):
 
 
 def test_vectorized_trace_fails_like_stepwise_trace():
-    """The circle straightens the UR10e's elbow: both ways stop at the same step, in the same
-    words."""
+    """The circle straightens the UR10e's elbow: both fail at the same step with the same
+    message."""
     start = np.array([0.0, -1.2, 0.5, -0.9, 1.2, 0.3])
     tip = forward_kinematics(UR10E, start)[:3, 3]
     path = circle(tip + np.array([0.3, 0, 0]), 0.3, "xz", 4.0, 300, phase=np.pi)
-    told = []
+    errors = []
     for how in ({}, {"jacobian": same_jacobian}):
         with pytest.raises(ArmError) as error:
             trace(UR10E, start, path, method="exact", **how)
-        told.append((error.type, str(error.value)))
-    assert told[0] == told[1]
-    assert "UR10e, step " in told[0][1]
+        errors.append((error.type, str(error.value)))
+    assert errors[0] == errors[1]
+    assert "UR10e, step " in errors[0][1]
 
 
 def test_circle_out_of_reach_raises():
@@ -349,8 +349,8 @@ def test_callbacks_cannot_change_arrays_of_trace(method):
         "rates": spoil_inputs(plain_inverse()),
     }
     run = trace(HOMEWORK, HOMEWORK.home, spoilt, method=method, **how)
-    wanted = trace(HOMEWORK, HOMEWORK.home, path, method=method, jacobian=same_jacobian)
-    np.testing.assert_array_equal(run.q, wanted.q)
+    expected = trace(HOMEWORK, HOMEWORK.home, path, method=method, jacobian=same_jacobian)
+    np.testing.assert_array_equal(run.q, expected.q)
     np.testing.assert_array_equal(spoilt.times, path.times)
 
 
@@ -359,10 +359,10 @@ def test_path_copies_its_arrays():
     round_it = circle(centre, 0.1, "yz", 5.0, 4)
     clock = spoil_inputs(lambda t: np.stack([t, t, t], axis=-1))
     path = Path(times, clock, clock, [1, 0, 0])
-    wanted = round_it.positions
+    expected = round_it.positions
     centre += 1.0
     times += 1.0
-    np.testing.assert_array_equal(round_it.positions, wanted)
+    np.testing.assert_array_equal(round_it.positions, expected)
     for found in (path.positions, path.velocities):
         np.testing.assert_array_equal(found[:, 0], [0, 1])
 
@@ -392,10 +392,10 @@ def test_path_with_constant_velocity_is_traced(method):
     ],
 )  # fmt: skip
 def test_untraceable_task_raises_with_reason(arm, start, how, words):
-    with pytest.raises(ArmError) as told:
+    with pytest.raises(ArmError) as error:
         trace(arm, start, circle_below(arm, start, 0.1, "zx", 5.0, 10), **how)
-    assert words in str(told.value)
-    assert isinstance(told.value, SingularError) == ("J" in words)
+    assert words in str(error.value)
+    assert isinstance(error.value, SingularError) == ("J" in words)
 
 
 def test_zero_damping_raises_at_singular_configuration():
@@ -444,10 +444,10 @@ def test_range_violations_use_unit_of_joint():
 def test_report_says_if_no_limits_are_known():
     path = circle_below(STANFORD, [0.1, 0.8, 0.5, 0.3, 0.9, 0.2], 0.02, "yz", 5.0, 20)
     run = trace(STANFORD, [0.1, 0.8, 0.5, 0.3, 0.9, 0.2], path)
-    told = dict(run.report.rows())
-    assert told["largest joint speed"].endswith("rad/s, no limit is known")
-    assert told["joints beyond their speed"] == "no limit is known"
-    assert told["joints beyond their range"] == "none", "the slide has a range"
+    lines = dict(run.report.rows())
+    assert lines["largest joint speed"].endswith("rad/s, no limit is known")
+    assert lines["joints beyond their speed"] == "no limit is known"
+    assert lines["joints beyond their range"] == "none", "the slide has a range"
     assert repr(run).startswith("Stanford arm, 20 steps in 5 s\nlargest position error")
 
 

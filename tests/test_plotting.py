@@ -98,9 +98,9 @@ def points(line):
     return np.transpose(line.get_data() if not hasattr(line, "get_data_3d") else line.get_data_3d())
 
 
-def passes_through(ax, wanted):
+def passes_through(ax, expected):
     """Return whether one of the lines has all these points among its corners."""
-    gaps = (points(line)[:, None] - wanted for line in ax.lines)
+    gaps = (points(line)[:, None] - expected for line in ax.lines)
     return any((np.linalg.norm(gap, axis=2).min(axis=0) < 1e-9).all() for gap in gaps)
 
 

@@ -41,10 +41,10 @@ def rows_of(program, inputs):
 def test_recorded_program_matches_formula(lines, seed):
     inputs = np.random.default_rng(seed).uniform(-1, 1, (3, 5))
     program = record_program(partial(run_lines, lines), 3)
-    wanted = np.array([run_lines(lines, *column) for column in inputs.T]).T
-    np.testing.assert_allclose(rows_of(program, inputs), wanted, rtol=1e-12, atol=1e-12)
+    expected = np.array([run_lines(lines, *column) for column in inputs.T]).T
+    np.testing.assert_allclose(rows_of(program, inputs), expected, rtol=1e-12, atol=1e-12)
     one = program.run_on_floats(inputs[:, 0].tolist())
-    np.testing.assert_allclose(one, wanted[:, 0], rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(one, expected[:, 0], rtol=1e-12, atol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -62,8 +62,8 @@ def test_recorded_program_matches_formula(lines, seed):
 def test_program_has_no_redundant_steps(compute, steps):
     assert len(record_program(compute, 2).row_steps) <= steps
     inputs = np.array([[0.3, -0.7], [2.0, 5.0]])
-    wanted = [np.broadcast_to(value, 2) for value in compute(*inputs)]
-    np.testing.assert_allclose(rows_of(record_program(compute, 2), inputs), wanted, rtol=1e-15)
+    expected = [np.broadcast_to(value, 2) for value in compute(*inputs)]
+    np.testing.assert_allclose(rows_of(record_program(compute, 2), inputs), expected, rtol=1e-15)
 
 
 def test_negated_zero_prints_without_sign():

@@ -27,7 +27,7 @@ UNEVEN, MANY = (
     "the table has {} rows; expected at most 32",
 )
 UNIT = "[[1, 0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]"
-HELD = [
+NO_TABLES = [
     ([], NO_ROWS, "[]"),
     ([[]], NO_ROWS, "[[]]"),
     ([1, 2], NO_ROWS, "[1, 2]"),
@@ -46,18 +46,18 @@ HELD = [
 ]
 
 
-@pytest.mark.parametrize(("held", "words", "given"), HELD, ids=range(len(HELD)))
-def test_object_without_table_is_rejected_with_message(held, words, given):
-    with pytest.raises(ArmError) as told:
-        reading.read_tables(held)
-    assert str(told.value) == words.replace("{}", given)
+@pytest.mark.parametrize(("table", "message", "shown"), NO_TABLES, ids=range(len(NO_TABLES)))
+def test_object_without_table_is_rejected_with_message(table, message, shown):
+    with pytest.raises(ArmError) as error:
+        reading.read_tables(table)
+    assert str(error.value) == message.replace("{}", shown)
 
 
 @pytest.mark.parametrize("sign", "+-*/")
 def test_formula_of_4000_terms_is_evaluated(sign):
     found = reading.read_formula(sign.join(["q", *["1"] * 4000]), q=5.0)
-    wanted = {"+": 4005, "-": -3995}.get(sign, 5)
-    assert found == {"names": ["q"], "value": wanted}
+    expected = {"+": 4005, "-": -3995}.get(sign, 5)
+    assert found == {"names": ["q"], "value": expected}
 
 
 @pytest.mark.parametrize(
@@ -96,7 +96,7 @@ class Frame:
 
 
 @pytest.mark.parametrize(
-    ("held", "options"),
+    ("table", "options"),
     [
         ({"a": A, "alpha": ALPHA, "d": D, "theta": Q}, {}),
         ({"theta_i": Q, "d": np.array(D), "r": tuple(A), "α": np.array(ALPHA)}, {}),
@@ -114,8 +114,8 @@ class Frame:
     ],
     ids=range(12),
 )  # fmt: skip
-def test_table_is_read_from_any_container(held, options):
-    [read] = reading.read_tables(held, **options)
+def test_table_is_read_from_any_container(table, options):
+    [read] = reading.read_tables(table, **options)
     rows = reading.list_rows(read)
     np.testing.assert_array_equal([r[1:] for r in rows], NUMBERS)
     assert [kind for kind, *_ in rows] == ["revolute"] * 3
@@ -141,11 +141,11 @@ def test_tables_at_the_edges_are_read():
     assert reading.list_rows(read) == [("revolute", 0.4, math.pi, 0.5, 0)]
 
 
-@pytest.mark.parametrize("as_held", [list, np.array, stack_rows, lambda matrices: matrices * 2])
-def test_link_matrices_are_read_as_table_rows(as_held):
+@pytest.mark.parametrize("arrange", [list, np.array, stack_rows, lambda matrices: matrices * 2])
+def test_link_matrices_are_read_as_table_rows(arrange):
     rows = [(0.7, -0.4, 0.3, 0.25), (-2.1, 2.2, 0.15, -0.6)]
-    held = as_held([compute_link_matrix(*row) for row in rows])
-    [read] = reading.read_tables(held, lengths="m", angles="rad")
+    matrices = arrange([compute_link_matrix(*row) for row in rows])
+    [read] = reading.read_tables(matrices, lengths="m", angles="rad")
     found = [
         [row["numbers"][name] for name in ("theta", "alpha", "a", "d")] for row in read["rows"]
     ]
@@ -180,7 +180,7 @@ def test_matrix_with_symbols_has_a_joint():
 
 
 @pytest.mark.parametrize(
-    ("heads", "said"),
+    ("headers", "expected"),
     [
         ("a [mm] alpha (Deg) d theta", ("mm", "deg", None)),
         ("a, α [°], d, theta", (None, "deg", None)),
@@ -192,10 +192,10 @@ def test_matrix_with_symbols_has_a_joint():
         ("a_mm,alpha_deg,d_mm,theta_deg", ("mm", "deg", None)),
     ],
 )
-def test_headers_give_units_and_convention(heads, said):
-    sign = next((sign for sign in ",\t" if sign in heads), " ")
-    [read] = reading.read_tables(f"{heads}\n{sign.join('1111')}")
-    assert (read["lengths"], read["angles"], read["convention"]) == said
+def test_headers_give_units_and_convention(headers, expected):
+    sign = next((sign for sign in ",\t" if sign in headers), " ")
+    [read] = reading.read_tables(f"{headers}\n{sign.join('1111')}")
+    assert (read["lengths"], read["angles"], read["convention"]) == expected
 
 
 @pytest.mark.parametrize(
@@ -209,9 +209,9 @@ def test_headers_give_units_and_convention(heads, said):
     ],
 )
 def test_contradictory_table_option_is_rejected(options, words):
-    with pytest.raises(ArmError) as told:
+    with pytest.raises(ArmError) as error:
         Arm.from_table(format_table(NUMBERS), **options)
-    assert words in str(told.value)
+    assert words in str(error.value)
 
 
 def test_exchanged_headers_are_corrected():
@@ -359,9 +359,9 @@ def test_text_of_far_too_many_numbers_is_no_table():
 
 def test_right_angles_of_table_become_formulas():
     quarters = "-3 * pi / 2", "-pi", "-pi/2", 0, "pi/2", "pi", "3 * pi / 2"
-    for k, wanted in zip(range(-3, 4), quarters, strict=True):
-        for near, told in ((0.9e-4, True), (-0.9e-4, True), (1.1e-4, False)):
-            angle = k * math.pi / 2 + near
+    for k, expected in zip(range(-3, 4), quarters, strict=True):
+        for offset, is_exact in ((0.9e-4, True), (-0.9e-4, True), (1.1e-4, False)):
+            angle = k * math.pi / 2 + offset
             [made] = Arm.from_table(f"0.1 {angle} d1 {-angle}", angles="rad", **ORDER).rows
-            assert made.alpha == (wanted if told else pytest.approx(angle))
+            assert made.alpha == (expected if is_exact else pytest.approx(angle))
             assert made.joint.kind == "prismatic"

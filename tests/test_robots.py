@@ -63,8 +63,8 @@ def test_panda_masses_match_gaz_2019():
     assert tuple(body.mass for body in PANDA.bodies) == GAZ_MASSES
     for q in np.random.default_rng(1).uniform(*PANDA.limits, size=(20, 7)):
         frames = frankas_frames(SIGNS * q)
-        wanted = [T @ [*c, 1] for T, c in zip(frames, GAZ_CENTRES, strict=True)]
-        np.testing.assert_allclose(centres(PANDA, q), np.array(wanted)[:, :3], atol=1e-14)
+        expected = [T @ [*c, 1] for T, c in zip(frames, GAZ_CENTRES, strict=True)]
+        np.testing.assert_allclose(centres(PANDA, q), np.array(expected)[:, :3], atol=1e-14)
 
 
 def test_pen_length_moves_the_tip():
@@ -91,11 +91,11 @@ def test_ur10e_masses_match_data_sheet():
     """Universal Robots, DH parameters for calculations of kinematics and dynamics."""
     bare = UR10E.with_values(l_pen=0)
     assert [body.mass for body in UR10E.bodies] == [7.369, 13.051, 3.989, 2.1, 1.98, 0.615]
-    wanted = [
+    expected = [
         [0.021, 0, 0.027], [0.38, 0, 0.158], [0.24, 0, 0.068], [0, 0.007, 0.018], [0, 0.007, 0.018],
         [0, 0, -0.026],
     ]  # fmt: skip
-    np.testing.assert_allclose([[bare.number(c) for c in b.com] for b in UR10E.bodies], wanted)
+    np.testing.assert_allclose([[bare.number(c) for c in b.com] for b in UR10E.bodies], expected)
 
 
 @pytest.mark.parametrize("name", CATALOGUE)

@@ -58,13 +58,13 @@ def test_arm_without_redundancy_has_no_self_motion():
 def test_singular_ur10e_wrist_has_self_motion():
     """Axes 2, 3, 4 and 6 of the UR10e are parallel at q_5 = 0: a four-bar linkage."""
     q = [0.1, 0.5, 0.9, 0.3, 0, 0.2]
-    (way,) = self_motion_directions(UR10E_HOMEWORK, q)
-    assert way[[0, 4]] == pytest.approx(0, abs=1e-12)
-    run = self_motion(UR10E_HOMEWORK, q, way, 0.5)
+    (direction,) = self_motion_directions(UR10E_HOMEWORK, q)
+    assert direction[[0, 4]] == pytest.approx(0, abs=1e-12)
+    run = self_motion(UR10E_HOMEWORK, q, direction, 0.5)
     assert abs(run.q[-1, 3] - q[3]) > 0.1
-    held = slow_frames(UR10E_HOMEWORK, q)[-1]
+    pose = slow_frames(UR10E_HOMEWORK, q)[-1]
     for now in run.q[::10]:
-        assert slow_frames(UR10E_HOMEWORK, now)[-1] == pytest.approx(held, abs=1e-12)
+        assert slow_frames(UR10E_HOMEWORK, now)[-1] == pytest.approx(pose, abs=1e-12)
 
 
 def test_direction_excluded_by_second_order_is_left_out():
@@ -75,8 +75,8 @@ def test_direction_excluded_by_second_order_is_left_out():
 
 
 def way_out():
-    _, way = self_motion_directions(PANDA, TURNED)
-    return self_motion(PANDA, TURNED, -way, 2.45)
+    _, direction = self_motion_directions(PANDA, TURNED)
+    return self_motion(PANDA, TURNED, -direction, 2.45)
 
 
 def test_steps_and_times_are_equally_spaced():
@@ -89,8 +89,8 @@ def test_steps_and_times_are_equally_spaced():
 
 
 def test_self_motion_stops_at_joint_limit():
-    _, way = self_motion_directions(PANDA, TURNED)
-    run = self_motion(PANDA, TURNED, -way, 20.0)
+    _, direction = self_motion_directions(PANDA, TURNED)
+    run = self_motion(PANDA, TURNED, -direction, 20.0)
     lower, upper = PANDA.limits
     assert len(run.q) < 600
     assert (run.q >= lower).all()
@@ -106,9 +106,9 @@ def test_self_motion_at_limit_stays_at_start():
 
 
 def test_step_too_long_is_rejected():
-    _, way = self_motion_directions(PANDA, TURNED)
+    _, direction = self_motion_directions(PANDA, TURNED)
     with pytest.raises(ArmError, match="step"):
-        self_motion(PANDA, TURNED, way, 8.0, step=4.0)
+        self_motion(PANDA, TURNED, direction, 8.0, step=4.0)
 
 
 def test_too_many_null_directions_are_rejected():

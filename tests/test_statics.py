@@ -102,6 +102,6 @@ def test_centres_in_keeps_points_in_place():
     """The frames are those of two arms that have no frame in common."""
     points = np.random.default_rng(2).uniform(-0.3, 0.3, (6, 3))
     ours, theirs = (link_frames(arm, np.linspace(0.3, 1.4, 6))[1:] for arm in (UR10E, STANFORD))
-    told = centres_in(ours, theirs, points)
-    for A, p, B, q in zip(ours, told, theirs, points, strict=True):
+    moved = centres_in(ours, theirs, points)
+    for A, p, B, q in zip(ours, moved, theirs, points, strict=True):
         np.testing.assert_allclose(A @ [*p, 1], B @ [*q, 1], atol=1e-14)

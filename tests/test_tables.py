@@ -192,14 +192,14 @@ def test_entries_of_arm_are_quoted():
         "table",
         "mine does not describe the same arm as Panda.",
     )
-    for options, told in (
+    for options, message in (
         (
             {"columns": "a alpha d theta", "lengths": "m"},
             "so 'a alpha d theta', 'm' would change nothing",
         ),
         ({"angles": "deg", "convention": "craig"}, "so 'deg', 'craig' would change nothing"),
     ):
-        with pytest.raises(ArmError, match=told):
+        with pytest.raises(ArmError, match=message):
             compare_tables(mine, PANDA, **options)
     still = Arm("still", [fixed(1.0)])
     for mine, reference in ((PANDA, still), (still, PANDA)):
@@ -318,5 +318,5 @@ def test_arm_in_students_joints_behaves_like_reference(reference, seed):
     assert bool(own.bodies) == bool(reference.bodies)
     if own.bodies:
         down = np.array([1.0, 2.0, -9.0])
-        wanted = signs * gravity_torque(reference, signs * q + shifts, down)
-        np.testing.assert_allclose(gravity_torque(own, q, down), wanted, atol=1e-9)
+        expected = signs * gravity_torque(reference, signs * q + shifts, down)
+        np.testing.assert_allclose(gravity_torque(own, q, down), expected, atol=1e-9)

@@ -112,8 +112,8 @@ def test_side_links_add_mass_at_zero_angle():
     for more, mass in (((), 0.7), (cup, 1.7)):
         arm = from_urdf(robot(*LINKS, *FINGERS, *JOINTS, *GRIP, *more), tip="tool")
         assert arm.dof == 2
-        held = abs(gravity_torque(arm, [0, math.pi / 2])[1])
-        assert held == pytest.approx(9.81 * (1 * 0.2 + mass * 0.4), abs=1e-12)
+        torque = abs(gravity_torque(arm, [0, math.pi / 2])[1])
+        assert torque == pytest.approx(9.81 * (1 * 0.2 + mass * 0.4), abs=1e-12)
     out = from_urdf(GRIPPER, tip="left")
     gap = forward_kinematics(out, [0, 0, 0.5]) - forward_kinematics(out, [0, 0, 0])
     assert np.linalg.norm(gap[:3, 3]) == pytest.approx(0.5)
@@ -261,8 +261,8 @@ def test_base_may_be_fixed_beside_the_chain():
     T[2, 3] = -0.2
     for tip in ("tool", None):
         arm = from_urdf(text, "controller", tip)
-        wanted = T @ forward_kinematics(from_urdf(TWO), q)
-        assert forward_kinematics(arm, q) == pytest.approx(wanted, abs=1e-12)
+        expected = T @ forward_kinematics(from_urdf(TWO), q)
+        assert forward_kinematics(arm, q) == pytest.approx(expected, abs=1e-12)
     with pytest.raises(ArmError, match="base does not lie beyond upper"):
         from_urdf(text, "upper", "base")
 
