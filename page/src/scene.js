@@ -220,7 +220,7 @@ export class ArmPicture {
     Object.assign(this.lastDrawn, { path, tipPaths });
     disposeChildren(this.pathGroup);
     this.pathLabels = [];
-    if (!path && !tipPaths) return;
+    if (!path && !tipPaths?.length) return;
     const { parts, labels } = makeTipPaths({ ...state, trace: path, tipPaths }, this);
     this.pathGroup.add(...parts);
     this.pathLabels = labels;
