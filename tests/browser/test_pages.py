@@ -18,6 +18,8 @@ from tests.browser.reader import (
 )
 from tests.test_book import HTML, NAMES, SHEETS
 
+PAGES = [*NAMES, "search", "genindex"]
+
 LIST_BROKEN_PICTURES = """async () => {
     const pictures = [...document.images];
     pictures.forEach(picture => (picture.loading = "eager")); // those far down too, and those of the other colours
@@ -76,13 +78,13 @@ def readers(browser):
         reader.context.close()
 
 
-@pytest.fixture(scope="module", params=[*NAMES, "search"])
+@pytest.fixture(scope="module", params=PAGES)
 def visit(readers, request):
     """Open each page once for all tests, with every box unfolded.
 
     Pages are light on a wide screen and dark on a phone in turn. The tests change width and theme.
     """
-    dark = [*NAMES, "search"].index(request.param) % 2
+    dark = PAGES.index(request.param) % 2
     reader = readers[dark]
     reader.page.set_viewport_size(SIZES["phone" if dark else "wide"])
     reader.problems, reader.requested_urls = [], set()
@@ -181,7 +183,7 @@ def list_serious_findings(page):
 
 
 # All answer sheets have the kinds of elements of the first, as test_book.py tests.
-AXE_PAGES = [name for name in [*NAMES, "search"] if name not in SHEETS[1:]]
+AXE_PAGES = [name for name in PAGES if name not in SHEETS[1:]]
 
 
 @pytest.mark.parametrize("visit", AXE_PAGES, indirect=True)
