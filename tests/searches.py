@@ -23,7 +23,10 @@ SEARCHES = {
     "Stanford arm table": r"01_.*: The Stanford|answers/stanford.*: Table",
     "homogeneous transform": r"glossary: homogeneous|01_.*: ",
     # Jacobians
-    "lock joint 3": r"02_.*: The Panda|01_.*: The Panda with joint 3|answers/panda_joint_3.*|errata: 3 ",
+    "lock joint 3": (
+        r"02_.*: The Panda|01_.*: The Panda with joint 3|answers/panda_joint_3.*"
+        r"|errata: 3 "
+    ),
     "singularities": r"02_.*: (Where an arm is|How near)",
     "singular pose": r"02_.*: (Where an arm is|How near|Into)|glossary: singular",
     "cross product": r"02_.*: Method 1|where: Jacobians",
@@ -37,7 +40,10 @@ SEARCHES = {
     "damped least squares": r"03_.*: |glossary: damped",
     "pseudo-inverse": r"03_.*: |glossary: pseudo",
     "euler step size error": r"03_.*: (How the error|The Panda.s circle traced)",
-    "joint limits": r"03_.*: (The Panda.s joints|The real Panda|Rates that)|robot_data|check_.*: A joint",
+    "joint limits": (
+        r"03_.*: (The Panda.s joints|The real Panda|Rates that)|robot_data"
+        r"|check_.*: A joint"
+    ),
     "feedback gain": r"03_.*: Feedback",
     # torques
     "gravity torque": r"04_.*|glossary: gravity|answers/.*: Gravity",
@@ -87,8 +93,14 @@ STUDENT_SEARCHES = {
     "det(J) = 0": r"02_jacobian: (Where an arm is|How near|A block)",
     # the circle
     "why is my circle not closing": r"check_your_homework: My circle does not close",
-    "euler integration drift": r"03_circle_tracing: (The Panda.s circle traced|How the error|Feedback)",
-    "how many steps N": r"03_circle_tracing: (How the error|The Panda.s circle traced|Exercise 3.1)",
+    "euler integration drift": (
+        r"03_circle_tracing: (The Panda.s circle traced|How the error"
+        r"|Feedback)"
+    ),
+    "how many steps N": (
+        r"03_circle_tracing: (How the error|The Panda.s circle traced"
+        r"|Exercise 3.1)"
+    ),
     "ur10e home position singular": r"03_circle_tracing: The UR10e|02_jacobian: The UR10e",
     "pinv": r"03_circle_tracing: The UR10e",
     "joint limits exceeded": r"check_your_homework: A joint turns|03_circle_tracing: ",
