@@ -62,17 +62,23 @@ class EngineReader:
         raise AssertionError(f"it did not become true: {holds}")
 
     def at(self, part):
-        """Scroll a part into view and return its middle."""
-        x, y = self.ask(
+        """Scroll a part into view and return its middle once it stands still."""
+        before = None
+        while (place := self._scroll_to(part)) != before:
+            before = place
+        return place
+
+    def _scroll_to(self, part):
+        return self.ask(
             f"((part) => {{ part.scrollIntoView({{ block: 'center', behavior: 'instant' }});"
             " const { left, top, width, height } = part.getBoundingClientRect();"
             f" return [left + width / 2, top + height / 2]; }})({part})"
         )
-        return x, y
 
     def click(self, part):
         self.until(part)
-        self.drag(self.at(part), self.at(part))
+        place = self.at(part)
+        self.drag(place, place)
 
     def fill(self, field, text):
         self.click(field)

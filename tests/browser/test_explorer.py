@@ -711,12 +711,13 @@ def test_dragged_tip_explains_why_it_stops(visit):
 @pytest.mark.parametrize("frame", [-1, 5])
 def test_view_follows_a_dragged_tip(visit, size, frame):
     """Drag the tip, or a link that carries it, out of the picture on each side and upward."""
-    page = visit("#arm=Panda&view=pose", size=size).page
+    here = visit("#arm=Panda&view=pose", size=size)
+    page = here.page
     stage = page.get_by_role("application")
     stage.scroll_into_view_if_needed()
     for by in ((0, -400), (500, -100), (-500, -100)):
         page.get_by_role("button", name="Home").click()
-        page.wait_for_timeout(600)  # the arm glides home
+        until(page, lambda: np.allclose(here.q(), PANDA.home))
         box = find_box(stage)
         drag_mouse(page, pixel_of(page, frame), by, steps=20)
         x, y = pixel_of(page, -1)
