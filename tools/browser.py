@@ -1,6 +1,7 @@
 """Start a headless Chromium without network access, for the PDF and for tests."""
 
 import shutil
+from contextlib import suppress
 
 from playwright.sync_api import Browser, Error, Playwright
 
@@ -36,7 +37,7 @@ def launch_browser(playwright: Playwright, *more_flags: str) -> Browser:
     """Launch Chromium, Chrome or Edge without a window.
 
     If no program of `PROGRAMS` is on the PATH, Playwright looks for Chrome where macOS and Windows
-    install it.
+    install it, and for the Chromium of `playwright install chromium`.
 
     Args:
         playwright: A running Playwright.
@@ -45,12 +46,14 @@ def launch_browser(playwright: Playwright, *more_flags: str) -> Browser:
     Raises:
         NoBrowser: No browser is installed.
     """
+    flags = [*FLAGS, *more_flags]
     path = next(filter(None, map(shutil.which, PROGRAMS)), None)
-    program = {"executable_path": path} if path else {"channel": "chrome"}
-    try:
-        return playwright.chromium.launch(**program, args=[*FLAGS, *more_flags])
-    except Error as error:
-        if path:
-            raise
-        expected = ", ".join(PROGRAMS)
-        raise NoBrowser(f"no browser is on the PATH; expected one of {expected}") from error
+    if path:
+        return playwright.chromium.launch(executable_path=path, args=flags)
+    for channel in ("chrome", None):
+        with suppress(Error):
+            return playwright.chromium.launch(channel=channel, args=flags)
+    expected = ", ".join(PROGRAMS)
+    raise NoBrowser(
+        f"no browser is on the PATH, expected one of {expected}; or: playwright install chromium"
+    )
