@@ -24,6 +24,8 @@ under `fails`; one that must be refused has a part of the message under `refused
 | `compared` | a table in m and rad, the `reference` table (or `arm`) beside it, and the verdict's
   `grade`, `causes`, `headline`, `findings` with their places (`where`), other lines (`said`), and
   whether both are the `same_machine` |
+| `own` | a table that `Arm.from_table` reads: its `rows` (a, alpha, d, theta), words of
+  the `source`, and patterns of all its `warnings` |
 | `public` | a published table with its rows in the standard convention, or a Jacobian |
 
 The right numbers come from `helpers`, from tests/corpus or from a calculation by hand, never from
@@ -39,7 +41,7 @@ _CASES = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="u
 ENTRIES, QUESTIONS = _CASES["entries"], _CASES["questions"]
 FORMULAS, MATRICES, TABLES = _CASES["formulas"], _CASES["matrices"], _CASES["tables"]
 PASTED_TABLES, PUBLIC = _CASES["pasted"], _CASES["public"]
-COMPARED_TABLES = _CASES["compared"]
+COMPARED_TABLES, OWN_TABLES = _CASES["compared"], _CASES["own"]
 _EXPECTED = ("about", "grade", "cause", "said", "unsaid", "fails")
 
 

@@ -189,15 +189,6 @@ def test_long_slide_does_not_warn_of_degrees():
     forward_kinematics(STANFORD, [0, 0, 500, 0, 0, 0])
 
 
-def test_numbers_without_headers_warn_of_guessed_order():
-    with pytest.warns(UserWarning, match=r"no column headers, .*: columns θ d a α; the standard"):
-        Arm.from_table("0.4 5 0.1 0\n0.4 0 0 0")
-    with pytest.warns(UserWarning, match=r"no column headers, .*: columns θ d a α"):
-        Arm.from_table("q1 5 0 0")
-    Arm.from_table("0 0 5 q1")
-    Arm.from_table("0.4 5 0 0", columns="theta d a alpha")
-
-
 Q1, Q2, Q3, A2 = sp.symbols("q_1 q_2 q_3 a_2")
 ROWS = [  # the elbow arm with its upper arm turned by a right angle, and a slide
     [["q_1", 0.5, 0, "pi/2"], ["q_2 - pi/2", 0, "a_2", 0], [0, "q3 + 0.1", 0, 0]],
@@ -265,9 +256,3 @@ def test_rows_that_look_like_degrees_or_count_otherwise_warn():
         "an angle is 90, in radians; for degrees write np.radians(90)",
         "your q3 is q_2 here, since joints are numbered by their rows",
     ]
-
-
-def test_lengths_in_millimetres_have_no_round_off():
-    typed = "a (mm) alpha (deg) d (mm) theta\n72 90 875 q1\n5.4 0 0 q2"
-    arm = Arm.from_table(typed)
-    assert [(row.a, row.d) for row in arm.rows] == [(0.072, 0.875), (0.0054, 0)]

@@ -96,17 +96,7 @@ def test_jacobian_is_read_from_any_type(mine):
     assert report.agrees, str(report)
 
 
-def test_table_source_records_units_and_conversions():
-    arm = Arm.from_table("0 -90 128 q1\n612.7 180 0 q2-90", columns="a alpha d theta")
-    assert (
-        arm.source == "columns a α d θ; the standard convention; lengths in mm; angles in degrees"
-    )
-    assert arm.rows[1].theta == "-pi/2"
-    typed = "theta d a alpha\nq1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0"
-    slide = Arm.from_table(typed, values={"d3": 0.2})
-    assert [r.joint.kind for r in slide.rows] == ["revolute", "revolute", "prismatic"]
-    assert slide.rows[2].d == -0.2
-    assert "backwards in row 3" in slide.source
+def test_length_without_a_value_is_refused():
     with pytest.raises(ArmError, match="no value for L1"):
         Arm.from_table("theta d a alpha\nq1 L1 0 0\nq2 0 0 0")
 
