@@ -15,6 +15,10 @@ from tools.plain_markdown import DATA, OPEN_ANSWER
 SCRIPT = Path(__file__).parents[1] / "book/assets/answer.js"
 NUMBER = re.compile(r"(?<![\w.])-?\d+\.?\d*(?:e-?\d+)?")
 EXERCISE = re.compile(r"(?m)^### Exercise ([\d.]+)")
+# Exercises whose answer is a sentence, a formula or a matrix of formulas.
+WITHOUT_NUMBERS = {
+    *("ex-wrong-sign", "ex-three-factors", "ex-elsewhere", "ex-chance", "ex-lagrange", "ex-polar"),
+}
 
 
 @cache
@@ -56,6 +60,30 @@ def list_fields():
 
 
 FIELDS = [*list_fields()]
+
+
+def list_questions():
+    """Yield each exercise's anchor with its text above the solution."""
+    for path in list_notebooks():
+        anchor, text = "", ""
+        for cell in nbformat.read(path, as_version=4).cells:
+            if cell.cell_type == "markdown" and re.search(r"(?m)^#", cell.source):
+                if anchor:
+                    yield anchor, text
+                anchor, text = "", ""
+                if EXERCISE.search(cell.source):
+                    (anchor,) = re.findall(r'<a id="(ex-[\w-]+)">', cell.source)
+            text += cell.source if cell.cell_type == "markdown" else ""
+
+
+def test_each_exercise_has_a_hint_before_its_solution():
+    assert not [anchor for anchor, text in list_questions() if "> **Hint**" not in text]
+
+
+def test_each_exercise_with_numbers_has_a_field_or_a_form():
+    has_field = re.compile('<div class="(answer|judge)"')
+    without = {anchor for anchor, text in list_questions() if not has_field.search(text)}
+    assert without == WITHOUT_NUMBERS
 
 
 @pytest.mark.parametrize("field", FIELDS, ids=[field["id"] for field in FIELDS])
