@@ -48,8 +48,12 @@ def plot_torques(
         for column in between_limits:
             column[k].plot(*curve, **{"color": BLUE, **line})
             column[k].yaxis.set_major_locator(MaxNLocator(3))
-            if np.isfinite(limit):
+            if np.isfinite(limit) and not column[k].texts:  # a second curve repeats no limits
                 column[k].set_ylim(-1.2 * limit, 1.2 * limit)
+                words = f"joint {i}: limits ±{limit:g} N m"
+                column[k].text(
+                    0.5, 0.72, words, transform=column[k].transAxes, ha="center", va="center"
+                )
                 for end in (-limit, limit):
                     column[k].axhline(end, color=RED, ls=":")
     for column in (own_scale, *between_limits):
