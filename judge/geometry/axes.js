@@ -324,60 +324,14 @@ const signedProduct = (gap, directions, signs) =>
 // Compare the directions in a gap with a slide. A slide does not turn, so the axes before and after
 // it keep a fixed angle about it, and the common normal across it has a fixed direction.
 function compareSlides(mine, m, r, signs, angle) {
-  const hasSlide = m.joints.some((k) => mine.rows[mine.joints[k] - 1].kind === "prismatic");
-  const keys = hasSlide ? [...m.shape.keys()].filter((key) => r.shape.has(key)) : [];
-  const isEqual = (key) => {
-    const expected = signedProduct(r, key.split(",").map(Number), signs);
-    return Math.abs(m.shape.get(key) - expected) <= angle;
-  };
-  if (keys.every(isEqual)) return [];
-  const wrongAngle = anglesAboutSlides(mine, m, r, signs).find(
-    ([, actual, expected]) => angleDistance(actual, expected) > angle,
-  );
-  if (wrongAngle) {
-    const [row, actual, expected] = wrongAngle;
-    return [makeDifference("table held", [row, "theta"], [actual, expected])];
-  }
-  const [start, end] = [0, -1].map((k) => mine.joints[m.joints.at(k)]);
-  return [makeDifference("table side", [start, "a"], [0, Math.PI], [start, m.toTip ? 0 : end])];
-}
-
-// List the row of each slide with the angle about it in both tables, from the common normal before
-// it to the common normal after it. A slide parallel to all axes on one side of it has no such
-// angle.
-function anglesAboutSlides(mine, m, r, signs) {
-  const areSkew = (...pair) => 1 - m.shape.get(`${pair}`) ** 2 > AXIS_ROUND_OFF;
-  return m.joints.slice(1, -1).flatMap((k) => {
-    const before = m.joints.filter((i) => i < k && areSkew(i, k)).at(-1);
-    const after = m.joints.find((j) => j > k && areSkew(k, j));
-    if (before === undefined || after === undefined) return [];
-    const [three, row] = [[before, k, after], mine.joints[k]];
-    // The slide's direction is chosen so that the angle is near theta. The bound is 2 rad, since at
-    // a right angle round-off would choose the direction.
-    const isReversed =
-      angleDistance(angleAboutSecond(m, three, new Map(), 1), mine.rows[row - 1].theta) > 2;
-    const direction = isReversed ? -1 : 1;
-    return [
-      [
-        row,
-        angleAboutSecond(m, three, new Map(), direction),
-        angleAboutSecond(r, three, signs, direction),
-      ],
-    ];
-  });
-}
-
-// Return the angle about the second of three axes, from the common normal of the first two axes to
-// the common normal of the last two.
-function angleAboutSecond(gap, three, signs, direction) {
-  const [i, k, j] = three;
-  const [u, v, w] = [
-    [i, k],
-    [k, j],
-    [i, j],
-  ].map((pair) => signedProduct(gap, pair, signs));
-  const angle = Math.atan2(direction * signedProduct(gap, three, signs), direction * (u * v - w));
-  return angle < AXIS_ROUND_OFF - Math.PI ? Math.PI : angle;
+  const slide = m.joints.find((k) => mine.rows[mine.joints[k] - 1].kind === "prismatic");
+  if (slide === undefined) return [];
+  const deviations = [...m.shape.keys()]
+    .filter((key) => r.shape.has(key))
+    .map((key) => m.shape.get(key) - signedProduct(r, key.split(",").map(Number), signs));
+  const largest = Math.max(...deviations.map(Math.abs));
+  if (largest <= angle) return [];
+  return [makeDifference("table slide", [mine.joints[slide], "theta"], [largest, 0])];
 }
 
 /** Return acos of a cosine that round-off may have moved past 1. */

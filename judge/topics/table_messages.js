@@ -60,10 +60,9 @@ export function describeEntry(table, { cause, rows, reference }, [k, column], le
 
 // The message that names the quantity of each difference of the axes.
 const QUANTITY_KEYS = {
+  "table slide": "table slide",
   "table distance": "table distance what",
   "table between": "table between what",
-  "table held": "table held what",
-  "table side": "table side what",
   "table lean": "table lean what",
   "table foot": "table foot what",
   "table along": "table along what",
@@ -97,12 +96,10 @@ export function describeDifference(table, difference) {
 
 /** Compare a quantity with the reference's in words. @param {Difference} difference */
 function describeAmount({ key, mine, reference }, /** @type {string} */ what) {
+  if (key === "table slide") return what;
   if (key === "table kind") return formatMessage("table other", { what, mine, reference });
-  if (key === "table side") return formatMessage("table side", { what });
-  if (["table between", "table held", "table lean"].includes(key)) {
-    const isSigned = key === "table held" || mine >= 0; // "held" is an angle about the own axis
-    return describeAngle(what, isSigned ? [mine, reference] : [-mine, -reference]);
-  }
+  if (key === "table between" || key === "table lean")
+    return describeAngle(what, mine < 0 ? [-mine, -reference] : [mine, reference]);
   return describeLength(what, mine, reference);
 }
 
