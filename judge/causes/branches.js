@@ -10,7 +10,7 @@ import {
 } from "../matching.js";
 import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 import { listJointMistakes } from "./joints.js";
-import { combineCauses, makeCause, causeName, joinCauseMessages, causeMessage } from "./ranking.js";
+import { makeCause, causeName, joinCauseMessages, causeMessage } from "./ranking.js";
 import { listTableMistakes } from "./chain.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -48,8 +48,8 @@ export function explainWrongAnswer(solutions, answer, number, tolerance) {
   };
 }
 
-// Explain joint values by a mix of two branches, by a single mistake, or by a single mistake with a
-// wrong shoulder. If nothing fits, name the joints that occur in no branch.
+// Explain joint values by a mix of two branches or by a single mistake. If nothing fits, name the
+// joints that occur in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
 function findBranchCauses(solutions, answer, tolerance) {
   const fits = matchJointsByBranch(solutions, answer, tolerance);
@@ -87,35 +87,26 @@ export const looksLikeMistake = (solutions, answer) =>
     }),
   );
 
-// List the mistakes without which an answer would equal a branch or reach the target by a wrong
-// table. If there are none, list those without which only the shoulder would differ.
+// List the mistakes without which an answer would equal a branch, or reach the target by a wrong
+// table.
 function listCauses(solutions, answer, tolerance) {
   const corrections = [...listJointMistakes(solutions.arm), ...listQuarterTurns(solutions, answer)]
     .map(([cause, undo]) => ({ cause, corrected: undoMistake(answer, undo) }))
     .filter(
       ({ corrected }) => hasFineDigits(corrected) && exceedsDigits(solutions, answer, corrected),
     );
-  const selectCauses = (isRight) =>
-    corrections.flatMap(({ cause, corrected }) => (isRight(corrected) ? [cause] : []));
-  const jointCauses = selectCauses((corrected) => findBranch(solutions, corrected, tolerance) >= 0);
+  const jointCauses = corrections
+    .filter(({ corrected }) => findBranch(solutions, corrected, tolerance) >= 0)
+    .map(({ cause }) => cause);
   const reaches = (change) => reachesTarget(solutions, answer.values, answer.units, change);
   const tableChanges = reaches() || !hasFineDigits(answer) ? [] : listTableMistakes(solutions.arm);
   const tableCauses = tableChanges.flatMap(([cause, change]) => (reaches(change) ? [cause] : []));
-  if (jointCauses.length || tableCauses.length)
-    return dropRepeatedCauses([...jointCauses, ...tableCauses]);
-  const withShoulder = selectCauses((corrected) =>
-    isOnlyShoulderWrong(matchJointsByBranch(solutions, corrected, tolerance)),
-  );
-  const shoulder = makeCause("ik.shoulder");
-  return dropRepeatedCauses(withShoulder).map((cause) => combineCauses(cause, shoulder));
-}
-
-const hasFineDigits = ({ units }) => Math.max(...units) <= COARSEST_DIGIT;
-
-function dropRepeatedCauses(causes) {
+  const causes = [...jointCauses, ...tableCauses];
   const names = causes.map(causeName);
   return causes.filter((_, i) => names.indexOf(names[i]) === i);
 }
+
+const hasFineDigits = ({ units }) => Math.max(...units) <= COARSEST_DIGIT;
 
 // Undo a mistake in an answer, and carry the units of its last places along.
 function undoMistake({ values, units }, undo) {
