@@ -69,10 +69,7 @@ export function* listExchangedLengths({ rows }) {
   }
 }
 
-/**
- * List mistakes in offsets, convention and locked joint.
- * @param {Arm} arm @returns {Generator<ChainMistake>}
- */
+/** List mistakes in offsets and convention. @param {Arm} arm @returns {Generator<ChainMistake>} */
 function* listTableWideMistakes({ rows }) {
   const hasOffset = (row) => row.kind === "revolute" && row.theta;
   if (rows.filter(hasOffset).length > 1)
@@ -83,11 +80,6 @@ function* listTableWideMistakes({ rows }) {
   }));
   // handed in: Craig's rows in the standard matrix
   yield [makeCause("table.craig rows"), takePreviousLink];
-  const moving = rows.filter(({ kind }) => kind !== "fixed");
-  if (moving.length < rows.length) {
-    const withoutLocked = (c) => ({ ...c, rows: moving, at: movingRows({ rows: moving }) });
-    yield [makeCause("table.locked row"), withoutLocked]; // slip 3
-  }
 }
 
 /** @param {Row} row @param {number} index @returns {ChainMistake[]} */

@@ -103,11 +103,9 @@ export function* listJacobianRecipes(c) {
   yield [makeCause("J.space"), withOptions(() => ({ point: 0 }))];
   const fromRows = (chain, T) => chains.flatJacobian(chain, chains.swapRowsForColumns(T)); // slip 4
   yield [makeCause("J.rows of T"), fromRows];
-  if (c.turns.includes(false)) {
-    // handed in: z_2 x ... over z_2, and z_2 over z_2
-    yield [makeCause("J.slide turns"), withOptions(() => ({ slides: false }))];
+  // handed in: z_2 over z_2
+  if (c.turns.includes(false))
     yield [makeCause("J.slide angular"), withAngularOptions(() => ({ slides: false }))];
-  }
   yield* listWrongDeletions(c);
 }
 
@@ -143,8 +141,7 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
   // slip 26: millimetres in a report in metres; the column of a slide has no unit
   yield [makeCause("J.millimetres"), changeEntries((x, i, k) => (turns[k] && i < 3 ? 1e3 * x : x))];
   if (turns.includes(false)) yield [makeCause("J.millimetres"), scaleHalves(1000, 1)];
-  yield [makeCause("J.angular zero"), scaleHalves(1, 0)]; // half an answer
-  yield [makeCause("J.linear zero"), scaleHalves(0, 1)];
+  yield [makeCause("J.linear zero"), scaleHalves(0, 1)]; // half an answer
   if (dof === 6) yield [makeCause("J.transposed"), (J) => chains.transpose(J, [6, 6])]; // handed in
   // joints named q6 ... q1
   yield [makeCause("J.reversed order"), reorderColumns((k) => dof - 1 - k)];

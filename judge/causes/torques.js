@@ -125,14 +125,15 @@ export const listTorqueSteps = (arm, load) => [
 
 /** List mistakes in the table or q. @param {Arm} arm @returns {TorqueStep[]} */
 function listChainMistakes(arm) {
-  const tables = listTableMistakes(arm).filter(([{ keys }]) => keys[0] !== "table.locked row");
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map(({ body }) => (body ?? MASSLESS).slice(1));
-  return [...listConfigurationMistakes("tau.degrees", arm), ...tables].map(([cause, change]) => {
-    const changed = cacheResults(change);
-    const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
-    return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };
-  });
+  return [...listConfigurationMistakes("tau.degrees", arm), ...listTableMistakes(arm)].map(
+    ([cause, change]) => {
+      const changed = cacheResults(change);
+      const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
+      return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };
+    },
+  );
 }
 
 /** @param {Arm} arm @returns {Generator<TorqueStep>} */
@@ -164,17 +165,11 @@ function computeOwnLinkTorques(at) {
 }
 
 /** @param {Load} load @returns {Generator<TorqueStep>} */
-function* listWeightMistakes({ c, gravity }) {
+function* listWeightMistakes({ c }) {
   // slip 24
   yield { cause: makeCause("tau.weight sign"), weight: (at) => multiply(-1, computeWeight(at)) };
   yield { cause: makeCause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
   yield { cause: makeCause("tau.own link"), weight: computeOwnLinkTorques }; // handed in
-  // handed in: the drawing has y upwards
-  const g = Math.hypot(...gravity);
-  yield {
-    cause: makeCause("tau.gravity axis", { axis: "y" }),
-    weight: (at) => computeWeight({ ...at, gravity: [0, -g, 0] }),
-  };
 }
 
 /** @param {Load} load @returns {Generator<TorqueStep>} */

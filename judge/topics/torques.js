@@ -260,10 +260,7 @@ function compareArranged(typed, question) {
     const findings = [makeFinding("zero", formatMessage("tau zero"))];
     return { ...shared, findings, causeNames: causes.slice(0, 1).map(causeName) };
   }
-  if (causes.length) {
-    const isFromReport = causes.some(({ keys }) => keys.includes("tau.report"));
-    return { ...shared, causes, notes: isFromReport ? [formatMessage("slip 8")] : [] };
-  }
+  if (causes.length) return { ...shared, causes };
   const findings = wrongJoints.map((k) => describeWrongJoint(arm, k, typed, expected));
   return {
     ...shared,

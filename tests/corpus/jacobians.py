@@ -18,7 +18,6 @@ def recipe(
     origin=0,
     lever="tip",
     point=-1,
-    slides=True,
     rows=False,
     count=False,
     degrees=False,
@@ -37,8 +36,7 @@ def recipe(
         o = np.zeros(3) if rows else T[oa][:3, 3]
         p = np.zeros(3) if rows else T[point][:3, 3]
         r = {"tip": p - o, "o_n": p, "back": o - p}[lever]
-        turns = kind == "R" or not slides
-        columns.append([*cross(z, r), *z] if turns else [*z, 0, 0, 0])
+        columns.append([*cross(z, r), *z] if kind == "R" else [*z, 0, 0, 0])
     return np.array(columns, dtype=float).T
 
 
@@ -63,8 +61,6 @@ def before(m, q, rng):
     z_0 = recipe(m, q)
     z_0[3:] = np.outer([0, 0, 1], m.turns)
     yield "J.z_0 angular", z_0
-    if "P" in m.kinds:
-        yield "J.slide turns", recipe(m, q, slides=False)
 
 
 def of_tables(m, q, rng):
@@ -92,7 +88,6 @@ def after(m, q, rng):
     yield "J.halves", lambda J: np.vstack([J[3:], J[:3]])
     yield "J.all signs", lambda J: -J
     yield "J.millimetres", scaled(1000, 1)
-    yield "J.angular zero", scaled(1, 0)
     if m.dof == 6:
         yield "J.transposed", lambda J: J.T
     yield "J.reversed order", lambda J: J[:, ::-1]
