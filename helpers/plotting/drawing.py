@@ -31,7 +31,7 @@ from helpers.inputs import (
 )
 from helpers.kinematics import skeleton
 from helpers.plotting.plane import compute_frames
-from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
+from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, OUTLINED, RED, SLATE
 
 Array = NDArray[np.float64]
 View = str | tuple[float, float]
@@ -178,7 +178,7 @@ def draw_dimension(
         text, (x, y), xytext=tuple(6 * away), textcoords="offset points",
         ha=_choose_alignment(away[0], "right", "left"),
         va=_choose_alignment(away[1], "top", "bottom"),
-        bbox=dict(facecolor="white", edgecolor="none", pad=1),
+        gid=OUTLINED,
     )  # fmt: skip
     ax.update_datalim([start_point + 1.3 * shift, end_point + 1.3 * shift])
 
@@ -255,7 +255,7 @@ def draw_named_arrow(
     ax.annotate(
         text, tuple(end), xytext=tuple(offset), textcoords="offset points", color=colour,
         ha="center", va="center", zorder=7,
-        bbox=dict(facecolor="white", edgecolor="none", alpha=0.7, pad=0.3),
+        gid=OUTLINED,
     )  # fmt: skip
     ax.update_datalim([start, end + 0.35 * step])
 

@@ -27,6 +27,10 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
 )
 GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
+OUTLINED = "outlined"  # gid of a text that lies on lines: white round its letters
+# The width is in units of the letters, of which the size has 6400. Matplotlib's own outlines write
+# each letter twice, in full.
+OUTLINE = "stroke:#fff;stroke-width:1200;stroke-linejoin:round;paint-order:stroke"
 PANEL_PADDING = 3  # pt around a panel that a phone shows alone
 INLINE_BACKEND_NAMES = ("inline", "module://matplotlib_inline.backend_inline")  # Jupyter's
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
@@ -39,8 +43,10 @@ STYLE: dict[Any, Any] = {
     "savefig.transparent": True,
     "savefig.dpi": 90,
     "svg.hashsalt": "helpers",
-    "font.size": 10,
-    "mathtext.fontset": "dejavuserif",
+    "font.size": 11,  # labels in a drawing are mostly formulas, whose face is small
+    **dict.fromkeys(("xtick.labelsize", "ytick.labelsize", "axes.labelsize"), 10),
+    "legend.fontsize": 10,
+    "mathtext.fontset": "stix",  # the face of the pages' formulas
     "axes.titlesize": 11,
     "axes.titleweight": "normal",
     "axes.spines.top": False,
@@ -108,6 +114,7 @@ def format_svg(figure: Figure) -> str:
     # Line ends cost most, since a notebook stores each line as a string. Figure and axes keep their
     # ids for the tests.
     text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->|<\?xml.*?\?>|<!DOCTYPE.*?>", "", text)
+    text = text.replace(f'<g id="{OUTLINED}"', f'<g style="{OUTLINE}"')
     text = re.sub(r'(<g) id="(?!figure_|axes_)[^"]*"', r"\1", re.sub(r"\s*\n\s*", "", text))
     text = re.sub(r' xmlns:xlink="[^"]*"|\bxlink:(?=href=)|(?<=[MLQC]) (?=[-\d])', "", text)
     # Matplotlib's ids are hashes of unrounded numbers. They become numbers, unique on a page.
