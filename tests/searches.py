@@ -42,7 +42,7 @@ SEARCHES = {
     "euler step size error": r"03_.*: (How the error|The Panda.s circle traced)",
     "joint limits": (
         r"03_.*: (The Panda.s joints|The real Panda|Rates that)|robot_data"
-        r"|check_.*: A joint"
+        r"|check_.*: A joint|glossary: joint limit"
     ),
     "feedback gain": r"03_.*: Feedback",
     # torques
@@ -55,13 +55,13 @@ SEARCHES = {
     # inverse kinematics
     "ik": r"05_.*: |glossary: inverse|check_.*: My inverse|where: Inverse",
     "wrist center": r"05_.*: The Stanford arm: position|glossary: wrist",
-    "atan2": r"05_.*: |errata: 13 ",
+    "atan2": r"glossary: atan2|05_.*: |errata: 13 ",
     "Stanford inverse kinematics": r"05_.*: The Stanford arm: position|where: Inverse",
     "target out of reach": r"05_.*: The elbow arm.s reach|glossary: (reach|workspace)",
     # the rest
     "UR10 lengths": r"errata: 9 |robot_data: |01_.*: (The maker|Slip 9)",
     "mm or m": r"errata: 26 ",
-    "my own robot": r"check_your_homework: An arm of your own",
+    "my own robot": r"(own_arm|check_your_homework): An arm of your own",
     "URDF": r"api: .*urdf|check_your_homework: An arm of your own",
     "grade a class": r"instructors: ",
     "product of exponentials": r"conventions: From a table",
@@ -115,7 +115,7 @@ STUDENT_SEARCHES = {
     "inverse kinematics": r"05_inverse_kinematics: ",
     "how many solutions does ur10e have": r"05_inverse_kinematics: (The UR10e|Eight)",
     "elbow up elbow down": r"05_inverse_kinematics: ",
-    "arctan or atan2": r"05_inverse_kinematics: |errata: 13 ",
+    "arctan or atan2": r"glossary: atan2|05_inverse_kinematics: |errata: 13 ",
     # other arms, other programs
     "ur5": r"own_arm: ",
     "kuka": r"own_arm: ",
@@ -137,6 +137,12 @@ TERM_SEARCHES = {
     "null space": r"glossary: null space",
     "twist": r"glossary: twist",
     "tool center point": r"glossary: tip",
+    "mass matrix": r"glossary: inertia matrix",
+    "Newton-Raphson": r"glossary: Newton.s method",
+    "home position": r"glossary: home configuration",
+    "rotation matrix": r"glossary: rotation matrix",
+    "space Jacobian": r"glossary: body Jacobian",
+    "velocity limit": r"glossary: joint limit",
     "degrees of freedom": r"glossary: degree of freedom",
     "configuration": r"glossary: configuration",
     "pose": r"glossary: pose",

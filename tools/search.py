@@ -77,6 +77,10 @@ def is_entry_box(node: nodes.Node) -> bool:
     return isinstance(node, nodes.admonition) and bool({*node["classes"]} & {*BOXES})
 
 
+def is_description(node: nodes.Node) -> bool:
+    return isinstance(node, nodes.meta) and node.get("name") == "description"
+
+
 def is_solution(node: nodes.Node) -> bool:
     return isinstance(node, nodes.admonition) and "solution" in node["classes"]
 
@@ -119,11 +123,16 @@ def make_entry(title: nodes.Node, anchor: str, parts: list[nodes.Node]) -> Entry
 
 
 def iterate_entries(doctree: nodes.document) -> Iterator[Entry]:
-    """Yield the entries of a page, each with its own anchor."""
+    """Yield the entries of a page, each with its own anchor.
+
+    The first has the page's description, `about`, whose words readers use more than the title's.
+    """
+    about = {"about": meta["content"] for meta in doctree.findall(is_description)}
     for section in doctree.findall(nodes.section):
         title, *parts = section.children
         if isinstance(title, nodes.title) and title.astext() != "References":
-            yield make_entry(title, section["ids"][0], parts)
+            yield {**make_entry(title, section["ids"][0], parts), **about}
+            about = {}
     for box in doctree.findall(is_entry_box):
         if box["ids"]:
             yield make_entry(box.children[0], box["ids"][0], box.children[1:])

@@ -28,6 +28,13 @@ const SYNONYMS = [
   ["assign", "place"],
   ["delete", "remove", "lose"],
   ["arctan", "atan", "atan2"],
+  ["acos", "arccos", "cosine"],
+  ["quiz", "practice", "exercise"],
+  ["cite", "citation", "reference", "bibliography"],
+  ["upload", "paste"],
+  ["install", "download", "copy"],
+  ["speed", "velocity", "rate"],
+  ["limit", "bound", "range"],
 ];
 // Words that lead to another one, and not the other way round.
 const HINTS = { prismatic: ["stanford"] };
@@ -72,8 +79,6 @@ function splitName(word) {
   return /^\p{L}+_\w{1,2}$/u.test(word) ? joined : [word, ...word.split("_")].filter(Boolean);
 }
 
-// Numbers and names of arms say what the reader means.
-const BOOSTED_TERM = /^(\d+|panda|ur10e?|stanford|elbow)$/;
 const BOOST = 3;
 const PHRASE_BOOST = 1.6; // where the words stand together in the text
 
@@ -81,6 +86,8 @@ const PHRASE_BOOST = 1.6; // where the words stand together in the text
 const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.03, list: 0.03 };
 const EXERCISE_WEIGHT = 0.4; // an exercise applies what a section explains
 const COVERAGE_POWER = 3; // an entry with all words comes before one with some
+const SCORE_POWER = 0.7; // how often a word stands in a text says less than where it stands
+const UNNAMED = 0.3; // weight of an entry with no word in its titles; with all of them it is 1 more
 const DEFINITION_BOOST = 1000; // a term that is the whole query leads to its definition
 const GLOSSARY = "glossary";
 const PAGE_WEIGHTS = { where: 0.2, intro: 0.4, glossary: 0.2 };
@@ -90,7 +97,7 @@ const COMPLAINTS = /^(why|my|not|no|wrong|fail\w*|miss\w*|cannot|can.t|doesn.t|b
 
 const index = new MiniSearch({
   idField: "id",
-  fields: ["title", "also", "of", "text"],
+  fields: ["title", "also", "of", "about", "text"],
   tokenize: split,
   processTerm: (word) => (STOP_WORDS.has(word) ? null : stem(word)),
   searchOptions: { tokenize: (word) => [word], processTerm: (word) => word }, // a query has stems already
@@ -126,22 +133,22 @@ function findEntries(typed) {
   const queries = words.map((word, k) => ({
     combineWith: "OR",
     queries: [
-      { queries: [word], prefix: k === words.length - 1 && word.length > 1, fuzzy: word.length > 4 ? 0.2 : false, boostTerm: (term) => (BOOSTED_TERM.test(term) ? BOOST : 1) },
+      { queries: [word], prefix: k === words.length - 1 && word.length > 1, fuzzy: word.length > 4 ? 0.2 : false },
       ...synonyms.get(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 1 / BOOST })),
     ],
   }));
-  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 2, of: 4 } });
+  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 2, of: 4, about: 2 } });
   const phrase = joinStems(words);
   const isComplaint = typed.toLowerCase().split(/[^\p{L}’']+/u).some((word) => COMPLAINTS.test(word));
+  const share = (terms) => words.filter((word) => [word, ...synonyms.get(word)].some((term) => terms.includes(term))).length / words.length;
   const rate = ({ id, score, queryTerms }) => {
-    const { title, also = "", text, page, kind, symptom } = ENTRIES[id];
-    const matched = words.filter((word) => [word, ...synonyms.get(word)].some((term) => queryTerms.includes(term)));
-    const coverage = matched.length / words.length;
+    const { title, of, also = "", text, page, kind, symptom } = ENTRIES[id];
+    if (kind === "list" && words.some((word) => word.includes("_"))) return score; // a function by its name
     const together = joinStems(stemsOf(title)).includes(phrase) ? BOOST : words.length > 1 && joinStems(stemsOf(text)).includes(phrase) ? PHRASE_BOOST : 1;
     const weight = symptom ? (isComplaint ? BOOST : KIND_WEIGHTS[kind]) : KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1);
-    if (kind === "list" && words.some((word) => word.includes("_"))) return score; // a function by its name
     const isDefinition = page === GLOSSARY && !isChapterName(phrase) && [title, ...also.split(",")].some((name) => joinStems(stemsOf(name)) === phrase);
-    return score * coverage ** COVERAGE_POWER * together * weight * (isDefinition ? DEFINITION_BOOST : 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1);
+    const named = UNNAMED + share(stemsOf(`${title} ${of} ${also}`));
+    return score ** SCORE_POWER * share(queryTerms) ** COVERAGE_POWER * named * together * weight * (isDefinition ? DEFINITION_BOOST : 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1);
   };
   return hits
     .map((hit) => ({ ...ENTRIES[hit.id], terms: hit.terms, score: rate(hit) }))
