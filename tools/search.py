@@ -127,7 +127,8 @@ def iterate_entries(doctree: nodes.document) -> Iterator[Entry]:
 
     The first has the page's description, `about`, whose words readers use more than the title's.
     """
-    about = {"about": meta["content"] for meta in doctree.findall(is_description)}
+    description = next(doctree.findall(is_description), None)
+    about = {"about": description["content"]} if description else {}
     for section in doctree.findall(nodes.section):
         title, *parts = section.children
         if isinstance(title, nodes.title) and title.astext() != "References":
