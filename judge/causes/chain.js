@@ -25,6 +25,10 @@ export const listTableMistakes = (arm) => [
   ...arm.rows.flatMap(listRowMistakes),
 ];
 
+/** Move a and alpha down by a row. @template {Row} T @param {T[]} rows */
+export const lowerLinkColumns = (rows) =>
+  rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));
+
 const changeRows = (change) => (c) => ({
   ...c,
   rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })),
@@ -74,12 +78,8 @@ function* listTableWideMistakes({ rows }) {
   const hasOffset = (row) => row.kind === "revolute" && row.theta;
   if (rows.filter(hasOffset).length > 1)
     yield [makeCause("table.offsets"), changeRows((row) => (hasOffset(row) ? { theta: 0 } : {}))];
-  const takePreviousLink = changeRows((_, i) => ({
-    a: rows[i - 1]?.a ?? 0,
-    alpha: rows[i - 1]?.alpha ?? 0,
-  }));
   // handed in: Craig's rows in the standard matrix
-  yield [makeCause("table.craig rows"), takePreviousLink];
+  yield [makeCause("table.craig rows"), (c) => ({ ...c, rows: lowerLinkColumns(c.rows) })];
 }
 
 /** @param {Row} row @param {number} index @returns {ChainMistake[]} */

@@ -2,12 +2,11 @@
 // of the rows with each arm that the student may have described, and keeps the corrections that
 // leave the fewest mistakes.
 
-import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
-import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geometry/rows.js";
+import { compareAxes, describeAxes, listDifferentEntries } from "../geometry/axes.js";
+import { ANGLE_TOLERANCE, snapRows, jointColumn } from "../geometry/rows.js";
 import { combinations } from "../geometry/axis_gaps.js";
 import { convertFromCraig } from "../reading/table_conversion.js";
-import { ENTRIES } from "../reading/table_rows.js";
-import { listExchangedLengths, listOtherLengths } from "./chain.js";
+import { listExchangedLengths, listOtherLengths, lowerLinkColumns } from "./chain.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
@@ -95,21 +94,9 @@ const listWrongAxes = (rows, expected, tolerance) =>
 
 /** @returns {[number, string][] | null} null if the rows do not correspond */
 function listWrongEntries(rows, expected, tolerance) {
-  const areAlike =
-    rows.length === expected.length && rows.every(({ kind }, k) => kind === expected[k].kind);
-  if (!areAlike) return null;
-  const isWrong = (row, k, column) => {
-    const [actual, right] = [row[column], expected[k][column]];
-    if (column === jointColumn(row.kind)) return false;
-    return isAngleColumn(column)
-      ? angleDistance(actual, right) > ANGLE_TOLERANCE
-      : Math.abs(actual - right) > tolerance;
-  };
-  return rows.flatMap((row, k) =>
-    ENTRIES.filter((column) => isWrong(row, k, column)).map(
-      (column) => /** @type {[number, string]} */ ([k, column]),
-    ),
-  );
+  if (rows.some(({ kind }, k) => kind !== expected[k]?.kind)) return null;
+  const entries = listDifferentEntries(rows, expected, tolerance);
+  return entries && entries.filter(([k, column]) => column !== jointColumn(rows[k].kind));
 }
 
 /**
@@ -157,7 +144,3 @@ const exchangeRows = (i, j) => [
   (rows) => rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row)),
   true,
 ];
-
-// Move a and alpha down by a row, for a table in which they were typed a row too high.
-const lowerLinkColumns = (rows) =>
-  rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));

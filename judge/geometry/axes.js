@@ -5,7 +5,7 @@
 // choose the direction of each axis, so the comparison chooses a sign for each joint.
 
 import { cross, dot, movingRows, linkFrames, norm } from "./kinematics.js";
-import { snapRows } from "./rows.js";
+import { ANGLE_TOLERANCE, isAngleColumn, snapRows } from "./rows.js";
 import { listGaps, NORMAL_INDEX, AXIS_ROUND_OFF } from "./axis_gaps.js";
 
 /** @typedef {import("./arm.js").Row} Row */
@@ -332,6 +332,23 @@ function compareSlides(mine, m, r, signs, angle) {
   const largest = Math.max(...deviations.map(Math.abs));
   if (largest <= angle) return [];
   return [makeDifference("table slide", [mine.joints[slide], "theta"], [largest, 0])];
+}
+
+/**
+ * List the entries that differ between two tables, row by row.
+ * @param {Row[]} rows @param {Row[]} expected @param {number} length tolerance (m)
+ * @returns {[number, string][] | null} index of the row and column of each entry; null if the
+ *   tables have different numbers of rows
+ */
+export function listDifferentEntries(rows, expected, length) {
+  if (rows.length !== expected.length) return null;
+  const isDifferent = (x, y, column) =>
+    isAngleColumn(column) ? angleDistance(x, y) > ANGLE_TOLERANCE : Math.abs(x - y) > length;
+  return rows.flatMap((row, k) =>
+    ["a", "alpha", "d", "theta"]
+      .filter((column) => isDifferent(row[column], expected[k][column], column))
+      .map((column) => /** @type {[number, string]} */ ([k, column])),
+  );
 }
 
 /** Return acos of a cosine that round-off may have moved past 1. */

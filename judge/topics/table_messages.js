@@ -5,7 +5,6 @@ import { DEG } from "../geometry/angles.js";
 import { formatMessage, formatNumber } from "../sentences.js";
 import { angleDistance } from "../geometry/axes.js";
 import { ANGLE_TOLERANCE, isAngleColumn } from "../geometry/rows.js";
-import { ENTRIES } from "../reading/table_rows.js";
 
 export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
@@ -14,27 +13,6 @@ export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../verdict.js").Finding} Finding */
-
-/**
- * List the entries that differ from the reference's.
- * @param {TableRow[]} rows
- * @param {TableRow[]} expectedRows
- * @param {number} length tolerance (m)
- * @returns {[number, string][] | null} index of the row and column of each entry; null if the
- *   tables have different numbers of rows
- */
-export function listDifferentEntries(rows, expectedRows, length) {
-  if (rows.length !== expectedRows.length) return null;
-  const isDifferent = (k, column) => {
-    const [x, y] = [rows[k][column], expectedRows[k][column]];
-    return isAngleColumn(column) ? angleDistance(x, y) > ANGLE_TOLERANCE : Math.abs(x - y) > length;
-  };
-  return ENTRIES.flatMap((column) =>
-    rows.flatMap((_, k) =>
-      isDifferent(k, column) ? [/** @type {[number, string]} */ ([k, column])] : [],
-    ),
-  );
-}
 
 /**
  * Describe a wrong entry by the row and the text of the student's table.

@@ -5,7 +5,7 @@
 import { makeCause, causeMessage } from "../causes/ranking.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
-import { angleDistance, isBaseHeightGap } from "../geometry/axes.js";
+import { angleDistance, isBaseHeightGap, listDifferentEntries } from "../geometry/axes.js";
 import { findJointMap, formatJointValue, listMappedJoints, wrap } from "../geometry/joint_map.js";
 import { linkFrames, minus, norm, rotationBetween } from "../geometry/kinematics.js";
 import { expressInOwnJoints, formatRows, toOwnJoints } from "../geometry/own_joints.js";
@@ -23,7 +23,6 @@ import {
   entryText,
   RIGHT_ANGLES,
   entryUnit,
-  listDifferentEntries,
   roundTo,
   typedRowNumber,
 } from "./table_messages.js";
