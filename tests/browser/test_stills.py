@@ -158,12 +158,3 @@ def test_key_on_a_still_control_starts_the_explorer(browser):
     page.keyboard.press("ArrowRight")
     page.wait_for_function(f"{STORE}.state.q[3] > {before}")
     page.close()
-
-
-def test_figure_starts_when_scrolling_ends_at_it(browser):
-    page = browser.new_page(offline=True, viewport=WINDOWS["phone"])
-    page.goto((HTML / "01_dh_tables.html").as_uri())
-    figure = page.locator("[data-figure]").first
-    figure.evaluate("(part) => part.scrollIntoView()")
-    page.wait_for_function("document.querySelector('[data-figure]').explorer")
-    page.close()
