@@ -166,3 +166,14 @@ export function plainCharacters(folded) {
 
 // List the lines of a text.
 export const linesOf = (text) => text.split(/\r\n?|[\n\v\f]/);
+
+/**
+ * List the nearest lines above and below some lines. Lines without letters and digits are skipped.
+ * @param {string[]} lines @param {number} first @param {number} last
+ */
+export function listNextLines(lines, first, last) {
+  const hasText = (line) => /[\p{L}\d]/u.test(line);
+  const above = lines.findLastIndex((line, k) => k < first && hasText(line));
+  const below = lines.findIndex((line, k) => k > last && hasText(line));
+  return [above, below].filter((k) => k >= 0);
+}

@@ -32,7 +32,7 @@ import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
 const JOINT_SYMBOL = /^(?:q|th|theta)(\d{1,2})$/;
 const MOST_SHOWN = 3; // values of a locked joint in a message
-const SHORT = /^([cs])((?:[+-]?\d)+)$/;
+const SHORT = /^([cs])(?:theta|th|q)?((?:[+-]?\d)+)$/; // c12, s_theta1
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
@@ -45,14 +45,14 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  */
 /**
  * Numbers as typed, row by row. `units` has the unit of the last decimal place of each number.
- * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
- *   formulas: any[], hasJoints: boolean,
- *   entries: Entry[], taken: string[], unusedLines: string[], hasRowNames?: boolean,
+ * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean,
+ *   formulas: any[], hasJoints: boolean, entries: Entry[], taken: string[],
+ *   unusedLines: string[], hasRowNames?: boolean,
  *   statedUnits?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
- *   `trees` are the formulas of a text, `taken` has messages on how it was read, and `unusedLines`
- *   its unused lines. `formulas` are the trees of all entries, and `hasJoints` is true if a joint
- *   value occurs in them. `hasRowNames` is true if its rows were ordered by the names vx to wz.
- *   `statedUnits` are the units for several numbers, and `tokens` all numbers with their owners.
+ *   `taken` has messages on how it was read, and `unusedLines` its unused lines. `formulas` are the
+ *   trees of all entries, and `hasJoints` is true if a joint value occurs in them. `hasRowNames`
+ *   is true if its rows were ordered by the names vx to wz. `statedUnits` are the units for several
+ *   numbers, and `tokens` all numbers with their owners.
  */
 
 /**
@@ -94,24 +94,29 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
   if (shape.reduce((product, n) => product * n, 1) !== leaves.length) {
     throw new ArmError(formatMessage("ragged list", { what }));
   }
-  const entries = leaves.map((leaf) => readLeaf(leaf, what, wanted ?? "numbers"));
+  const read = leaves.map((leaf) => readLeaf(leaf, what, wanted ?? "numbers"));
+  return { ...evaluateAll(read, known), shape, taken: [], unusedLines: [] };
+}
+
+/**
+ * Evaluate the formulas of all entries.
+ * @param {{ tree: any[], text: string }[]} read
+ */
+function evaluateAll(read, known) {
+  const formulas = read.map(({ tree }) => tree);
   const names = new Set();
-  for (const { tree } of entries) symbols(tree, names);
+  for (const tree of formulas) symbols(tree, names);
   const meanings = known(names);
   const findValue = (name) => meanings.get(name);
-  const values = entries.map(({ tree }) => value(tree, findValue));
-  const typed = entries.map(({ text, tree }) => readCell(text, formulaSlack(tree, findValue)));
-  const symbolic = names.size > 0;
+  const entries = read.map(({ text, tree }) => readCell(text, formulaSlack(tree, findValue)));
   return {
-    values,
-    formulas: entries.map(({ tree }) => tree),
-    hasJoints: hasJointNames(names, known),
-    units: unitsOf(typed),
-    shape,
-    symbolic,
-    entries: typed,
-    taken: [],
-    unusedLines: [],
+    values: formulas.map((tree) => value(tree, findValue)),
+    units: unitsOf(entries),
+    formulas,
+    entries,
+    symbolic: names.size > 0,
+    hasJoints: [...names].some((name) => known.isJoint?.(name)),
+    meanings,
   };
 }
 
@@ -151,32 +156,23 @@ function readText(text, { known, ...question }) {
   const unit = findOtherUnit(text);
   if (unit) throw new ArmError(formatMessage("other unit", { what: question.what, unit }));
   const answer = findAnswer(text, { wants: ANY, isEntry: entryIn(known), ...question });
-  const texts = answer.rows.flat().map((cell) => plain(cell.text));
-  const trees = texts.map((cell) =>
-    isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${question.what}`),
-  );
-  const used = new Set();
-  for (const tree of trees) symbols(tree, used);
-  const meanings = known(used);
+  const read = answer.rows.flat().map((cell) => {
+    const typed = plain(cell.text);
+    const isFormula = !isNumber(typed);
+    const tree = isFormula ? parse(typed, `an entry of ${question.what}`) : ["num", Number(typed)];
+    return { tree, text: typed };
+  });
+  const evaluated = evaluateAll(read, known);
+  const { entries, meanings } = evaluated;
   refuseOtherValues(text, meanings, known);
-  const findValue = (name) => meanings.get(name);
-  const values = trees.map((tree) => value(tree, findValue));
-  const entries = texts.map((cell, i) => readCell(cell, formulaSlack(trees[i], findValue)));
-  const shown = trees.map((tree, i) =>
-    entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
-  );
-  const shape = [answer.rows.length, answer.rows[0].length];
   const { taken, unusedLines, hasRowNames, tokens } = answer;
   for (const { owner, index, to } of tokens)
     if (owner === "entry") entries[index].unitBehind = readUnitBehind(text, to);
   /** @param {import("./owners.js").Token} token */
   const isDegrees = ({ index }) => entries[index].worth === RAD;
-  const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
   return {
-    ...read,
-    formulas: trees,
-    hasJoints: hasJointNames(used, known),
-    entries,
+    ...evaluated,
+    shape: [answer.rows.length, answer.rows[0].length],
     taken,
     unusedLines,
     hasRowNames,
@@ -184,8 +180,6 @@ function readText(text, { known, ...question }) {
     tokens,
   };
 }
-
-const hasJointNames = (names, known) => [...names].some((name) => known.isJoint?.(name));
 
 const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
 const NUMPY_NUMBER = /^float64 ?\(([^()]*)\)$/;

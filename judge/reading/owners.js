@@ -4,6 +4,7 @@
 
 import { RAD } from "../geometry/angles.js";
 import { isUnit } from "./cells.js";
+import { linesOf, listNextLines } from "./characters.js";
 import { isJointCount } from "./counts.js";
 import { hasDecimals } from "./formula.js";
 import { findLabel } from "./labels.js";
@@ -216,11 +217,8 @@ const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && 
  * @param {string} text @param {Block} block @returns {Set<number>}
  */
 function findLinesBeside(text, { firstLine, lastLine }) {
-  const lines = text.split(LINE_END);
-  const hasText = (line) => /[\p{L}\d]/u.test(line);
-  const above = lines.findLastIndex((line, k) => k < firstLine && hasText(line));
-  const below = lines.findIndex((line, k) => k > lastLine && hasText(line));
-  return new Set([above, below].filter((k) => k >= 0 && mayBeRow(lines[k])));
+  const lines = linesOf(text);
+  return new Set(listNextLines(lines, firstLine, lastLine).filter((k) => mayBeRow(lines[k])));
 }
 
 // Return whether a line may be a row, because it has neither a name nor a sentence.
@@ -346,7 +344,7 @@ export function refuseUnread(text, tokens, what) {
  */
 export function refuseUnreadCell(text, tokens, { from, to }, what) {
   for (const token of tokens) if (token.from >= from && token.to <= to) token.owner = "unread";
-  const line = text.slice(0, from).split(LINE_END).length;
+  const line = linesOf(text.slice(0, from)).length;
   const word = quoteText(text.slice(from, to).trim());
   const fields = { what: dropArmName(what), word, line, where: "" };
   throw new ArmError(formatMessage("unread", fields), [], tokens, text);

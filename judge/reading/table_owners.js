@@ -19,12 +19,12 @@ function labelName(token, text) {
   return NAME_BEFORE.test(before) ? makeLabel(token, IN_NAME) : token;
 }
 
-const makeLabel = ({ text, from, to, line }, reason) => ({
+const makeLabel = ({ text, from, to, line }, reason = undefined, owner = "label") => ({
   text,
   from,
   to,
   line,
-  owner: "label",
+  owner,
   reason,
 });
 
@@ -50,7 +50,7 @@ export function placeBlockNumbers(tokens, { cells, headers, isTurned = false }, 
     const column = ENTRIES.indexOf(names[k] === "offset" ? getJointEntry(table, row) : names[k]);
     if (column >= 0) return labelName({ ...token, row, column }, text);
     const isOther = k in headers && names[k] === undefined;
-    return isOther ? setAside(token, `column ${headers[k].trim()}`) : makeLabel(token);
+    return isOther ? makeLabel(token, `column ${headers[k].trim()}`, "context") : makeLabel(token);
   });
 }
 
@@ -62,15 +62,6 @@ function listColumns(headers, order) {
 }
 
 const getJointEntry = ({ rows }, row) => (rows[row].kind === "prismatic" ? "d" : "theta");
-
-const setAside = ({ text, from, to, line }, reason) => ({
-  text,
-  from,
-  to,
-  line,
-  owner: "context",
-  reason,
-});
 
 /**
  * Give the numbers of link matrices A_1 ... A_n, one below the other, their rows in the table.

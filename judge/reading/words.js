@@ -4,7 +4,7 @@
 // words change nothing.
 
 import { WRONG } from "../digits.js";
-import { linesOf } from "./characters.js";
+import { linesOf, listNextLines } from "./characters.js";
 import { readLabels } from "./ordering.js";
 import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
@@ -160,19 +160,16 @@ function listWords(text, verdict, options) {
   const used = listEntryLines(verdict);
   const beside = listLinesBeside(lines, used);
   const isOrderedByNames = verdict.taken.includes(formatMessage("taken: by names"));
-  return beside.flatMap((line, i) => {
-    const following = beside
-      .slice(i)
-      .map((k) => lines[k])
-      .join("\n");
-    return known.flatMap((one) => {
-      if (!one.isBeside && !one.isAcross && !used.includes(line)) return [];
-      const words = findWords(one, one.isAcross ? following : lines[line]);
+  return beside.flatMap((line, i) =>
+    known.flatMap((one) => {
+      if (!one.isBeside && !one.isAcross && !used.has(line)) return [];
+      const following = one.isAcross ? beside.slice(i) : [line];
+      const words = findWords(one, following.map((k) => lines[k]).join("\n"));
       if (!words || one.isApplied?.(options, verdict)) return [];
       if (one.readOrder && isOrderedByNames) return [];
       return [{ words, line, order: one.readOrder?.(words), stopsWrong: one.stopsWrong }];
-    });
-  });
+    }),
+  );
 }
 
 /** @param {KnownWords} known @param {string} text */
@@ -184,7 +181,7 @@ function findWords({ pattern, isBeside, isAcross }, text) {
 
 const listEntryLines = ({ tokens, typed }) => {
   const entries = (tokens ?? typed?.tokens ?? []).filter(({ owner }) => owner === "entry");
-  return [...new Set(entries.map(({ line }) => line))];
+  return new Set(entries.map(({ line }) => line));
 };
 
 // Find unknown names above the columns of an answer that is called wrong for its order. The names
@@ -194,29 +191,24 @@ function findUnknownNames(text, verdict) {
   const lines = linesOf(text);
   const used = listEntryLines(verdict);
   const isOrderWrong = causes.some((cause) => /reversed order|exchanged/.test(cause));
-  if (!used.length || !isOrderWrong || !LISTS.includes(topic)) return null;
+  if (!used.size || !isOrderWrong || !LISTS.includes(topic)) return null;
   const [line] = listLinesBeside(lines, used);
   const names = lines[line].split(/[\s|,;&]+/).filter(Boolean);
   const areNames = names.every(
     (name) => /^\p{L}[\p{L}\d_]*$/u.test(name) && !SMALL_WORD.test(name),
   );
   const isKnown = readLabels(names.map((name) => [{ text: name, from: 0, to: 0 }]));
-  if (used.includes(line) || !areNames || names.length !== typed.shape.at(-1) || isKnown)
-    return null;
+  if (used.has(line) || !areNames || names.length !== typed.shape.at(-1) || isKnown) return null;
   return { words: lines[line].trim(), line };
 }
 
 const SMALL_WORD = /^(?:the|of|in|at|for|my|is|a|der|die|das|von)$/i;
 
-// List the lines from the one above an answer's first line to the one below its last line. Lines
-// without letters and digits are skipped.
-/** @param {string[]} lines @param {number[]} used lines of the answer, from 0 */
+// List the lines from the one above an answer's first line to the one below its last line.
+/** @param {string[]} lines @param {Set<number>} used lines of the answer, from 0 */
 function listLinesBeside(lines, used) {
-  if (!used.length) return [];
-  const hasText = (line) => /[\p{L}\d]/u.test(line);
+  if (!used.size) return [];
   const [first, last] = [Math.min(...used), Math.max(...used)];
-  const above = lines.findLastIndex((line, k) => k < first && hasText(line));
-  const below = lines.findIndex((line, k) => k > last && hasText(line));
   const inside = Array.from({ length: last - first + 1 }, (_, k) => first + k);
-  return [above, ...inside, below].filter((k) => k >= 0);
+  return [...inside, ...listNextLines(lines, first, last)].sort((p, q) => p - q);
 }
