@@ -1,7 +1,7 @@
 // Removes text around a number that does not change it, such as emphasis, a box, ≈, an uncertainty,
 // a footnote mark and a comment. The number keeps its position in the pasted text.
 
-import { foldCharacters } from "./characters.js";
+import { foldCharacters, ROW_END } from "./characters.js";
 import { withoutRepeatedUnits } from "./repetitions.js";
 import { UNIT } from "./units.js";
 
@@ -58,13 +58,15 @@ const FOOTNOTE_MARK =
   String.raw`(?<=\d)\^(?:\{?\(?[a-d]\)?\}?(?!\w)|\{\(\d\)\})|<sup>\s*[\w*†‡]\s*<\/sup>)`;
 
 // Other elements of a web page.
-const TAG = /<\/?(?:tr|table|b|i|u|em|strong|code|span|mark|sub|p|div|br)\b[^<>\n]{0,80}>/gi;
+const TAG =
+  /<\/?(?:tr|thead|tbody|table|b|i|u|em|strong|code|span|mark|sub|p|div|br)\b[^<>\n]{0,80}>/gi;
 
 /** @type {any[][]} */
 const DECORATIONS = [
   [/(?<=10)<sup>\s*([-+]?\d{1,2})\s*<\/sup>/gi, "^$1"],
   [new RegExp(FOOTNOTE_MARK, "g"), ""],
   [/<\/?t[dh]\b[^<>\n]{0,80}>/gi, " | "], // a cell of a web page
+  [/<\/tr>/gi, ROW_END],
   [TAG, ""],
   [/\\ang\{([^{}\n;]*)\}/g, "$1 deg"],
   [/\\(?:SI|qty)\{([^{}\n]*)\}\{([^{}\n]*)\}/g, "$1 $2"],
@@ -123,11 +125,19 @@ const withoutTildes = (text) =>
 
 const QUOTATION = /^(?:[ \t]*>(?!>)[ \t]?)+/gm; // > before each line
 
+// Lines that declare symbols in MATLAB and SymPy: syms q1 q2 and q1, q2 = symbols("q1:3").
+const SYMBOLS = String.raw`[\w, \t]{1,80}=[ \t]*(?:\w+\.)?symbols\([^()\n]*\)`;
+const DECLARATION = new RegExp(
+  String.raw`^[ \t]*(?:syms[ \t][\w \t]{1,200}|${SYMBOLS})[ \t]*;?[ \t]*$`,
+  "gm",
+);
+
 /**
- * Remove the > of quoted lines and the line numbers.
+ * Remove the > of quoted lines, the line numbers and declarations of symbols.
  * @param {import("./spans.js").SpannedText} pasted
  */
-export const withoutMargins = (pasted) => withoutLineNumbers(pasted.replace(QUOTATION, ""));
+export const withoutMargins = (pasted) =>
+  withoutLineNumbers(pasted.replace(QUOTATION, "").replace(DECLARATION, ""));
 
 const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:] ?|\t| {2}|$)/gm;
 

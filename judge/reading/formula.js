@@ -84,8 +84,8 @@ const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 export const isNumber = (text) => NUMBER.test(text);
 
 const NAME_ALONE = /^(?!\w*P[Ii])[A-Za-z]\w*$/;
-// Modules before a name: np.pi, sympy.cos.
-const MODULE = /(?<![\w.\\])(?:[A-Za-z_]\w*\.)+(?=[A-Za-z])/g;
+// Modules before a name: np.pi, sympy.cos, std::numbers::pi.
+const MODULE = /(?<![\w.\\])(?:[A-Za-z_]\w*(?:\.|::))+(?=[A-Za-z])/g;
 // The names of pi in C, JavaScript and Mathematica: M_PI, M_PI_2, Math.PI, Pi.
 const PI_NAME = /(?<![A-Za-z\d_])(?:M_)?P[Ii](?:_([24]))?(?![A-Za-z\d_])/g;
 

@@ -63,7 +63,12 @@ const DRAWN_MATRIX = /[⎡⎢⎣]|^\[.*\][ \t]*\n\[.*\]/m; // of SymPy, with a b
 
 // A line that defines lengths, "d_1 = 0.5, a_2 = 0.4", is no row.
 const LENGTH = String.raw`(?!al|th|q)[a-z]\w{0,6}[ \t]*=[ \t]*-?[\d.]{1,12}(?:[ \t]*m{1,2})?`;
-const DEFINITIONS = new RegExp(String.raw`^[ \t]*(?:${LENGTH}[ \t]*(?:[,;][ \t]*|$)){2,}$`, "gim");
+// D1, A2 = 0.5, 0.4
+const SEVERAL = String.raw`[a-z]\w?(?:[ \t]*,[ \t]*[a-z]\w?){1,20}[ \t]*=[ \t]*[-\d., \t]+`;
+const DEFINITIONS = new RegExp(
+  String.raw`^[ \t]*(?:(?:${LENGTH}[ \t]*(?:[,;][ \t]*|$)){2,}|${SEVERAL})$`,
+  "gim",
+);
 
 // Stars behind a joint variable, q1*, and in place of a joint variable. They are no products.
 const STARRED = /([A-Za-zθϑφ]_?\{?[\d₀-₉]*\}?)\^?\{?(?:[*∗⋆]|\\(?:ast|star))\}?(?!\S)/g;

@@ -119,7 +119,7 @@ function readLists(text, brackets) {
     const name = open === "(" ? null : LIST.exec(before);
     if (!name) return [];
     const part = { from: from - name[0].length, to };
-    return [{ column: findEntry(name[1]) ?? "", entries: listEntries(body, start), part }];
+    return [{ column: findListEntry(name[1]), entries: listEntries(body, start), part }];
   });
   if (lists.length < 3 || !lists.every(({ column }) => ENTRIES.includes(column))) return null;
   const columns = new Map(lists.map(({ column, entries }) => [column, entries]));
@@ -135,6 +135,12 @@ function readLists(text, brackets) {
     parts: lists.map(({ part }) => part),
   };
   return !columns.has("theta") ? addTheta(table, columns.get("d")) : table;
+}
+
+// Find the entry that the name of a list names, as a whole or in one of its parts: alpha_test.
+function findListEntry(name) {
+  const parts = [name, ...name.split("_")].map(findEntry);
+  return parts.find((entry) => ENTRIES.includes(entry)) ?? "";
 }
 
 // Refuse two different lists of the same column.
