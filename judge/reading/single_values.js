@@ -66,7 +66,8 @@ export function joinCellLines(rows, words) {
   const sets = lines.flatMap((line, k) =>
     line.row && lines[k - 1]?.row === null ? [readCellsFrom(lines, k)] : [],
   );
-  const values = sets.filter(({ cells }) => !countsUp(cells.map(({ text }) => text)));
+  const labelled = sets.filter(({ cells }) => !countsUp(cells.map(({ text }) => text)));
+  const values = labelled.length === 1 ? splitCountedRows(labelled[0], lines) : labelled;
   if (values.length < 2) return [];
   const width = values[0].cells.length;
   if (values.some(({ cells }) => cells.length !== width)) return [];
@@ -116,6 +117,24 @@ function readCellsFrom(lines, first) {
     cells: set.map(({ cell }) => cell),
     rows: set.map(({ row }) => row),
   };
+}
+
+// Split cells into rows, if the first cells of the rows count 1, 2, 3. The number of headers above
+// gives the length of a row. The count may have no header.
+function splitCountedRows({ cells, rows }, lines) {
+  const first = lines.findIndex(({ row }) => row === rows[0]);
+  const width = first - findFirstHeader(lines, first) + 1;
+  const widths = [width, width - 1].filter((size) => size > 2);
+  for (const size of widths) {
+    const from = Array.from({ length: Math.floor(cells.length / size) }, (_, i) => i * size);
+    if (cells.length % size || !countsUp(from.map((at) => cells[at].text))) continue;
+    return from.map((at) => ({
+      label: cells[at],
+      cells: cells.slice(at + 1, at + size),
+      rows: rows.slice(at, at + size),
+    }));
+  }
+  return [];
 }
 
 const countsUp = (texts) => texts.every((text, k) => Number(text) === k + 1);
