@@ -59,7 +59,9 @@ PAGES = (
         "The Panda with its pen and all seven joints. Homework and real arm share every formula;"
         " they differ in the number for $a_3$, and with it in where the"
         " centres of mass of links 3 and 4 lie in their frames, so numbers are given for both."
-        " [Panda, joint 3 locked at 0](panda_joint_3_locked.md) is the arm that draws the circle.",
+        " [Panda, joint 3 locked at 0](panda_joint_3_locked.md) is the arm that draws the circle."
+        " Its inverse kinematics:"
+        " [a numeric solver](../05_inverse_kinematics.ipynb#sec-numeric-inverse).",
         (PANDA_HOMEWORK, PANDA),
     ),
     SheetPage(
@@ -67,7 +69,8 @@ PAGES = (
         "Panda, joint 3 locked at 0",
         "The Panda as the homework uses it: joint 3 stays at 0, row 3 is fixed, and the Jacobian"
         " is square. Axes 2 and 4 are"
-        " parallel now, so their angles join: $q_2 - q_4$.",
+        " parallel now, so their angles join: $q_2 - q_4$. Its inverse kinematics:"
+        " [one equation in one unknown](../05_inverse_kinematics.ipynb#sec-locked-panda).",
         (PANDA_HOMEWORK.lock(3), PANDA.lock(3)),
     ),
     SheetPage(
@@ -75,7 +78,8 @@ PAGES = (
         "UR10e, the homework's table",
         "The arm of the homework, whose lengths are those of a UR10. The homework gives it no"
         " masses, so gravity is"
-        " worked out for [the maker's UR10e](ur10e.md).",
+        " worked out for [the maker's UR10e](ur10e.md). Its inverse kinematics:"
+        " [eight branches](../further/ur10e_by_hand.ipynb#sec-ur-inverse).",
         (UR10E_HOMEWORK,),
     ),
     SheetPage(
