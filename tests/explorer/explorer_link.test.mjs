@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
 import { findLargestDifference, makeConfigurationLink, makeMistakeLink } from "../../page/src/check/explorer_link.js";
 import { EMPTY, judgeQuestion } from "../../page/src/check/question.js";
+import { simulateCircle } from "../../page/src/homework_run.js";
 import { parseFragment } from "../../page/src/link.js";
 import { ELBOW, PANDA } from "./arms.mjs";
 
@@ -15,7 +16,7 @@ const LOCKED = listed(
   { key: "locked", locked: 3 },
 );
 const LIST = [listed(ELBOW), listed(PANDA), LOCKED];
-const read = (fragment) => parseFragment(fragment, [PANDA, ELBOW], ["table", "jacobian", "torque"]);
+const read = (fragment) => parseFragment(fragment, [PANDA, ELBOW], ["table", "jacobian", "torque", "homework"]);
 const ask = (answer, more = {}) => {
   const question = { ...EMPTY, ask: "table", arm: "Elbow arm", answer, ...more };
   return [question, judgeQuestion(question, LIST), LIST];
@@ -92,4 +93,24 @@ test("wrong torques are linked with their numbers and the wrench", () => {
   const list = [listed(bodies)];
   const { patch } = read(makeMistakeLink(question, judgeQuestion(question, list), list));
   assert.deepEqual([patch.view, patch.answer, patch.wrench], ["torque", [1, 2, 3], [0, 0, -10, 0, 0, 0]]);
+});
+
+test("a run with a known mistake is linked beside the right run, from the same start", () => {
+  const q = [0.4, -0.6, 0, 1.9, 0.3, 1.8, 0.7];
+  const free = (row) => row.filter((_, i) => i !== 2).join(" ");
+  const askRun = (mistake, more = {}) => {
+    const settings = { radius: 0.05, seconds: 5, steps: 100, locked: 2, rates: "pseudo", cutoff: 1e-3 };
+    const run = simulateCircle(PANDA, q, { ...settings, mistake });
+    const fields = { radius: "0.05", period: "5", steps: "100", arm: "locked", q: free(q) };
+    return ask(run.path.map(free).join("\n"), { ask: "trace", ...fields, ...more });
+  };
+  for (const mistake of ["next", "angular", "o_i"]) {
+    const { patch, message } = read(makeMistakeLink(...askRun(mistake)));
+    assert.equal(message, "");
+    assert.deepEqual([patch.view, patch.q], ["homework", q]);
+    const shown = patch.runs.map((run) => [run.mistake, run.radius, run.seconds, run.steps, run.normal, run.locked]);
+    assert.deepEqual(shown, ["", mistake].map((name) => [name, 0.05, 5, 100, "x", 2]));
+  }
+  assert.equal(makeMistakeLink(...askRun("")), "");
+  assert.equal(makeMistakeLink(...askRun("next", { plane: "yz" })), ""); // the explorer has no such circle
 });

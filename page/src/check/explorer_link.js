@@ -15,6 +15,7 @@ import { lookup, numbers } from "../../../judge/reading/numbers.js";
 import { readSymbolValues } from "../../../judge/reading/values.js";
 import { evaluateWith } from "../../../judge/topics/jacobian_matrix.js";
 import { formatNumbers, formatRows } from "../fragment.js";
+import { DEFAULT_RUN, formatRun, parseRun } from "../homework_run.js";
 import { OWN_ARM } from "./question.js";
 
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
@@ -26,6 +27,13 @@ import { OWN_ARM } from "./question.js";
 const VALUES_TRIED = 12; // of each joint, within its limits
 const SWEEPS = 2; // over all joints
 const TURN_SHARE = 0.01; // 1 rad of turn counts as 1 % of the arm's reach
+// Mistakes that the explorer can make in a run, by the judge's names.
+const RUN_MISTAKES = {
+  "J.z_i angular": "angular",
+  "J.origin late": "o_i",
+  "trace.next velocity": "next",
+};
+const WALL_NORMALS = { zy: "x", xz: "y" }; // of the explorer's circles, which have one sense each
 const SEEN = 1e-3; // difference that can be seen: a share of the reach, or an entry of a Jacobian
 
 /**
@@ -51,7 +59,9 @@ export function makeMistakeLink(question, { verdict, q }, arms) {
   const arm = findExplorerArm(question, arms);
   if (!arm || verdict?.grade !== "wrong") return "";
   if (question.ask === "table") return makeTableLink(arm, verdict.table?.rows ?? []);
-  if (!q || !verdict.typed) return "";
+  if (!q) return "";
+  if (question.ask === "trace") return makeRunLink(arm, question, verdict, q);
+  if (!verdict.typed) return "";
   if (question.ask === "jacobian") return makeJacobianLink(arm, question, verdict.typed, q);
   return question.ask === "torques" ? makeTorqueLink(arm, question, verdict.typed, q) : "";
 }
@@ -99,6 +109,35 @@ function makeTorqueLink(arm, { wrench }, { values }, q) {
     view: "torque",
     ...(load.length ? { wrench: formatNumbers(load) } : {}),
     answer: formatNumbers(values),
+  });
+}
+
+// Show the right run and one with the verdict's mistake, their errors magnified.
+/**
+ * @param {ListedArm} arm
+ * @param {Question} question
+ * @param {import("../../../judge/topics/frame.js").Verdict} verdict
+ * @param {number[]} start
+ */
+function makeRunLink(arm, { plane, radius, period, pace }, { causes, figures }, start) {
+  const mistake = causes.map((name) => RUN_MISTAKES[name]).find(Boolean);
+  const isHomework = start.length >= 6 && pace === "even"; // of the explorer's kind
+  if (!mistake || !isHomework) return "";
+  const right = formatRun({
+    ...DEFAULT_RUN,
+    rates: "pseudo", // the inverse, wherever there is one
+    cutoff: 1e-3, // as in the book
+    steps: figures?.q.length - 1,
+    seconds: Number(period),
+    radius: Number(radius),
+    normal: WALL_NORMALS[plane],
+    locked: arm.locked ? arm.locked - 1 : -1,
+  });
+  if (!parseRun(right)) return "";
+  return formatLink(arm, {
+    q: formatNumbers(unlockJoints(arm, start)),
+    view: "homework",
+    runs: `${right};${right}${mistake}`,
   });
 }
 
