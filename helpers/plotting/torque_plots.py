@@ -52,7 +52,7 @@ def plot_torques(
                 column[k].set_ylim(-1.2 * limit, 1.2 * limit)
                 words = f"joint {i}: limits ±{limit:g} N m"
                 column[k].text(
-                    0.5, 0.72, words, transform=column[k].transAxes, ha="center", va="center"
+                    0.5, 0.25, words, transform=column[k].transAxes, ha="center", va="center"
                 )
                 for end in (-limit, limit):
                     column[k].axhline(end, color=RED, ls=":")
