@@ -13,7 +13,7 @@ from sympy.printing.str import StrPrinter
 from answers.content import Answer, AnswerSheet
 
 _WIDTH = 96  # characters of a line
-_IMPORTED = ("Matrix", "cos", "pi", "sin", "sqrt", "symbols")
+_IMPORTED = ("Matrix", "cos", "pi", "sin", "symbols")
 
 
 class _Names:

@@ -144,7 +144,7 @@ def test_matlab_blocks_match_numeric_view(sheet):
         assert not re.search(r"[^;\[]$", text, re.M)
         text = text.replace(".*", "*").replace(".^", "**").replace("^", "**")
         text = re.sub(r"(?s)= \[\n(.*)\n\];", r"= [[\1]]", text).replace(";\n    ", "], [")
-        names = {"cos": np.cos, "sin": np.sin, "sqrt": np.sqrt, "pi": np.pi}
+        names = {"cos": np.cos, "sin": np.sin, "pi": np.pi}
         exec(set_joints(text.replace(";]]", "]]"), sheet.arm, draw_pose(sheet)), names)
         check_answer(sheet, item.name, names[item.name], draw_pose(sheet))
 
