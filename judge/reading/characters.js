@@ -143,8 +143,10 @@ const MATRIX_CHARACTERS = [
 const RAISED_POINT = /(?<![\d.·])0·\d/;
 const RAISED_POINTS = /(?<=(?<![\d.·])\d{1,20})·(?=\d{1,20}(?![\d.·^]))/g;
 const WORD_MATRIX = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
-// Dashes before a bracket, or below a name as in YAML, are bullets. Any other dash may be a minus.
-const DASHES_ARE_BULLETS = /^[ \t]*- +(?=[-[{])|^[A-Za-z]\w*:[ \t]*(?:\n- \d[\d.]*[ \t]*){2}/m;
+// Dashes before a bracket or np.float64(...), or below a name as in YAML, are bullets. Any other
+// dash may be a minus.
+const DASHES_ARE_BULLETS =
+  /^[ \t]*- +(?=[-[{]|np\.float)|^[A-Za-z]\w*:[ \t]*(?:\n- \d[\d.]*[ \t]*){2}/m;
 const BULLET = /^[ \t]*- +/gm;
 
 /**
