@@ -32,7 +32,7 @@ const SYNONYMS = [
   ["quiz", "practice", "exercise"],
   ["cite", "citation", "reference", "bibliography"],
   ["upload", "paste"],
-  ["install", "download", "copy"],
+  ["install", "download"],
   ["speed", "velocity", "rate"],
   ["limit", "bound", "range"],
 ];
