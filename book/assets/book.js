@@ -116,7 +116,9 @@ if (!CSS.supports("overflow-anchor", "auto")) document.addEventListener("DOMCont
     clearTimeout(timer);
     timer = setTimeout(correct, REST_TIME);
   }, { passive: true });
-  new ResizeObserver(() => timer ?? correct()).observe(article);
+  new ResizeObserver(() => {
+    if (!timer) correct();
+  }).observe(article);
 });
 
 // The address of a part that has left the page leads to its new place.
