@@ -122,7 +122,7 @@ def _format_program_data(sheet: AnswerSheet) -> str:
 
 
 def _format_answer(sheet: AnswerSheet, answer: Answer, other_sheets: list[AnswerSheet]) -> str:
-    """Write a folded answer with its formula and its numbers at home, for `other_sheets` too."""
+    """Write an answer that a click unfolds: its formula, and its numbers at home of each arm."""
     formulas = [f"$$\n{display}\n$$" for display in displays.format_symbols(sheet, answer)]
     for caption, values in _list_home_values(sheet, answer, other_sheets):
         formulas.append(

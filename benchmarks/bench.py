@@ -61,7 +61,7 @@ def time_call(work: Callable[[], object], calls: int) -> float:
 
 
 def measure_case(case: Case) -> Iterator[str]:
-    """Yield the table's lines of a task.
+    """Time one task, and yield its lines of the table.
 
     Raises AssertionError if a result differs from the helpers'.
     """
@@ -95,7 +95,7 @@ def format_time(milliseconds: float) -> str:
 
 
 def measure_topics(topics: list[ModuleType]) -> Iterator[str]:
-    """Yield the table's lines as soon as each is measured."""
+    """Time all tasks, and yield each line of the table as soon as it is known."""
     yield "| work | who, and called how | ms | helpers / peer | largest difference |"
     yield "|:--|:--|--:|--:|--:|"
     for topic in topics:

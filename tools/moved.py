@@ -35,7 +35,7 @@ def record_ids(app: Sphinx, doctree: nodes.document) -> None:
 def find_targets(
     old_anchors: dict[str, list[str]], moved: Targets, ids: dict[str, set[str]]
 ) -> dict[str, Targets]:
-    """Return where each old anchor leads that its page has no more.
+    """Find the new place of each anchor that its page has lost.
 
     Args:
         old_anchors: the anchors of before by page.

@@ -59,9 +59,14 @@ class PlainInverse:
         return X
 
     def require_regular_near(self, J: Array, inverted: Array, inverse: Array) -> None:
-        """Check Jacobians by the inverses of Jacobians near them, (steps, 6, 6) each.
+        """Require Jacobians that are regular, as Jacobians near them prove.
 
         No singular value of J is further from that of `inverted` than the norm of their difference.
+
+        Args:
+            J: The Jacobians, shape (steps, 6, 6).
+            inverted: A Jacobian near each, of the same shape.
+            inverse: The inverses of `inverted`.
 
         Raises:
             SingularError: A Jacobian may be singular.

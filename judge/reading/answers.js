@@ -127,7 +127,7 @@ function findIn(pasted, text, question) {
   return { ...ordered, unusedLines, tokens };
 }
 
-// Refuse values without units below headers, or behind names, in degrees and in radians.
+// Refuse bare values if one header or name says degrees and another one radians.
 /** @param {Block} block @param {string} what */
 function refuseTwoUnits({ rows, headers, labels, sources }, what) {
   const names = [...headers, ...labels.flat()].map(({ text }) => text);
@@ -154,7 +154,7 @@ function findLinesOfEntries({ firstLine, lastLine }, tokens) {
 }
 
 // Find the block that fits by the first shape wanted and the first splitting of the text. A block
-// that is hardly the answer comes last.
+// that is probably not the answer comes last.
 function findFirstFit(blockFinders, question) {
   const { wants, which = null, given = [] } = question;
   const shapes = [false, true].flatMap((unlikely) => wants.map((want) => ({ unlikely, want })));
@@ -173,9 +173,9 @@ function findFirstFit(blockFinders, question) {
 
 const NO_NAME = /(?!)/;
 
-// Return whether a block is hardly the answer: it only counts and is not assigned to the answer's
-// name, may be the halves of decimal numbers outside of brackets, or is called another quantity or
-// an old answer.
+// Return whether a block is probably not the answer. It may hold the numbers 1, 2, 3, ... without
+// the answer's name, or the halves of decimal numbers outside of brackets, or its name may be that
+// of another quantity or of an old answer.
 const isUnlikely = (block, names = NO_NAME) =>
   (block.splitsCommas && !isInBrackets(block) && hasOnlyWholeNumbers(block)) ||
   (countsAlone(block) && !(block.sources[0].isAssigned && names.test(bareName(block.name)))) ||

@@ -1,5 +1,5 @@
 // Joins the parts of a wide pandas frame. On a narrow screen pandas prints the columns in parts,
-// the second below the first. All parts except the last have a \ behind their column headers.
+// one below the other. Each part but the last ends its line of column headers with a \.
 
 import { listLines } from "./spans.js";
 

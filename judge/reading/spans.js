@@ -1,5 +1,6 @@
-// Defines a text whose characters remember their positions in the pasted text. The steps of the
-// reader change the text, and a message can still quote and mark the pasted text.
+// Defines a text whose characters remember their positions in the pasted text. The reader
+// changes the text in several steps; thanks to the positions, a message can quote the pasted text
+// and mark a place in it.
 
 /**
  * A part of the pasted text, from a position up to, but without, the position `to`.

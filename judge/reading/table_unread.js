@@ -150,7 +150,7 @@ const findWordInList = ({ words }, list, text) =>
 // Return whether "=" follows a word, as in \\[ DH = \\begin{pmatrix}.
 const isName = ({ to }, text) => /^\s*=/.test(text.slice(to, to + 9));
 
-// Map each line to its contents that do not belong to the rows of a block.
+// For each line, list what the rows of a block do not use of it.
 /**
  * @param {Block} block @param {(cell: string) => boolean} isEntry
  * @returns {Map<number, Rest>}

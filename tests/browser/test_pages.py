@@ -120,7 +120,7 @@ def test_page_fits_screen_or_scrolls(visit, size):
     assert size != "wide" or all(66 <= letters <= 75 for letters in lines), lines
 
 
-# Runs in one call, since between two calls the page may mark boxes that are too wide again.
+# One call does it all: between two calls the page may mark the box again.
 LIST_CUT_CONTENT_WITHOUT_MARKS = f"""(box) => {{
     box.classList.remove("scrolls", "more-right");
     const found = ({LIST_CUT_CONTENT})();

@@ -53,7 +53,8 @@ KNOWN = {
 }
 
 
-# Every arm of the catalogue, typed anew. `KNOWN` is what hand-ins are drawn from.
+# Every arm of the catalogue, copied by hand from its source and not from helpers. Random hand-ins
+# are made for the arms in `KNOWN`.
 _PANDA_HOMEWORK = [
     (kind, math.copysign(0.088, a) if abs(a) == 0.0825 else a, *rest) for kind, a, *rest in _PANDA
 ]

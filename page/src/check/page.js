@@ -326,8 +326,8 @@ export class AnswerCheck {
     return this.arms.find(isPossible)?.key ?? key;
   }
 
-  // Ask in the joint angles of the reader's table from now on; "" for the arm's own. A
-  // configuration that the page filled in is written in the new angles.
+  // Count the joints as the reader's table does from now on, or as the arm's own table does if
+  // `joints` is empty. The page's own configuration is converted.
   useJoints(joints) {
     const { ask, arm, unit, q } = this.question;
     const isHome = q === this.start.q;
