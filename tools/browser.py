@@ -55,5 +55,5 @@ def launch_browser(playwright: Playwright, *more_flags: str) -> Browser:
             return playwright.chromium.launch(channel=channel, args=flags)
     expected = ", ".join(PROGRAMS)
     raise NoBrowser(
-        f"no browser is on the PATH, expected one of {expected}; or: playwright install chromium"
+        f"no browser is on the PATH; expected one of {expected}, or playwright install chromium"
     )
