@@ -141,7 +141,9 @@ function* listWritingMistakes(arm, { dof, turns }, frame) {
   // slip 26: millimetres in a report in metres; the column of a slide has no unit
   yield [makeCause("J.millimetres"), changeEntries((x, i, k) => (turns[k] && i < 3 ? 1e3 * x : x))];
   if (turns.includes(false)) yield [makeCause("J.millimetres"), scaleHalves(1000, 1)];
-  yield [makeCause("J.linear zero"), scaleHalves(0, 1)]; // half an answer
+  // half an answer, as a course marks it
+  yield [makeCause("J.angular zero"), scaleHalves(1, 0)];
+  yield [makeCause("J.linear zero"), scaleHalves(0, 1)];
   if (dof === 6) yield [makeCause("J.transposed"), (J) => chains.transpose(J, [6, 6])]; // handed in
   // joints named q6 ... q1
   yield [makeCause("J.reversed order"), reorderColumns((k) => dof - 1 - k)];

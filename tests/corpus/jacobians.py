@@ -88,6 +88,7 @@ def after(m, q, rng):
     yield "J.halves", lambda J: np.vstack([J[3:], J[:3]])
     yield "J.all signs", lambda J: -J
     yield "J.millimetres", scaled(1000, 1)
+    yield "J.angular zero", scaled(1, 0)
     if m.dof == 6:
         yield "J.transposed", lambda J: J.T
     yield "J.reversed order", lambda J: J[:, ::-1]
