@@ -123,4 +123,5 @@ def test_every_program_is_written_for_an_arm_without_symbols():
     assert all(write_code(arm, name) == write_code(arm, name.lower()) != "" for name in names)
     offset = Arm("offset", [revolute(a="l - 0.307")], dict(l=0.1))
     assert "a=-0.207," in write_code(offset, "Robotics Toolbox")
+    assert "'mixed <&> ''arm'''" in write_code(MIXED, "matlab")
     assert write_code(ELBOW, "matlab").startswith("L(1) = Revolute('d', 0.5, 'a', 0, 'alpha', pi/2")

@@ -267,6 +267,18 @@ def test_base_may_be_fixed_beside_the_chain():
         from_urdf(text, "upper", "base")
 
 
+def test_base_may_be_fixed_behind_two_turned_joints():
+    """The links after the base turn by a right angle about x, then about z."""
+    mount = joint("mount", "base", "plate", "fixed", xyz="0.1 0 0.2", rpy=f"{RIGHT} 0 0")
+    behind = joint("side", "plate", "controller", "fixed", xyz="0 0.3 0", rpy=f"0 0 {RIGHT}")
+    text = robot(*LINKS, link("plate"), link("controller"), *JOINTS, mount, behind)
+    controller = np.array([[0, -1, 0, 0.1], [0, 0, -1, 0], [1, 0, 0, 0.5], [0, 0, 0, 1]])
+    q = [0.4, -0.9]
+    expected = np.linalg.inv(controller) @ forward_kinematics(from_urdf(TWO), q)
+    arm = from_urdf(text, "controller", "tool")
+    assert forward_kinematics(arm, q) == pytest.approx(expected, abs=1e-12)
+
+
 def test_blank_first_line_and_missing_meshes_are_no_fault(tmp_path):
     mesh = '<visual><geometry><mesh filename="package://nowhere/a.stl"/></geometry></visual>'
     text = "\n  " + TWO.replace('<link name="base"/>', f'<link name="base">{mesh}</link>')

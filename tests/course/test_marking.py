@@ -321,6 +321,13 @@ def test_hints_show_no_number_and_no_right_entry(arm):
             assert not NUMBER.search(hint.replace("8000", "")), hint
 
 
+def test_hint_does_not_tell_which_entry_of_a_table_is_wrong():
+    right = make_right_answers(ELBOWS)["table"]
+    wrong = [[str(float(right[0][0]) + 0.1), *right[0][1:]], *right[1:]]
+    hints = [mark_part(ELBOWS, "table", answer).hint for answer in (right, wrong)]
+    assert hints[0] == hints[1]
+
+
 def test_hint_does_not_tell_right_answers_from_unknown_ones():
     right = mark_part(ELBOWS, "p", get_value("p").tolist())
     wrong = mark_part(ELBOWS, "p", (get_value("p") + 0.05).tolist())

@@ -7,7 +7,8 @@ import { findArm, EMPTY, parseQuestionLink, makeStartingQuestion, formatQuestion
 import { formatNumber } from "../../judge/sentences.js";
 
 const ARMS = ["PANDA", "ELBOW"];
-const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
+const TARGET = Array(4).fill("0.123456 -0.123456 0.123456 -0.123456").join("\n");
+const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", target: TARGET, answer: "[1 2;\n 3 4]" };
 
 test("a question link restores the question", () => {
   assert.deepEqual(parseQuestionLink(formatQuestionLink(asked), ARMS), { question: asked, message: "" });

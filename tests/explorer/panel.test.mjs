@@ -7,7 +7,7 @@ import { findBranches } from "../../page/src/motion.js";
 import { findLabelSpot } from "../../page/src/labels.js";
 import { describeMotion, formatSpokenValue } from "../../page/src/text.js";
 import { formatTimeTicks } from "../../page/src/views/plots.js";
-import { ELBOW, STANFORD } from "./arms.mjs";
+import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
 const LINK = { from: [100, 0], to: [100, 200] }; // upright, 20 px thick
 
@@ -35,6 +35,12 @@ test("branches have the names of the closed form", () => {
   const shoulders = ["back", "front"].flatMap((side) => ["down", "up"].map((bend) => `${side}, elbow ${bend}`));
   assert.deepEqual(names(ELBOW, [0.2, 0.9, -1.1]), shoulders);
   assert.ok(names(STANFORD, [0.1, 0.7, 0.5, 0.2, 0.6, 0.3]).every((name) => /^(front|back), rod (out|through), q_5 [<>] 0$/.test(name)));
+});
+
+test("a joint of a branch is turned by whole turns into its limits", () => {
+  const q = [0.2, 0.3, 0.1, 1.2, 0.2, 3.5, 0.4]; // joint 6 reaches from -0.02 to 3.75
+  const [first] = findBranches({ ...PANDA, rows: PANDA.rows.map((row, i) => (i === 2 ? { ...row, kind: "fixed" } : row)) }, q.filter((_, i) => i !== 2)).list;
+  assert.ok(Math.abs(first.q[4] - 3.5) < 1e-6, `${first.q}`);
 });
 
 test("the time axis has numbers with their unit", () => {
