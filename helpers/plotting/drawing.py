@@ -206,8 +206,8 @@ def draw_angle(
     middle = np.radians((start + end) / 2)
     position = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
     text_colour = "black" if colour == ORANGE else colour  # orange text is too pale to read
-    look = dict(color=text_colour, ha="center", va="center", gid=OUTLINED)
-    ax.text(position[0], position[1], text, **look)
+    label = ax.text(*position, text, color=text_colour, ha="center", va="center")
+    label.set_gid(OUTLINED)
 
 
 def draw_joint_axes(ax: Axes, derivation: Derivation, view: View, length: float) -> None:
