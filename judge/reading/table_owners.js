@@ -16,10 +16,11 @@ const NAME_BEFORE = /(?:[\p{L}_]\{?|(?<!\p{L})(?:q|θ|theta)[[(])$/u;
 // Make a number a label if it is part of a name.
 function labelName(token, text) {
   const before = text.slice(Math.max(0, token.from - 7), token.from);
-  return NAME_BEFORE.test(before) ? makeLabel(token, IN_NAME) : token;
+  return NAME_BEFORE.test(before) ? setOwner(token, "label", IN_NAME) : token;
 }
 
-const makeLabel = ({ text, from, to, line }, reason = undefined, owner = "label") => ({
+// Give a number an owner, and take its row and column from it.
+const setOwner = ({ text, from, to, line }, owner, reason = undefined) => ({
   text,
   from,
   to,
@@ -50,7 +51,9 @@ export function placeBlockNumbers(tokens, { cells, headers, isTurned = false }, 
     const column = ENTRIES.indexOf(names[k] === "offset" ? getJointEntry(table, row) : names[k]);
     if (column >= 0) return labelName({ ...token, row, column }, text);
     const isOther = k in headers && names[k] === undefined;
-    return isOther ? makeLabel(token, `column ${headers[k].trim()}`, "context") : makeLabel(token);
+    return isOther
+      ? setOwner(token, "context", `column ${headers[k].trim()}`)
+      : setOwner(token, "label");
   });
 }
 

@@ -137,18 +137,19 @@ const COMMENT = /(?:#(?!\d)|%|\/\/).*/;
  * @throws {ArmError} if words cannot be applied, and the verdict took the numbers otherwise
  */
 export function applyWords(text, verdict, options, judgeInOrder) {
-  const found = listWords(text, verdict, options);
-  const stated = Object.assign({}, ...found.map(({ order }) => order));
-  if (found.length && found.every(({ order }) => order)) {
+  const knownWords = listWords(text, verdict, options);
+  const stated = Object.assign({}, ...knownWords.map(({ order }) => order));
+  if (knownWords.length && knownWords.every(({ order }) => order)) {
     const other = tryOrNull(() => judgeInOrder(stated));
     if (other && other.grade !== WRONG) return other;
   }
   const isWrong = verdict.grade === WRONG;
-  const stop = isWrong
-    ? (found.find((one) => one.stopsWrong) ?? findUnknownNames(text, verdict))
-    : found[0];
-  if (!stop) return verdict;
-  throw new ArmError(formatMessage("words", { words: quoteText(stop.words), line: stop.line + 1 }));
+  const obstacle = isWrong
+    ? (knownWords.find((one) => one.stopsWrong) ?? findUnknownNames(text, verdict))
+    : knownWords[0];
+  if (!obstacle) return verdict;
+  const { words, line } = obstacle;
+  throw new ArmError(formatMessage("words", { words: quoteText(words), line: line + 1 }));
 }
 
 // List the known words beside the numbers of a verdict that took the numbers otherwise.
