@@ -96,19 +96,19 @@ window.addEventListener("resize", () => {
 if (!CSS.supports("overflow-anchor", "auto")) document.addEventListener("DOMContentLoaded", () => {
   const REST_TIME = 200; // ms after the last scroll event; a correction would stop a smooth scroll
   const article = document.querySelector("article");
-  let seen, top, timer;
+  let keptPart, keptTop, timer;
   // Remember the first thing below the bar that is no section, and where it stands.
   const remember = () => {
     const { left, width } = article.getBoundingClientRect();
     for (let y = 64; y < innerHeight / 2; y += 16) {
-      seen = document.elementFromPoint(left + width / 2, y);
-      if (seen && article.contains(seen) && !seen.matches("article, section")) break;
+      keptPart = document.elementFromPoint(left + width / 2, y);
+      if (keptPart && article.contains(keptPart) && !keptPart.matches("article, section")) break;
     }
-    top = seen?.getBoundingClientRect().top;
+    keptTop = keptPart?.getBoundingClientRect().top;
   };
   const correct = () => {
     timer = null;
-    const moved = seen?.isConnected ? seen.getBoundingClientRect().top - top : 0;
+    const moved = keptPart?.isConnected ? keptPart.getBoundingClientRect().top - keptTop : 0;
     if (Math.abs(moved) >= 1) scrollBy({ top: moved, behavior: "instant" });
   };
   addEventListener("scroll", () => {

@@ -31,7 +31,7 @@
     if (focused >= 0) listControls()[focused]?.focus();
   }
 
-  const nearby = new Set(); // what starts when the page rests
+  const nearby = new Set(); // judges and explorers that start when the page rests
   const near = new IntersectionObserver(
     (entries) => {
       for (const { isIntersecting, target } of entries)

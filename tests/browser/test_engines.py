@@ -199,7 +199,7 @@ JUDGES_HAVE_STARTED = "[...document.querySelectorAll('.arm-judge')].every((form)
     ],
 )
 def test_link_target_stays_in_place(reader, name, place, has_started):
-    """What starts near the target changes the height of the page above or below it."""
+    """A judge or an explorer that starts near the target changes the height of the page."""
     reader.open(name)
     reader.click(f"document.querySelector(`.sections a[href='#{place}']`)")
     reader.until(has_started)
