@@ -4,7 +4,7 @@ Otherwise nobody would notice when a number is no longer true. The test reads ev
 unit or with more than two digits. It skips block quotes of the reports, names, indices and
 exponents. A number of a notebook appears in the notebook itself. A number of a Markdown page
 appears in a notebook to which its section links, or in any if it links to none. Counts of exercises
-are also read in words.
+are also read in words. A torque from a list of a cell must belong to the joint that the prose names.
 """
 
 import re
@@ -96,6 +96,40 @@ def find_unbacked_numbers(cells):
     return missing
 
 
+# A torque with a decimal after the joint that carries it. The unit may be left out when repeated.
+JOINT_TORQUE = re.compile(
+    r"joints? (\d)(?: and (\d))?(?!\d)((?:(?!joint)[^.:;\d$|°])*?)"
+    r"(?<![\w.])(\d+\.\d+)(?!\d|[ \u00a0]?(?:°|%|(?:[cm]?m|rad|s|kg)\b)|[ \u00a0]N m in joint)"
+)
+
+
+def list_rows_of_numbers(cells):
+    """Return the lists of four or more numbers that stand in brackets in code and outputs."""
+    texts = [cell.source for cell in cells if cell.cell_type == "code"]
+    texts += [
+        text
+        for cell in cells
+        for output in cell.get("outputs", [])
+        for text in (output.get("text", ""), output.get("data", {}).get("text/plain", ""))
+    ]
+    lists = re.findall(r"[\[(]([-\d.,\s]+)[\])]", "\n".join(texts))
+    rows = [np.array(re.findall(r"\d+\.?\d*", numbers), float) for numbers in lists]
+    return [row for row in rows if len(row) >= 4]
+
+
+def find_torques_of_other_joints(cells):
+    """Return the torques that the cells list, but not at the joints which the prose names."""
+    rows, wrong = list_rows_of_numbers(cells), []
+    for match in JOINT_TORQUE.finditer(prose(cells)):
+        joints, torque = [int(match[k]) for k in (1, 2) if match[k]], match[4]
+        half = 0.5 * 10.0 ** -len(torque.partition(".")[2])
+        places = [np.abs(row - float(torque)) <= half * (1 + 1e-9) for row in rows]
+        listed = {int(place) + 1 for row in places for place in np.flatnonzero(row)}
+        if listed and not listed & set(joints):
+            wrong.append(match[0])
+    return wrong
+
+
 def _make_cells(prose, source, output=""):
     code = nbformat.v4.new_code_cell(source)
     code.outputs = [nbformat.v4.new_output("stream", text=output)]
@@ -127,6 +161,26 @@ def test_prose_numbers_appear_in_a_cell(path):
     assert set(missing) == SHOWN_ELSEWHERE.get(path.stem, set())
 
 
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_prose_gives_torques_at_their_joints(path):
+    assert find_torques_of_other_joints(_read_cells(path)) == []
+
+
+@pytest.mark.parametrize(
+    ("prose", "wrong"),
+    [
+        ("Joint 2 needs nothing. Here joint 3 carries 2.2 N m and joint 4 1.9.", []),
+        ("Here joint 4 carries 2.2 N m.", ["joint 4 carries 2.2"]),
+        ("It changes joint 3 by 2.2 N m, joint 2 by 1.9.", ["joint 2 by 1.9"]),
+        ("There joints 2 and 3 carry 2.2 N m less.", []),
+        ("It is 0.5 N m in joint 3 and 1.9 N m in joint 4. Joint 3 is 1.9 m long.", []),
+    ],
+)
+def test_torque_of_another_joint_is_detected(prose, wrong):
+    cells = _make_cells(prose, "", "apart (N m): [0. 0.5 2.2 1.92]")
+    assert find_torques_of_other_joints(cells) == wrong
+
+
 @cache
 def _read_cells(path):
     return nbformat.read(path, as_version=4).cells
@@ -143,7 +197,9 @@ def test_numbers_of_a_markdown_page_appear_in_a_cell(path):
             for cell in _read_cells(notebook)
             if cell.cell_type == "code"
         ]
-        missing |= {*find_unbacked_numbers([nbformat.v4.new_markdown_cell(section), *code])}
+        cells = [nbformat.v4.new_markdown_cell(section), *code]
+        missing |= {*find_unbacked_numbers(cells)}
+        assert find_torques_of_other_joints(cells) == []
     assert missing == SHOWN_ELSEWHERE.get(path.stem, set())
 
 
