@@ -7,6 +7,9 @@ import json
 import re
 from pathlib import Path
 
+import pytest
+
+from helpers import dynamics, kinematics, motion, rows, statics
 from tools.numbering import list_notebooks
 
 BOOK = Path(__file__).parents[1] / "book"
@@ -46,3 +49,37 @@ def test_public_names_have_docstrings():
         public = [getattr(module, n) for n in module.__all__]
         silent = [x for x in public if inspect.isroutine(x) or inspect.isclass(x) if not x.__doc__]
         assert not silent, name
+
+
+# Rows of the glossary by the beginning of their meaning, with the docstrings that state the units.
+UNITS_IN_CODE = {
+    "variable of joint": (kinematics.jacobian, ["q"]),
+    "link length, twist": (rows.Row, ["a", "alpha", "d", "theta"]),
+    "[wrench]": (statics.static_torque, ["wrench"]),
+    "joint torques of": (statics.static_torque, ["Returns"]),
+    "time for one turn": (motion.circle, ["period"]),
+    "radius of the circle": (motion.circle, ["radius"]),
+    "gain of the feedback": (motion.trace, ["gain"]),
+    "[torques]": (statics.gravity_torque, ["Returns"]),
+    "the acceleration of gravity": (statics.gravity_torque, ["gravity"]),
+    "[potential energy]": (statics.potential_energy, ["Returns"]),
+    "mass of link": (rows.Body, ["mass", "com"]),
+    "inertia matrix": (dynamics.mass_matrix, ["Returns"]),
+    "inertia of a link": (rows.Body, ["inertia"]),
+}
+UNIT = r"(?<!\w)(?:1/s|kg m²|kg|m/s²|rad|N m|N|J|m|s)(?![\w²/])"
+
+
+@pytest.mark.parametrize("meaning", UNITS_IN_CODE)
+def test_glossary_gives_units_of_docstrings(meaning):
+    glossary = (BOOK / "glossary.md").read_text(encoding="utf-8")
+    row = rf"(?m)^\|[^|]*\| {re.escape(meaning)}[^|]*\|([^|]*)\|"
+    (column,) = re.findall(row, glossary)
+    function, entries = UNITS_IN_CODE[meaning]
+    docstring = inspect.getdoc(function).replace("^2", "²")
+    stated = []
+    for entry in entries:
+        (text,) = re.findall(rf"(?m)^ *{entry}:\s(.*(?:\n     +.*)?)", docstring)
+        stated += re.findall(rf"\bin ({UNIT})(?:(?: or| and) ({UNIT}))?", text)[0]
+    stated = [unit for unit in stated if unit]
+    assert re.findall(UNIT, column)[: len(stated)] == stated
