@@ -52,6 +52,7 @@ def list_fields():
                 field = {
                     "id": f"{page_name(path)} {number}",
                     "data": dict(DATA.findall(tag[1])),
+                    "text": cell.source[tag.end() :].partition("</div>")[0],
                     "solution": "",
                 }
             if field and in_solution:
@@ -101,6 +102,28 @@ def test_field_accepts_the_numbers_of_its_solution(field):
             str(float(value) + 3 * float(data["within"]) + 1) for value in answer.split()
         )
         assert not judge(wrong, **data)["right"]
+
+
+# Units of the quantities that a field asks for, by the words that its text uses.
+QUANTITIES = {
+    "speed": ["rad/s"],
+    "acceleration": ["rad/s²"],
+    "push|force": ["N"],
+    "torque": ["N m"],
+    "angle|degrees|joints": ["°", "rad"],
+    "period": ["s"],
+    "radius|above the top|far is|flange's|rows": ["m", "cm", "mm"],
+}
+WITH_UNIT = [field for field in FIELDS if "unit" in field["data"]]
+
+
+@pytest.mark.parametrize("field", WITH_UNIT, ids=[field["id"] for field in WITH_UNIT])
+def test_units_fit_the_quantities_that_a_field_asks_for(field):
+    units = field["data"]["unit"].split(", ")
+    words = re.findall("|".join(QUANTITIES), field["text"])
+    for unit, word in zip(units, words[: len(units)], strict=True):
+        (allowed,) = [units for names, units in QUANTITIES.items() if word in names.split("|")]
+        assert unit in allowed
 
 
 @pytest.mark.parametrize(
