@@ -9,6 +9,7 @@ from docutils import nodes
 
 from tools.pages import fold_box, join_to_neighbours, keep_words_unbroken, visit_math_block
 from tools.pictures import svg_size, visit_image
+from tools.search import write_formula
 
 PANELS = ((12, 8, 93, 166), (207, 17, 186, 166))
 
@@ -149,3 +150,24 @@ def test_typed_code_gets_straight_quotes():
     paragraph = nodes.paragraph("", "", nodes.Text("“so”: x=”craig” or f[“arm”]"))
     keep_words_unbroken(paragraph[0])
     assert paragraph.astext() == '“so”: x="craig" or f["arm"]'
+
+
+@pytest.mark.parametrize(
+    ("tex", "text"),
+    [
+        (r"\dot q", "q\N{COMBINING DOT ABOVE}"),
+        (r"\ddot{q}", "q\N{COMBINING DIAERESIS}"),
+        (r"\hat\omega", "ω\N{COMBINING CIRCUMFLEX ACCENT}"),
+        (r"\bar x", "x\N{COMBINING MACRON}"),
+        (r"\tilde{J}", "J\N{COMBINING TILDE}"),
+        (r"\sin\theta_1", "sinθ_1"),
+        (r"\tfrac{\lambda}{2}", "λ/2"),
+        (r"90^\circ", "90°"),
+        (r"\text{if} a\leq b", "if a≤b"),
+        (r"{}^0T_n", "0T_n"),
+        (r"\unknown", ""),
+        ("q" * 31, ""),
+    ],
+)
+def test_search_entry_contains_short_formula_as_text(tex, text):
+    assert write_formula(tex) == text

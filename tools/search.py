@@ -48,7 +48,7 @@ def write_formula(tex: str) -> str:
     text = re.sub(r"\\(?:mathrm|text|operatorname|mathbf|mathit)\*?\{([^{}]*)\}", r"\1", tex)
     text = re.sub(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}", r"\1/\2", text)
     text = re.sub(
-        rf"\\({'|'.join(MARKS)})(?![A-Za-z])(?:\{{(\\?\w+)\}}|\s*(\\?\w))",
+        rf"\\({'|'.join(MARKS)})(?![A-Za-z])(?:\{{(\\?\w+)\}}|\s*(\\[A-Za-z]+|\w))",
         lambda mark: (mark[2] or mark[3]) + MARKS[mark[1]],
         text,
     )
