@@ -4,7 +4,7 @@ Otherwise nobody would notice when a number is no longer true. The test reads ev
 unit or with more than two digits. It skips block quotes of the reports, names, indices and
 exponents. A number of a notebook appears in the notebook itself. A number of a Markdown page
 appears in a notebook to which its section links, or in any if it links to none. Counts of exercises
-are also read in words. A torque from a list of a cell must belong to the joint that the prose names.
+are also read in words. A torque that a cell lists must belong to the joint that the prose names.
 """
 
 import re
