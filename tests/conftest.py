@@ -8,7 +8,7 @@ from helpers.checks import engine
 from helpers.inputs import ArmError
 from tests.node import NODE, ask_judge_bundle
 
-# A slow machine must not make a property test fail.
+# No deadline: on a slow machine a single example of a property test may take seconds.
 settings.register_profile(
     "no_deadline", settings(), deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
@@ -25,12 +25,13 @@ def _require_message(error, *arguments):
 ArmError.__init__ = _require_message  # type: ignore[method-assign]
 
 
-# Node.js gives QuickJS's answers in a tenth of its time; `make coverage` asks QuickJS throughout.
+# Node.js gives the same answers as QuickJS in a tenth of the time. Only `make coverage` lets all
+# tests ask QuickJS.
 start_quickjs = engine._start_quickjs
 if NODE and os.environ.get("JUDGE") != "quickjs":
     engine._start_quickjs = lambda script: ask_judge_bundle
 
 
 def pytest_collection_modifyitems(items):
-    """Begin with the file that takes longest, which would come last and run alone."""
+    """Move the slowest file to the front; at the end it would run alone on one processor."""
     items.sort(key=lambda item: item.path.name != "test_works.py")

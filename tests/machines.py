@@ -64,7 +64,7 @@ def _misfit(mine: Arm, q: np.ndarray, expected: np.ndarray, x: np.ndarray) -> np
 
 
 def _relative_poses(T: np.ndarray) -> np.ndarray:
-    """Return all poses but the first, as seen from the first."""
+    """Return all poses except the first, relative to the first."""
     return np.linalg.inv(T[..., :1, :, :]) @ T[..., 1:, :, :]
 
 
@@ -79,9 +79,9 @@ def _rotation_matrix(w: np.ndarray) -> np.ndarray:
 
 # Random pairs of tables
 
-# Seeds below SEEDS whose pair is the same machine, as `same_machine` finds in a quarter of a second
-# each; the tests repeat the search for a few. Seeds 124 and 197 are left out: fixed rows before
-# joint 1 move the base, which relative poses do not show.
+# `same_machine` needs a quarter of a second for a pair, so its results are stored here, and the
+# tests repeat the search for a few seeds only. Seeds 124 and 197 are left out: fixed rows before
+# joint 1 move the base, and relative poses do not depend on the base.
 SEEDS = sorted({*range(300)} - {124, 197})
 SAME_MACHINES = {
     2, 6, 7, 8, 10, 11, 12, 14, 15, 17, 18, 20, 21, 22, 25, 28, 29, 30, 31, 33, 34, 35, 37,

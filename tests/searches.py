@@ -6,7 +6,7 @@ test.
 """
 
 SEARCHES = {
-    # named in the request for the search
+    # searches that the request for this feature named
     "UR10e Jacobian": r"answers/ur10e.*: Jacobian|02_jacobian: The UR10e",
     "8 IK solutions": r"05_.*: (The UR10e by hand|Eight arms)",
     "why does my circle fail": r"check_your_homework: My circle|03_.*: (A mistake atlas|Tracing)",
@@ -58,7 +58,7 @@ SEARCHES = {
     "atan2": r"glossary: atan2|05_.*: |errata: 13 ",
     "Stanford inverse kinematics": r"05_.*: The Stanford arm: position|where: Inverse",
     "target out of reach": r"05_.*: The elbow arm.s reach|glossary: (reach|workspace)",
-    # the rest
+    # other topics
     "UR10 lengths": r"errata: 9 |robot_data: |01_.*: (The maker|Slip 9)",
     "mm or m": r"errata: 26 ",
     "my own robot": r"(own_arm|check_your_homework): An arm of your own",
@@ -123,7 +123,7 @@ STUDENT_SEARCHES = {
     "check my answer": r"check_your_homework: ",
 }
 
-# Terms, and what students call them, whose definition comes first.
+# Terms and students' names for them: the first result must be the definition in the glossary.
 TERM_SEARCHES = {
     "quaternion": r"glossary: quaternion",
     "gimbal lock": r"glossary: gimbal lock",

@@ -89,7 +89,7 @@ def test_each_exercise_with_numbers_has_a_field_or_a_form():
 
 @pytest.mark.parametrize("field", FIELDS, ids=[field["id"] for field in FIELDS])
 def test_field_accepts_the_numbers_of_its_solution(field):
-    """Each number of the answer stands in the solution's text or outputs, to the tolerance."""
+    """Each number of the answer must occur in the solution's text or outputs, to the tolerance."""
     data = field["data"]
     solution = field["solution"].replace("\N{MINUS SIGN}", "-")
     printed = [float(number) for number in NUMBER.findall(solution)]

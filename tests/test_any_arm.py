@@ -19,7 +19,7 @@ from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from tests.node import ask_node, needs_node
 
 HALF = np.pi / 2
-ARMS = int(os.environ.get("RANDOM_ARMS", "30"))  # arms per structure; CI takes 1 000 once a week
+ARMS = int(os.environ.get("RANDOM_ARMS", "30"))  # arms per structure; CI tests 1 000 once a week
 POSES = 10
 # Joints, parallel neighbours (rows with alpha 0 or 180 degrees), neighbours that meet (rows with
 # a = 0), and the joint after which three axes meet.
@@ -73,7 +73,7 @@ def make_row(kind, numbers):
 
 
 def random_arm(rng, kinds, parallel, meeting, wrist):
-    """Return an arm by chance that has exactly the structure asked for."""
+    """Return a random arm with exactly this structure."""
     n = len(kinds)
     a = rng.uniform(0.1, 0.6, n) * rng.choice([-1, 1], n)
     d = rng.uniform(-0.5, 0.5, n)
@@ -93,13 +93,13 @@ def random_q(arm, count, rng):
 
 
 def targets_of(arm, q, name=""):
-    """Return poses, or positions for arms that only place their tip."""
+    """Return poses, or positions for an arm that controls only the position of its tip."""
     T = forward_kinematics(arm, q)
     return T[..., :3, 3] if name.startswith("position") or name == "planar RR" else T
 
 
 def largest_difference(arm, q, other):
-    """Return the largest difference of a joint, whole turns aside."""
+    """Return the largest difference of a joint, ignoring whole turns."""
     gap = q - other
     return np.abs(np.where(arm.turning, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
 
@@ -115,7 +115,7 @@ def assert_valid(arm, found, targets, within=1e-9):
 
 
 def has_joint_vector(arm, found, q, within=1e-6):
-    """Return the targets whose solutions contain the joint vector that made them."""
+    """Return for each target whether its solutions contain the joint vector that gave it."""
     gap = largest_difference(arm, found.q, q[:, None])
     return np.where(found.valid, gap, np.inf).min(axis=-1) < within
 
@@ -134,7 +134,7 @@ def test_solutions_contain_the_joint_vector_of_the_pose(name):
 
 
 @pytest.mark.parametrize("name", STRUCTURES)
-def test_solutions_lists_no_branch_twice(name):
+def test_solutions_list_no_branch_twice(name):
     rng = np.random.default_rng(6)
     arm = random_arm(rng, *STRUCTURES[name])
     found = solutions(arm, targets_of(arm, random_q(arm, 50, rng), name))
@@ -174,7 +174,7 @@ def test_numeric_search_finds_no_further_solution(arm):
 
 @pytest.mark.parametrize("name", STRUCTURES)
 def test_solutions_are_valid_at_special_angles(name):
-    """At 0, 90 and 180 degrees roots meet, axes fall together and joints are free."""
+    """At 0, 90 and 180 degrees roots coincide, axes coincide and joints are free."""
     rng = np.random.default_rng(8)
     for _ in range(5):
         arm = random_arm(rng, *STRUCTURES[name])
@@ -199,8 +199,8 @@ def test_published_arm_has_its_solutions(name):
 
 
 @pytest.mark.parametrize("error", [2e-10, 1e-7, 3e-5])
-def test_nearly_parallel_axes_are_finished_by_newton(error):
-    """UR's own files write 1.570796327, and calibrated arms are off by about 1e-4."""
+def test_nearly_parallel_axes_give_exact_solutions(error):
+    """UR's own files round pi/2 to 1.570796327; calibrated arms differ from pi/2 by about 1e-4."""
     rng = np.random.default_rng(10)
     rows = [
         revolute(row.a, np.arctan2(row.sin_alpha, row.cos_alpha) + error * side, row.d, row.theta)
@@ -239,8 +239,8 @@ def test_solutions_out_of_reach_are_no_error():
     far[0, 3] = 9.0
     found = solutions(arm, far)
     assert not found.valid.any()
-    # Stretched, the wrist's centre is 0.35 + 1.25 + hypot(1.5, 0.054) m from axis 1; target is at
-    # 9 m and at the height 0 - 0.303, while the shoulder is at 0.75.
+    # The stretched arm has its wrist centre 0.35 + 1.25 + hypot(1.5, 0.054) m from axis 1. The
+    # target is 9 m from axis 1 at the height -0.303 m; the shoulder is at the height 0.75 m.
     reach = 1.25 + np.hypot(1.5, 0.054)
     assert found.distance == pytest.approx(np.hypot(9 - 0.35, 0.75 + 0.303) - reach, abs=1e-9)
     assert "m out of reach" in repr(found)
@@ -248,7 +248,7 @@ def test_solutions_out_of_reach_are_no_error():
 
 @pytest.mark.parametrize("name", ["SCARA RRPR", "SCARA RRRP", "planar RRR"])
 @pytest.mark.parametrize("degrees", [37, 180])
-def test_tilted_target_of_a_scara_is_reported_as_such(name, degrees):
+def test_tilted_target_of_a_scara_is_reported_as_tilted(name, degrees):
     rng = np.random.default_rng(3)
     arm = random_arm(rng, *STRUCTURES[name])
     T = forward_kinematics(arm, random_q(arm, 1, rng)[0])
@@ -269,7 +269,7 @@ def test_tilted_target_of_a_scara_is_reported_as_such(name, degrees):
         "position RRR, axes 2 and 3 parallel",
     ],
 )
-def test_distance_out_of_reach_is_the_least(name):
+def test_distance_out_of_reach_is_the_shortest(name):
     """Of 40 000 random poses none is nearer, and the nearest is about as near."""
     rng = np.random.default_rng(15)
     for _ in range(4):
@@ -290,7 +290,7 @@ def test_solutions_refuses_an_arm_without_structure():
 
 
 def test_ur_keeps_joint_1_if_axis_meets_wrist():
-    """Without d_4 and d_5 an upright arm has its wrist on axis 1, so any plane will do."""
+    """Without d_4 and d_5 an upright arm has its wrist on axis 1, so joint 1 may have any value."""
     arm = UR10E.with_values(d_4=0.0, d_5=0.0)
     T = forward_kinematics(arm, [0.4, -HALF, 0.0, 0.3, 0.8, 0.2])
     found = ur(arm, T, start=[0.9, 0, 0, 0, 0, 0])
@@ -315,7 +315,7 @@ def test_page_solutions_equal_python(name):
             assert largest_difference(arm, np.array(list(known.values())), theirs).max() < 1e-7
 
 
-def test_seven_joints_get_the_advice_to_lock_a_joint():
+def test_seven_joint_arm_is_refused_with_advice_to_lock_one():
     with pytest.raises(ArmError, match=r"7 joints, more than the six .* arm.lock\(3\)"):
         solutions(PANDA, forward_kinematics(PANDA, PANDA.home))
 

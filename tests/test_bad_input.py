@@ -65,7 +65,7 @@ DERIVED = derive.derive(AXES, np.eye(4))
 MASSLESS = PANDA.with_bodies(())
 
 # fmt: off
-# Valid values of arguments, by name, for every function that has such an argument.
+# Valid values of arguments by their names. Each function with such an argument takes this value.
 SHARED = dict(
     J=np.ones((3, 2)), a=0.1, a_3=0.1, actual=1, alpha="pi/2", angles="rad",
     angular_first=False, answer="J", arm=PANDA, arms=(), ax=FLAT, axes=GRID, base="a",
@@ -200,7 +200,7 @@ FREE = {
 }
 
 # Descriptions of arguments in messages, if they differ from the name.
-CALLED = {
+NAMES_IN_MESSAGES = {
     "arm.Arm.joint_vector q": "anything",
     "arm.Body com": "centre of mass",
     "arm.Arm.number value": "the entry",
@@ -225,14 +225,14 @@ VECTORS = ("centre", "direction", "normal", "point", "q", "start", "step", "wren
 ANY_LENGTH = {"inverse.follow start", "explorer.ArmExplorer q", "explorer.ArmExplorer wrench"}
 
 # Arguments that take a single configuration. A list of them is rejected, even of length 1.
-ONE = {
+SINGLE_CONFIGURATIONS = {
     *("motion.trace start", "motion.circle_below start", "motion.self_motion start"),
     *("motion.self_motion direction", "motion.self_motion_directions q"),
     "plotting.plot_arm q",
 }
 
 # Numbers just outside the range of an argument. They give the same message as no number.
-OUTSIDE = {
+OUT_OF_RANGE = {
     **dict.fromkeys(("below", "length", "period", "radius", "motion.self_motion speed"), (0, -1)),
     "motion.self_motion step": (0, -1),
     **dict.fromkeys(("cutoff", "damping", "gain", "iterations", "restarts"), (-1,)),
@@ -242,7 +242,7 @@ OUTSIDE = {
     **{"derive.derive tolerance": (0,), "statics.with_payload mass": (-1,)},
 }
 
-# Invalid values with a message of their own: function, replaced arguments, part of the message.
+# Invalid values that give a special message: function, replaced arguments, part of the message.
 # fmt: off
 SPECIAL = [
     ("arm.Arm", dict(rows=[]), 'mine: rows are (); expected one Row or more'),
@@ -301,7 +301,7 @@ SPECIAL = [
 # fmt: on
 
 # Classes that only the helpers create, and functions whose callers have checked the arguments.
-MADE = {
+NOT_CALLED_BY_USERS = {
     "derive.Derivation", "derive.Line", "derive.DerivationStep",
     "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Verdict",
     "checks.UnreadNumberError",
@@ -353,7 +353,7 @@ def valid_arguments(name):
     return {argument: SHARED.get(argument) for argument in named} | specific
 
 
-CALLS = {name: valid_arguments(name) for name in sorted(set(PUBLIC) - MADE)}
+CALLS = {name: valid_arguments(name) for name in sorted(set(PUBLIC) - NOT_CALLED_BY_USERS)}
 
 
 def invalid_arguments():
@@ -369,15 +369,15 @@ def invalid_arguments():
                     yield name, argument, np.full_like(value, 1e308, dtype=float)
             if argument in VECTORS and f"{name} {argument}" not in ANY_LENGTH and np.ndim(value):
                 yield name, argument, np.asarray(value)[..., :-1]
-            if f"{name} {argument}" in ONE:
+            if f"{name} {argument}" in SINGLE_CONFIGURATIONS:
                 yield name, argument, np.asarray(value)[None]
-            for number in look_up(OUTSIDE, name, argument, ()):
+            for number in look_up(OUT_OF_RANGE, name, argument, ()):
                 yield name, argument, number
 
 
 def test_tables_name_only_public_functions():
     assert set(RIGHT) <= set(CALLS), "a name in RIGHT is not public"
-    assert set(PUBLIC) >= MADE, "a name in MADE is not public"
+    assert set(PUBLIC) >= NOT_CALLED_BY_USERS, "a name in NOT_CALLED_BY_USERS is not public"
 
 
 @pytest.mark.parametrize("name", CALLS)
@@ -390,7 +390,7 @@ def test_invalid_argument_is_named_in_the_message(name, argument, bad):
     with pytest.raises(ArmError) as error:
         PUBLIC[name](**{**CALLS[name], argument: bad})
     before, _, after = re.split("(expected|its free joints are) ", str(error.value), maxsplit=1)
-    called = re.escape(look_up(CALLED, name, argument, argument).strip())
+    called = re.escape(look_up(NAMES_IN_MESSAGES, name, argument, argument).strip())
     assert re.search(rf"(?<!\w){called}(?!\w)", before), "the message must name the argument"
     assert len(after) > 3, "the message must state what was expected"
     assert isinstance(bad, np.ndarray) or str(bad) in before, "the message must show the value"

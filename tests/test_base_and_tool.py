@@ -13,7 +13,7 @@ from helpers.statics import gravity_torque
 
 HALF = np.pi / 2
 SLIDE = Arm("slide", [prismatic(a=0.3, alpha=0.4, theta=0.2), revolute(a=0.2)])
-# Poses with z kept, turned over, square, and by chance.
+# Poses with the same z axis, the opposite z axis, a right angle, and random angles.
 POSES = [
     (0, 0, 0, 0, 0, 0),
     (0.1, -0.2, 0.3, 0, 0, 0.7),
@@ -45,7 +45,7 @@ def test_base_and_tool_multiply_the_tip_pose(arm, pose):
         np.testing.assert_allclose(with_tool, tip @ T, atol=1e-12)
 
 
-def test_base_turned_over_reverses_gravity():
+def test_upside_down_base_reverses_gravity():
     q = [0.2, 0.4, 0.1, 1.2, 0.3, 2.0, 0.5]
     hanging = PANDA.with_base((0, 0, 2, "pi", 0, 0))
     np.testing.assert_allclose(gravity_torque(hanging, q), -gravity_torque(PANDA, q), atol=1e-9)

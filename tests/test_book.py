@@ -21,7 +21,7 @@ NAMES = re.findall(
     r"(?:file|root): (\S+)", (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
 )
 
-# Ids in the text of the pages of e0e3bff4, without those that Python names and page scripts make.
+# Ids in the pages of commit e0e3bff4, except those generated from Python names or by scripts.
 OLD_IDS = json.loads((ROOT / "book" / "old_anchors.json").read_text(encoding="utf-8"))
 
 SHEETS = [name for name in NAMES if name.startswith("answers/")]
@@ -72,7 +72,7 @@ class Page(HTMLParser):
 
 @cache
 def page(path: Path) -> Page:
-    """Return the parsed page, which is read once."""
+    """Return the parsed page from a cache."""
     return Page(path.read_text(encoding="utf-8"))
 
 
@@ -82,7 +82,7 @@ def local_path(url: str) -> str:
 
 
 def wait_until_built():
-    """Wait for `make test`, which builds the book beside the first tests.
+    """Wait for `make test` to finish the book, which it builds while the first tests run.
 
     It then writes the exit status of the build into the file that BUILT names.
     """
@@ -104,7 +104,7 @@ def _built():
 def test_page_is_built_and_up_to_date(name):
     assert (HTML / f"{name}.html").exists()
     source = next(p for p in (ROOT / f"book/{name}.ipynb", ROOT / f"book/{name}.md") if p.exists())
-    is_generated = source.parent.name == "answers"  # by the build, after the time of its stamp
+    is_generated = source.parent.name == "answers"  # written after the build's stamp
     stamp = (HTML / ".whole").stat().st_mtime
     assert is_generated or stamp >= source.stat().st_mtime, "run `make book`"
 
@@ -154,13 +154,13 @@ def test_page_has_no_unrendered_markup(name):
     assert not re.search(r"\{(ref|eq|doc|numref|cite|footcite:p)\}`", body)
     assert not re.search(
         r"```\{|Alias for field number", body
-    )  # the latter is a default docstring of namedtuple
+    )  # the last text is a default docstring of namedtuple
     assert not re.search(r"\(\(\d+\.\d+\)\)", re.sub(r"<[^>]+>", "", body)), "brackets in brackets"
 
 
 @pytest.mark.parametrize("name", OLD_IDS)
 def test_address_of_the_fifth_edition_leads_somewhere(name):
-    """An anchor stands on its page, or the page says where its part stands now.
+    """An old anchor exists on its page, or the page links to the place where that section is now.
 
     A heading that changes keeps its old id in an empty anchor: ``<a id="old"></a>``.
     """
@@ -189,7 +189,7 @@ def test_page_offers_the_notebook_of_the_repository(path):
 
 @pytest.mark.parametrize("name", SHEETS[1:])
 def test_sheet_has_the_kinds_of_elements_of_the_first(name):
-    """Therefore axe looks at the first sheet alone (browser/test_pages.py)."""
+    """Therefore browser/test_pages.py tests only the first sheet with axe."""
     first, sheet = (
         Page(re.sub(r"(?s)<math\b.*?</math>", "", (HTML / f"{name}.html").read_text("utf-8")))
         for name in (SHEETS[0], name)

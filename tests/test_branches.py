@@ -79,7 +79,10 @@ def at_boundaries(arm, n, rng):
 
 
 def solve_poses(form, arm, q, **start):
-    """The solutions for the poses of q, and the size of what is asked: a place, or a pose."""
+    """Return the solutions for the targets of q, and a function that gives the target of a pose.
+
+    The target is the whole pose for an arm of six joints, and the position for other arms.
+    """
     T = poses(arm, q)
     asked = T if arm.dof == 6 else T[:, :3, 3]
     return form(arm, asked, **start), (lambda T: T) if arm.dof == 6 else (lambda T: T[:, :3, 3])
@@ -109,8 +112,10 @@ def test_valid_solutions_reach_and_contain_the_pose(form, arm):
 
 
 def test_distance_out_of_reach_is_known_for_every_arm():
-    """Beside an offset arm's axis against a fine grid of its reach; a UR's pose moved so far is
-    within reach."""
+    """The offset arm's distances are compared with a fine grid of points within reach.
+
+    A UR pose that is moved by 1.1 times its distance must be within reach.
+    """
     rng, arm = np.random.default_rng(3), ELBOW.with_values(d=0.12)
     grid = np.stack(np.meshgrid(*[np.linspace(-np.pi, np.pi, 500)] * 2), axis=-1).reshape(-1, 2)
     T = poses(arm, np.insert(grid, 0, 0, axis=1))
@@ -131,7 +136,7 @@ def test_distance_out_of_reach_is_known_for_every_arm():
         assert inverse.ur(UR10E, moved).valid.any()
 
 
-def test_solutions_are_read_as_a_student_asks():
+def test_solutions_print_as_table_of_named_branches():
     one = inverse.elbow(ELBOW, (0.5, 0.0, 0.5))
     assert repr(one).splitlines()[0] == "Elbow arm, solution, q_1, q_2, q_3:"
     assert repr(one).splitlines()[1].startswith("  front, elbow up, 0.0000, 0.")

@@ -21,8 +21,8 @@ from tests.corpus.machine import Machine
 from tests.mixed import add_masses, make_arm
 from tests.test_judge import judge_in_python
 
-# For some planted mistakes the judge names another cause that is also true. Keys and values are
-# beginnings of cause keys.
+# For some planted mistakes the judge names another cause that is also true. Planted and named
+# mistakes are given by the beginnings of their keys.
 ALSO = {
     "table.twist": ("table.no twist",),
     "table.sign:alpha": ("table.twist",),
@@ -55,7 +55,7 @@ DESCRIPTIONS = {"J.entries", "J.entry signs"}
 
 
 def test_every_cause_has_a_test_case():
-    """The case is in tests/cases.json, in the corpus, or in a test file."""
+    """The test case may be in tests/cases.json, in the corpus, or in a test file."""
     files = [*HERE.glob("*.py"), *HERE.glob("corpus/*.py"), HERE / "cases.json"]
     planted = "".join(file.read_text("utf-8") for file in files)
     sources = (HERE.parent / "judge").glob("*/*.js")
@@ -118,7 +118,7 @@ DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 @example(case=DICTIONARIES, place=1.0)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
 def test_stray_number_is_never_ignored(case, place):
-    """A number put into right work at any blank makes it rejected, wrong, or is set aside visibly.
+    """A right answer with an extra number is refused or wrong, or the number is shown as ignored.
 
     Its line is quoted, or the text with its numbers marked calls it a label or no part of the
     answer. Blanks within a tag of HTML do not count, since no reader sees a number there, nor do
@@ -154,7 +154,7 @@ def test_answer_number_selects_one_of_two_answers():
 
 
 def test_small_gravity_error_is_not_rounding():
-    """With g = 9.8 on light links the error is a thousandth of the torques."""
+    """With g = 9.8 in place of 9.81 the torques of light links are off by a thousandth."""
     light = UR10E.with_bodies([Body(body.mass / 40, body.com) for body in UR10E.bodies])
     push = [0, 0, -20, 3, 0, 0]
     mine = static_torque(light, Q, push) - 0.01 / 9.81 * static_torque(light, Q, [0] * 6)

@@ -63,7 +63,7 @@ def test_sliding_joints_are_never_called_degrees():
     "turn", [np.diag([1, 1, -1]), np.diag([-1, 1, 1]), -np.eye(3), np.eye(3)[::-1]]
 )
 def test_left_handed_target_is_wrong(turn):
-    """At 0 the elbow arm's tip has its y axis up and its x axis ahead, 0.7 m from the shoulder."""
+    """At q = 0 the elbow arm's tip has its y axis up and its x axis away from the shoulder."""
     T = np.array([[1, 0, 0, 0.7], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]])
     assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "right"
     T[:3, :3] = T[:3, :3] @ turn
@@ -179,8 +179,8 @@ def test_wrong_joint_at_zero_is_not_called_degrees():
     assert "ik.degrees" not in pose.causes
 
 
-def test_near_miss_at_zero_reports_the_distance():
-    """Joint 6 turned by 0.1 and the others as well as can be: 0.615 mm and 0.11 mrad remain."""
+def test_wrong_joint_at_zero_reports_distance_to_target():
+    """With q_6 = 0.1 and the best other joint values, 0.615 mm and 0.11 mrad remain."""
     best = inverse.solve(UR10E_HOMEWORK.lock(6, 0.1), ZERO_POSE, np.zeros(5), limits=False)
     found = inverse.ur(UR10E_HOMEWORK, ZERO_POSE)
     for digits in (16, 5, 4):
@@ -225,7 +225,7 @@ def causes_of_trace(task, rows, arm):
 
 
 def test_forgotten_pen_in_trajectory_is_named():
-    """The joints of an arm without the pen, whose own tip is on the circle."""
+    """The trajectory moves the flange, in place of the pen's tip, along the circle."""
     rows = [list(row) for row in UR.rows]
     rows[-1][3] -= 0.1
     penless = UR.with_rows(rows)
@@ -247,7 +247,7 @@ def test_forgotten_pen_in_trajectory_is_named():
         (UR_TASK, UR10E, 4, 180 / math.pi, "ik.joint degrees:q_5"),
         (UR_TASK, UR10E, 5, -1, "ik.sign:q_6"),
         (STANFORD_TASK, STANFORD, 2, 1000, "ik.joint millimetres:q_3"),
-        # q_4 half a turn off gives the same position
+        # The same position results from the right q_5 and q_4 changed by half a turn.
         (STANFORD_TASK, STANFORD, 4, -1, "ik.sign:q_5"),
     ],
 )
@@ -263,7 +263,7 @@ def test_exchanged_joints_of_trajectory_are_named():
 
 
 def test_wrong_trajectory_from_round_start_is_not_drift():
-    """Each joint of the start has one decimal, so that half a unit moves the tip by 0.1 m."""
+    """The start is typed with one decimal, and half a unit of it moves the tip by 0.1 m."""
     task = Task(KNOWN["PANDA"], [0.1, -0.3, 0.2, 1.2, 0.1, 2.0, 0.1], "yz", 0.1, 5.0, 100)
     rows = task.run(method="rk4")
     rows[:, 4] *= -1
@@ -276,7 +276,7 @@ def format_slides(rows, decimals):
 
 
 def test_configuration_in_two_decimals_is_right_to_its_digits():
-    """Row 3 of the circle is 4.7 mm off, and the other rows have five decimals."""
+    """Row 3 has two decimals and misses the circle by 4.7 mm; the other rows have five decimals."""
     decimals = [2 if k == 3 else 5 for k in range(len(CIRCLE.positions))]
     text = format_slides(CIRCLE.positions[:, [2, 0]], decimals)
     assert text.splitlines()[3] == "0.35 0.39"
@@ -284,7 +284,7 @@ def test_configuration_in_two_decimals_is_right_to_its_digits():
 
 
 def test_round_start_does_not_excuse_later_configurations():
-    """Half a unit of the start is 50 mm, and the rows behind it are 20 mm off."""
+    """Rounding of the start explains 50 mm; the following rows, with more digits, miss by 20 mm."""
     path = motion.circle((0.3123, 0.0, 0.3046), 0.1, "xz", 5.0, 40)
     rows = path.positions[:, [2, 0]] + [0.02, 0.0]
     text = format_slides(rows, [1, *[5] * (len(rows) - 1)])
@@ -292,7 +292,7 @@ def test_round_start_does_not_excuse_later_configurations():
     assert checks.compare_trace(text, SLEDGE, path).grade == "wrong"
 
 
-# Single mistakes of a table, of digits and of centres of mass
+# Single mistakes in tables, digits and centres of mass
 
 
 def test_lengths_exchanged_between_distant_rows_are_named():

@@ -22,14 +22,14 @@ from tools.numbering import list_notebooks
 
 
 def has_lengths(path):
-    """Return whether a notebook lets a reader change an arm, as every chapter does."""
+    """Return whether a notebook has a cell in which a reader can change an arm's lengths."""
     cells = nbformat.read(path, as_version=4).cells
     return path.stem[:2].isdigit() or any(cell.id == "lengths" for cell in cells)
 
 
 NOTEBOOKS = [path for path in list_notebooks() if has_lengths(path)]
 STEP = {"all": 1, "tenth": 10}.get(os.environ.get("CHANGES", ""))
-SAMPLE_SIZE = 2  # notebooks; each takes about 25 s of processor time
+SAMPLE_SIZE = 2  # number of notebooks; each takes about 25 s of processor time
 SHRUNK = "{name}.with_values(**{{key: 0.3 * x for key, x in {name}.values.items()}})"
 
 
@@ -41,7 +41,7 @@ def imported_names(path):
 
 
 def list_changes(name, uses_masses):
-    """Yield every change of an arm as a reader would type it."""
+    """Yield every change of an arm as a line of code that a reader could type."""
     arm = getattr(robots, name)
     lengths = {key: value for key, value in arm.values.items() if value}
     yield SHRUNK.format(name=name)  # so that the circle is out of reach
@@ -87,7 +87,7 @@ def test_notebook_runs_with_changed_arm(path, line):
     NotebookClient(notebook, timeout=300, kernel_name="python3", resources=folder).execute()
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     printed = "\n".join(output.text for output in outputs if output.output_type == "stream")
-    # A notebook may warn that it needs a length different from 0, and of nothing else.
+    # The only warning that a notebook may print is that it needs a length other than 0.
     warned = [line for line in printed.split("\n") if "Warning:" in line]
     assert all("what follows needs" in line for line in warned), warned
     for mark in filter(lambda text: text.startswith("○"), printed.split("\n")):

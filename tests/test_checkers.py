@@ -50,7 +50,7 @@ def test_jacobian_in_millimetres_is_right_once_its_unit_is_set():
     assert right.taken == ("linear rows in mm",)
 
 
-# Forms of the input
+# Types of input
 
 
 c, s = sp.cos, sp.sin
@@ -101,7 +101,8 @@ def test_length_without_a_value_is_refused():
         Arm.from_table("theta d a alpha\nq1 L1 0 0\nq2 0 0 0")
 
 
-# Slips of the errata on arms or input types that the page does not have. cases.json has the rest.
+# Slips of the errata on arms or input types that the page does not have. The other slips are in
+# cases.json.
 
 
 def slip_12(q):
@@ -117,7 +118,7 @@ SLIPS = {
     "12": (lambda: checks.compare_branches([slip_12(ASIDE.q[0])], ASIDE), "ik.plus for minus"),
     "15": (lambda: checks.compare_branches([(H, *ASIDE.q[0, 1:])], ASIDE), "ik.quarter turn"),
 }
-# Slips of trajectories, tested further below.
+# Slips in trajectories, which tests below cover.
 TRACE_SLIPS = {"5", "10", "11", "19", "20", "21"}
 
 
@@ -216,7 +217,7 @@ ABOVE_UR = circle(SIX.tip([0] * 6)[:3, 3] - [0, 0, 0.1], 0.1, "zy", 5, 200)
 
 
 def trace_of_elbow(missing):
-    """Return joint angles on the circle, without these shares of the centre's coordinates."""
+    """Return joint angles on a circle whose centre lacks `missing` of each of its coordinates."""
     q, rows = None, []
     for point in CIRCLE.positions - np.multiply(missing, (0.3, 0.2, 0.6)):
         found = np.array(elbow(ELBOW, point).q)
@@ -233,7 +234,7 @@ def trace_by_plain_inverse():
 
 
 def test_whole_turns_are_unwound_and_jumps_named():
-    """The jumps are those of atan2, one to another branch, and one off the path."""
+    """The jumps are whole turns as from atan2, a change of branch, and a jump off the path."""
     q = trace_of_elbow((0, 0, 0))
     wound = q + 2 * math.pi * (np.arange(201)[:, None] >= 77) * [1, 0, -1]
     report = checks.compare_trace(wound, ELBOW, CIRCLE)
@@ -246,7 +247,7 @@ def test_whole_turns_are_unwound_and_jumps_named():
         report = checks.compare_trace(mine, ELBOW, CIRCLE)
         assert report.causes == ("trace.jump",), str(report)
         assert words in str(report)
-    few = homework_circle(24)[1]  # astray, and so 24 times as long as the path
+    few = homework_circle(24)[1]  # the typed values leave the path and are 24 times as long
     wild = np.cos(np.outer(np.arange(25), [1, 2, 3, 5, 7, 11]) + 1)
     report = checks.compare_trace(wild, ARM, few)
     assert report.causes == ("trace.jump", "trace.leans"), str(report)

@@ -16,12 +16,13 @@ import pytest
 
 from tools.numbering import list_notebooks
 
-# Chapter 1's table of the UR10e: with a_2 = 0 two axes coincide, and other frames are right too.
+# Checks of chapter 1's UR10e table. With a_2 = 0 two axes coincide, so that other frames would
+# also be right.
 FREE_FRAMES = {"a, α, d, θ by eye (m, °)", "frames of the homework's table"}
 
 NOTEBOOKS = list_notebooks()
-# Labels of checks on algebra or on a slip's arithmetic, for which no helper exists.
-BY_HAND = {
+# Labels of checks of algebra or of a report's arithmetic, for which the helpers have no function.
+CHECKS_WITHOUT_HELPERS = {
     "the appendix's 40 pi, in mm/s",
     "at rest only dP/dq is left",
     "det B_rpy = cos θ",
@@ -41,7 +42,7 @@ class SymbolTable(ast.NodeTransformer):
         return ast.Name(self.names.get(node.id, node.id))
 
     def visit_scope(self, node):
-        """Leave names alone that a comprehension, lambda or function binds itself."""
+        """Keep symbols of names that a comprehension, lambda or function binds in its own scope."""
         bound = [part.target for part in getattr(node, "generators", ())] or [node.args]
         parts = [part for target in bound for part in ast.walk(target)]
         local = {getattr(part, "id", None) or getattr(part, "arg", None) for part in parts}
@@ -129,7 +130,7 @@ def find_weak_checks(sources):
         label = ast.literal_eval(node.args[0]) if isinstance(node.args[0], ast.Constant) else "?"
         if actual == expected:
             messages.append(f"{label}: both sides are {ast.unparse(node.args[1])}")
-        elif HELPED not in actual + expected and label not in BY_HAND:
+        elif HELPED not in actual + expected and label not in CHECKS_WITHOUT_HELPERS:
             messages.append(f"{label}: neither side depends on the helpers")
         is_book_only = any(key.arg == "book_only" for key in node.keywords)
         if HELPED in expected and is_book_only and label not in FREE_FRAMES:

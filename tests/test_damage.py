@@ -1,4 +1,4 @@
-"""Test that a damaged right answer is called right only where its numbers are still right."""
+"""Test that a damaged right answer is called right only if its numbers are still right."""
 
 import pytest
 
@@ -12,7 +12,7 @@ from tests.measure.damage import (
 )
 
 SEED = 68
-SHARE = 0.05  # of all answers; each kind of damage is done to as many
+SHARE = 0.05  # share of all answers that each kind of damage is applied to
 # Damaged answers that the judge should refuse, by the topic of the answer, with the reason:
 MISSED = {"columns numbered with their unit": "one of the units in headers is not applied"}
 

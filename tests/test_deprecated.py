@@ -23,12 +23,12 @@ def test_old_names_of_locked_values_still_work():
         assert locked.from_free([1, 2, 3]).tolist() == [1, 3]
 
 
-def test_unknown_name_of_a_module_is_no_attribute():
+def test_unknown_name_raises_attribute_error():
     with pytest.raises(AttributeError, match="has no attribute 'gone'"):
         deprecated_names("helpers.motion", old="join_traces")("gone")
 
 
-def test_renamed_object_may_stand_in_another_module():
+def test_renamed_object_may_be_in_another_module():
     get_renamed = deprecated_names("helpers.motion", old="helpers.robots.find_arm")
     with pytest.warns(DeprecationWarning, match=r"is now helpers.robots.find_arm"):
         assert get_renamed("old")("elbow arm") is ELBOW

@@ -19,7 +19,7 @@ from tests.laws import central_differences
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 RIGHT = math.pi / 2
 
-PANDA = [  # the zero configuration of the maker, in which his table is written
+PANDA = [  # axes in the zero configuration of the maker's table
     Axis((0, 0, 0), Z),
     Axis((0, 0, 0.333), Y),
     Axis((0, 0, 0), Z),
@@ -97,7 +97,7 @@ def test_derived_arm_matches_product_of_exponentials(seed, negative):
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_derivation_steps_match_frames_and_normals(seed):
+def test_derivation_steps_agree_with_frames_and_normals(seed):
     """Frames, feet of the normals and the four numbers of each step must agree."""
     rng = np.random.default_rng(seed)
     found = derive(random_axes(rng, 6), random_pose(rng))
@@ -162,7 +162,7 @@ def test_slide_without_point_passes_through_next_axis():
 
 
 def test_nearly_parallel_axes_warn_unless_tolerated():
-    """A tilt of 1e-5 puts the common normal kilometres away, unless the tolerance is larger."""
+    """A tilt of 1e-5 rad puts the common normal kilometres away, unless the tolerance is larger."""
     axes = [Axis((0, 0, 0), Z), Axis((0.3, 0.1, 0), (0, 1e-5, 1))]
     words = "a tolerance above 1e-05 takes them for parallel"
     with pytest.warns(UserWarning, match=f"^arm: z_0 and z_1 are .* {words}$"):
@@ -202,7 +202,7 @@ def test_joint_limits_are_kept():
     assert row.joint == joint
 
 
-def test_masses_give_gravity_torque_of_the_drawing():
+def test_derived_arm_with_masses_has_right_gravity_torque():
     """The torques are compared with the derivative of the potential energy of the drawing."""
     rng = np.random.default_rng(4)
     axes, tip = random_axes(rng, 5), random_pose(rng)

@@ -16,7 +16,7 @@ every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: f"{arm.name}, {
 
 
 def tensors(arm, seed=5):
-    """Return inertia tensors of point clouds, which a rigid body can have."""
+    """Return inertia tensors of random point clouds, so that a rigid body can have them."""
     points = np.random.default_rng(seed).normal(scale=0.1, size=(len(arm.rows), 9, 3))
     square = np.einsum("nki,nkj->nij", points, points)
     return np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(3) - square

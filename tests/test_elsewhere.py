@@ -22,7 +22,7 @@ LISTED = subprocess.run(
     ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=False, encoding="utf-8"
 ).stdout.split("\0")[:-1]
 COPY = [path.relative_to(ROOT).as_posix() for path in ROOT.glob("helpers/**/*.py")]
-FILES = sorted(set(LISTED or COPY))  # a copy need not be a repository
+FILES = sorted(set(LISTED or COPY))  # a copy of the project without a repository
 RESERVED = {
     "con",
     "prn",
@@ -39,7 +39,7 @@ def code(path):
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebook_opens_no_files(path):
-    """A notebook then runs in any folder.
+    """A notebook that opens no files runs in any folder.
 
     The instructors' page writes files of a course, but only in a temporary folder.
     """

@@ -86,7 +86,7 @@ def test_nan_is_rejected_before_the_engine():
         engine.ask_judge("numbers", mine=[float("nan")], what="mine", wanted="numbers")
 
 
-def test_crash_of_the_judge_is_no_refusal(tmp_path, monkeypatch):
+def test_crash_of_the_judge_is_not_reported_as_refusal(tmp_path, monkeypatch):
     script = tmp_path / "judge.js"
     script.write_text("const ArmJudge = { ask: (text) => null.length };", "utf-8")
     monkeypatch.setattr(engine, "_SCRIPT", script)

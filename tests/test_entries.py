@@ -1,4 +1,4 @@
-"""Test how the digits of an answer count, for random arms.
+"""Test how the number of typed digits changes a verdict, for random arms.
 
 Every entry is judged by its own last decimal, and a cause is stated only if it makes every entry
 right. Expected numbers and mistakes come from the corpus's own kinematics, which shares no line
@@ -79,8 +79,8 @@ def test_rounded_or_cut_entries_are_right(about, seed):
 
 @each_question
 @pytest.mark.parametrize("seed", SEEDS)
-def test_unit_off_in_last_place_is_no_mistake(about, seed):
-    """The largest entry moves away from zero, which no cut does; q is exact."""
+def test_error_of_one_in_last_place_is_no_mistake(about, seed):
+    """The largest entry moves away from zero, which cutting digits never does; q is exact."""
     question = RandomQuestion(about, seed, 15)
     digits = question.draw_decimals()
     place = np.unravel_index(np.abs(question.expected).argmax(), np.shape(question.expected))
@@ -93,8 +93,8 @@ def test_unit_off_in_last_place_is_no_mistake(about, seed):
 
 @each_question
 @pytest.mark.parametrize("seed", SEEDS[:8])
-def test_rounding_of_each_joint_is_allowed_for(about, seed):
-    """Joint 1 has nine decimals and the others three, which set the tolerance."""
+def test_tolerance_follows_decimals_of_each_joint(about, seed):
+    """Joint 1 has nine decimals; the three decimals of the other joints set the tolerance."""
     question = RandomQuestion(about, seed, 15)
     question.q = " ".join(f"{x:.{9 if k == 0 else 3}f}" for k, x in enumerate(question.q))
     assert question.judge(write_rows(question.expected, 5)).grade == "right"
@@ -102,7 +102,7 @@ def test_rounding_of_each_joint_is_allowed_for(about, seed):
 
 @each_question
 @pytest.mark.parametrize("seed", SEEDS)
-def test_random_error_gets_no_cause_but_its_place(about, seed):
+def test_random_error_is_located_and_gets_no_cause(about, seed):
     question = RandomQuestion(about, seed)
     digits = question.rng.integers(question.fewest_decimals - 1, question.fewest_decimals + 2)
     typed = np.array(question.expected)
@@ -119,7 +119,7 @@ def test_random_error_gets_no_cause_but_its_place(about, seed):
 
 @pytest.mark.parametrize("seed", [10, 17, 24, 27])
 def test_random_error_of_whole_newton_metres_gets_no_cause(seed):
-    """Of so many pairs of slips some would fit them: four of forty, did evidence not count."""
+    """Without a bound on evidence, a pair of slips would fit four of forty random errors."""
     question = RandomQuestion("torques", seed)
     typed = np.array(question.expected)
     place = int(question.rng.integers(len(typed)))
@@ -236,7 +236,7 @@ def test_rounded_branches_are_right_random_errors_unnamed(found, seed):
 
 
 def test_mixed_branches_and_turned_shoulder_are_named():
-    """Chapter 5's own demonstration, and report E's list with the sign of slip 12 mended."""
+    """The cases are the demonstration of chapter 5, and report E's list with slip 12 corrected."""
     first, second = FOUR.q[0], FOUR.q[1]
     mixed = of_elbow(first, (second[0], first[1], second[2]))
     assert mixed.causes[0] == "ik.mixed"
@@ -247,7 +247,7 @@ def test_mixed_branches_and_turned_shoulder_are_named():
 
 
 def test_forgotten_length_is_named_by_all_answers():
-    """As if the shoulder stood on the floor: the formulas get z_c for z_c - d_1."""
+    """The answer puts the shoulder on the floor: the formulas use z_c in place of z_c - d_1."""
     floor = inverse.elbow(ELBOW.with_values(d_1=1e-9), (0.3, 0.2, 0.4))
     report = checks.compare_branches(write_rows(floor.q, 4), inverse.elbow(ELBOW, (0.3, 0.2, 0.4)))
     assert report.causes == ("table.missing:d:1",), report

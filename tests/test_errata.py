@@ -10,8 +10,8 @@ from tools.numbering import list_notebooks
 
 BOOK = Path(__file__).parents[1] / "book"
 REPORTS = ("Panda report", "UR10e report", "Elbow and Stanford report")
-# The kind of each slip, decided from the reports themselves. A change here changes what the book
-# accuses a report of.
+# The kind of each slip, decided by reading the reports. A change of this table changes what the
+# book says of a report.
 KINDS = {
     "Wrong result": {12, 15, 18, 19},
     "Wrong word": {1, 3, 4, 5, 6, 11, 13, 16, 17, 20},
@@ -21,7 +21,7 @@ KINDS = {
     "Unproved": {7, 10},
     "Withdrawn": {24, 26, 27},
 }
-# Words in box and entry that mention a mitigating fact of the report.
+# Words that must occur in the slip's box and its errata entry, since they are fair to the report.
 IN_FAIRNESS = {
     3: "mended by the report itself",
     4: "a picture may be lost",
@@ -101,7 +101,7 @@ def test_entry_has_quotation_kind_and_link(number, text):
     _must_quote(text)
     assert number in KINDS[_kind(text)]
     links = re.findall(r"\]\([\w/]+\.ipynb#(slip-[\w-]+)\)", text)
-    if number not in KINDS["Withdrawn"]:  # no chapter links to a withdrawn slip
+    if number not in KINDS["Withdrawn"]:  # withdrawn slips have no link from a chapter
         assert f"slip-{number}" in links
         assert set(links) <= set(BOXES)
 

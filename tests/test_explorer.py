@@ -51,7 +51,7 @@ def ask(job, **given):
 
 
 def draw_configurations(arm, count=1000):
-    """Return joint vectors over the whole range, where limits are known."""
+    """Return random configurations from the whole range of the joints."""
     lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1),
         strict=True))  # fmt: skip
     return np.random.default_rng(7).uniform(lower, upper, (count, arm.dof))
@@ -84,7 +84,7 @@ def test_javascript_kinematics_match_python(arm):
     "file", sorted((ROOT / "tests" / "explorer").glob("*.test.mjs")), ids=lambda file: file.stem
 )
 def test_javascript_tests_pass(file):
-    """States, links, drags and pastes exist in JavaScript only, so their tests do too."""
+    """States, links, dragging and pasting exist only in JavaScript, and so do their tests."""
     assert NODE, "Node.js is not installed"
     done = subprocess.run(
         [NODE, "--test-reporter=spec", str(file)],
@@ -117,8 +117,8 @@ def measure_distance(answer):
 
 
 @needs_node
-def test_errata_except_two_link_to_explorer():
-    """A dot too many (5) and a rounder g (8) are nothing that a picture could show."""
+def test_all_errata_except_two_link_to_explorer():
+    """A picture cannot show slip 5 (a dot too many) or slip 8 (g rounded to 9.8)."""
     assert {number for number, links in LINKED.items() if not links} == {5, 8}
     fragments = [fragment for links in LINKED.values() for fragment in links]
     answers = ask("links", arms=[arm_data(arm) for arm in ARMS], fragments=fragments)
@@ -129,8 +129,8 @@ def test_errata_except_two_link_to_explorer():
 
 @needs_node
 def test_errata_links_place_tip_as_described(opened_link):
-    """The place of the tip beside a mark, or an entry of its pose."""
-    # hypot(0.4 cos(1.3323) - 0.3 - 0.3606, 0.5 + 0.4 sin(1.3323) - 0.001 - 0.75), in mm
+    """The distance of the tip from the mark, or an entry of its pose, is computed by hand here."""
+    # 582.6 mm is hypot(0.4 cos(1.3323) - 0.3 - 0.3606, 0.5 + 0.4 sin(1.3323) - 0.001 - 0.75).
     assert measure_distance(opened_link[12]) == pytest.approx(582.6, abs=0.1)
     behind, front = (
         np.array(opened_link[13]["patch"]["mark"]),
@@ -140,7 +140,7 @@ def test_errata_links_place_tip_as_described(opened_link):
     assert behind[0] < 0 < front[0]
     assert measure_distance(opened_link[20]) == pytest.approx(0.63, abs=0.005)
     above, below = np.array(opened_link[23]["pose"])[2, 3], opened_link[23]["patch"]["mark"][2]
-    assert above - 0.5 == pytest.approx(0.5 - below, abs=1e-5)  # the shoulder is at 0.5 m
+    assert above - 0.5 == pytest.approx(0.5 - below, abs=1e-5)  # shoulder: 0.5 m
     poses = {number: np.array(answer["pose"]) for number, answer in opened_link.items()}
     np.testing.assert_allclose(poses[1][:3, 3], (0, -0.679, 0.649), atol=1e-6)
     assert not opened_link[1]["patch"]["q"], "the arm of the headings has no joint"
@@ -217,12 +217,12 @@ def test_errata_links_trace_as_described(opened_link):
 @needs_node
 @every_arm
 def test_reported_rank_matches_numpy(arm):
-    """Singular configurations are among them: home, and every joint at a multiple of a quarter
-    turn."""
+    """Some configurations are singular: q = 0, and joints at multiples of a quarter turn."""
     rng = np.random.default_rng(11)
     turns = rng.integers(-2, 3, (12, arm.dof)) * np.pi / 2
     qs = np.vstack([np.zeros(arm.dof), turns, draw_configurations(arm, 12)])
-    # All rows that the arm can move if it has as many joints, else the linear rows.
+    # The rank counts all rows that the arm can move, or only the linear rows if the arm has fewer
+    # joints than those rows.
     movable = np.flatnonzero(
         np.abs(jacobian(arm, draw_configurations(arm, 12))).max(axis=(0, 2)) > 1e-12
     )
@@ -236,9 +236,11 @@ def test_reported_rank_matches_numpy(arm):
 @needs_node
 @every_arm
 @pytest.mark.parametrize("turns", [False, True])
-def test_fading_directions_match_singular_values(arm, turns):
-    """By singular values of the tip's velocity; the tool may turn or keeps its direction. From
-    joint 3 on the arm is nearly straight in half of the configurations."""
+def test_nearly_lost_directions_match_singular_values(arm, turns):
+    """Compare with singular values of the tip's velocity, with the tool free to turn or held.
+
+    In half of the configurations the arm is nearly straight from joint 3 on.
+    """
     qs = draw_configurations(arm, 60)
     qs[::2, 2:] *= 0.02
     asked = {"arm": arm_data(arm), "qs": qs.tolist(), "turns": turns}
@@ -268,7 +270,7 @@ def test_fading_directions_match_singular_values(arm, turns):
     ids=["Stanford", "UR10e", "elbow on axis 1", "elbow", "stretched"],
 )
 def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
-    """As the closed forms say: what moves with another choice of the free joint is a family."""
+    """In closed form, a solution is in a family if it changes with the value of the free joint."""
     answer = ask("verdicts", arm=arm_data(arm), qs=[list(q)])[0]
     families, branches = answer["ways"]["families"], answer["ways"]["list"]
     assert all(family["moving"] == free for family in families)
@@ -284,7 +286,7 @@ def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
 
 @needs_node
 def test_table_message_agrees_with_compare_tables():
-    """On the pairs of tests.machines, which test_tables.py compares with a numeric search."""
+    """The pairs are those of tests.machines; test_tables.py compares them with a numeric search."""
     pairs = [random_pair(seed) for seed in range(300)]
     both = [[arm_data(one) for one in pair] for pair in pairs]
     is_same = [message.startswith("The same arm") for message in ask("tables", pairs=both)]
@@ -366,14 +368,14 @@ def test_traced_circle_matches_formula(arm):
     circle = start + 0.1 * np.stack([0 * angle, np.sin(angle), np.cos(angle) - 1], axis=-1)
     np.testing.assert_allclose(T[:, :3, 3], circle, atol=1e-8)
     np.testing.assert_allclose(T[:, :3, :3], np.broadcast_to(T[0, :3, :3], (181, 3, 3)), atol=1e-8)
-    if arm.dof == 6:  # with joint 3 locked, joints 5 and 7 wind once round
+    if arm.dof == 6:  # with joint 3 locked, joints 5 and 7 make a full turn
         turned = np.array(traced["path"][-1]) - traced["path"][0]
         np.testing.assert_allclose(np.abs(turned[[3, 5]]), 2 * np.pi, atol=1e-6)
 
 
 @needs_node
 def test_traced_circle_stops_at_workspace_boundary():
-    """By the distance from its shoulder, which is at most a_2 + a_3; else the joints would jump."""
+    """The trace must stop where the path is farther than a_2 + a_3 from the shoulder."""
     traced = ask("circle", arm=arm_data(ELBOW), q=ELBOW.home, normal="x", radius=0.35)
     far = np.linalg.norm(np.array(traced["wantedPath"]) - (0, 0, 0.5), axis=1)
     end = len(traced["path"])
@@ -481,7 +483,7 @@ def test_explorer_accepts_closed_form_solutions():
 
 
 def test_explorer_spec_holds_chosen_options():
-    """The keys are those that page/src reads."""
+    """The expected keys are those that page/src reads."""
     all_views = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"]
     panda = arm_data(PANDA)
     circle = {"normal": "x", "seconds": 5, "rates": "inverse", "locked": 2}

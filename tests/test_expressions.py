@@ -32,7 +32,7 @@ def _join_formulas(parts):
     return f"({left}) {sign} ({right})", float(_SIGNS[sign](x, y))
 
 
-# Formulas together with their values, which the tests work out as the text grows.
+# Random formulas with their values; each step adds an operator to the text and computes the value.
 formulas = st.recursive(
     _LEAVES,
     lambda smaller: st.one_of(
@@ -140,7 +140,8 @@ NOT_FORMULAS = (
 )  # fmt: skip
 
 
-# Numbered, for pytest does not find a test again by a name with an escaped line break or NUL in it.
+# Numbers as ids, because pytest cannot select a test whose name contains an escaped line break or
+# NUL.
 @pytest.mark.parametrize("text", NOT_FORMULAS, ids=range(len(NOT_FORMULAS)))
 def test_invalid_formula_is_rejected(text):
     with pytest.raises(ArmError, match="expected numbers, symbols, pi and"):

@@ -1,4 +1,4 @@
-"""Test which cells fold to the line of what they compare."""
+"""Test which cells are folded, and which line a folded cell shows."""
 
 from docutils import nodes
 

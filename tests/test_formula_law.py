@@ -1,4 +1,4 @@
-"""Test that the judge compares formulas as formulas, whatever configuration stands in the form.
+"""Test that the judge compares formulas symbolically, for any configuration in the form.
 
 The wrong formulas are right ones with one term changed. That a change matters is decided by
 numbers of SymPy and NumPy, not by the judge.
@@ -139,7 +139,7 @@ def change_entry(arm, rows, rng):
 
 
 def compute_tip(arm, rows, q):
-    """Return the tip's position and the line of its z axis, as z z^T."""
+    """Return the tip's position and z z^T, which is the same for z and -z."""
     numbers = {sp.Symbol(name): value for name, value in arm.values.items()}
     numbers |= dict(zip(list_joint_symbols(arm), q, strict=True))
     T = np.eye(4)
@@ -196,7 +196,7 @@ def test_right_table_with_changed_entry_moves_the_tip_alike(arm):
 
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 def test_torque_formula_with_changed_term_is_never_right(arm):
-    """At q = 0 many changes vanish, for instance those of terms with a sine."""
+    """At q = 0 many changed terms are 0, for instance those with a sine."""
     weight = [0, 0, -20, 0, 0, 0]
     tau = -symbolic.jacobian(arm).T * sp.Matrix(weight)
     k = max(range(arm.dof), key=lambda i: (tau[i] != 0, len(tau[i].free_symbols)))

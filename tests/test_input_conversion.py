@@ -48,14 +48,14 @@ class Frame:
         return "Frame"
 
 
-class Held:
-    """Imitate an array of other packages, which can only become a list."""
+class ListOnly:
+    """Imitate an array of another package, whose only method is tolist."""
 
     def tolist(self):
         return [1.5, 2.0]
 
     def __str__(self):
-        return "Held"
+        return "ListOnly"
 
 
 @pytest.mark.parametrize(
@@ -67,7 +67,7 @@ class Held:
         ([[1.5, 2], [3, 4.25]], [[1.5, 2], [3, 4.25]], [[0.1, 1], [1, 0.01]]),
         (((1.5, 2), [3, 4]), [[1.5, 2], [3, 4]], [[0.1, 1], [1, 1]]),
         (Frame([[1.5, 2]]), [[1.5, 2]], [[0.1, 1]]),
-        (Held(), [1.5, 2], [0.1, 1]),
+        (ListOnly(), [1.5, 2], [0.1, 1]),
         ({"a": [1.5], "b": [2]}, [[1.5], [2]], [[0.1], [1]]),
         (np.ma.array([1.5, 2.0]), [1.5, 2], [0.1, 1]),
         (["1.50", 2], [1.5, 2], [0.01, 1]),
@@ -286,7 +286,7 @@ def test_function_error_is_passed_on_and_q_is_copied():
     assert q.tolist() == Q3.tolist()
 
 
-# Inputs that both checkers accept and the page refuses
+# Inputs that Python accepts and the page refuses
 
 
 def test_jacobian_with_extra_dimensions_is_read():

@@ -34,18 +34,18 @@ except ModuleNotFoundError as error:
 def python(tmp_path_factory):
     """Return the Python of a fresh environment with the package and its dependencies."""
     place, source = tmp_path_factory.mktemp("bare"), tmp_path_factory.mktemp("source")
-    for room in ("helpers", "answers"):  # the build leaves files beside them
+    for room in ("helpers", "answers"):  # copied, because a build leaves files beside the sources
         shutil.copytree(ROOT / room, source / room)
     for name in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, source)
     venv.create(place, with_pip=False)
     (python,) = [p for p in place.glob("*/python*") if p.stem == "python"]
-    uv = ["uv", "pip", "install", "-qq", "--python", python]  # links what `make` has unpacked
+    uv = ["uv", "pip", "install", "-qq", "--python", python]  # links packages unpacked by `make`
     pip = ["pip", "--python", python, "install", "-qq", "--no-compile"]
     what = ["-c", ROOT / "requirements.lock", source]
     command = [sys.executable, "-m"]
     done = find_spec("uv") and not subprocess.run([*command, *uv, *what], check=False).returncode
-    if not done:  # uv may be missing, or not read pip's settings
+    if not done:  # uv may be missing or may not know pip's settings
         subprocess.run([*command, *pip, *what], check=True)
     bare = sysconfig.get_path("purelib", vars={"base": place})
     share_bytecode(Path(sysconfig.get_path("purelib")), Path(bare))

@@ -1,9 +1,8 @@
-"""Inverse kinematics: forward kinematics is the judge, and bounds from the literature say when a
-list is complete.
+"""Test inverse kinematics by forward kinematics, and completeness by numbers of the literature.
 
-An arm of the elbow kind has four ways to a point and eight to a pose (Pieper, 1968), as has the
-Stanford arm with an unlimited rod; where that many distinct ones are found, none is missing. The
-UR's number varies: it is counted against another program in peers/test_ssik.py.
+An elbow arm has four solutions for a point and eight for a pose (Pieper, 1968), and so has the
+Stanford arm with an unlimited rod. If that many distinct solutions are found, the list is
+complete. The UR's number varies; peers/test_ssik.py compares it with another program.
 """
 
 from dataclasses import replace
@@ -21,7 +20,7 @@ from helpers.kinematics import forward_kinematics, jacobian, manipulability, tip
 from helpers.robots import ARMS, ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 
 OFFSET = ELBOW.with_values(d=0.12)
-# The Puma 560's table, with a tool set askew so that the last row has all four numbers.
+# The Puma 560's table with a tilted tool, so that no entry of the last row is 0.
 PUMA = Arm(
     "Puma",
     (
@@ -42,7 +41,7 @@ def random_q(arm, count, seed=0):
 
 
 def joint_gaps(arm, q, other):
-    """Return the largest difference of a joint, without whole turns."""
+    """Return the largest difference of a joint, ignoring whole turns."""
     turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
     gap = q - other
     return np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
@@ -120,15 +119,13 @@ RODS = st.tuples(
 def test_closed_form_solves_any_signs_offsets_and_zeros(solver, rows, data):
     arm = Arm("random", data.draw(rows))
     found = solve_and_check(solver, arm, random_q(arm, 50))
-    if (
-        solver is rod
-    ):  # out is where its length from the shoulder, offset and tool counted, is positive
-        assert (found.times.sum(axis=1) == 4).all()  # two that meet within rounding are listed once
+    if solver is rod:  # "out": positive length
+        assert (found.times.sum(axis=1) == 4).all()  # coinciding branches count once
         out = found.q[..., 2] + sum(row.d for row in arm.rows[2:]) > 0
         assert (out == [True, False, True, False])[found.valid].all()
 
 
-# By hand
+# Examples computed by hand
 
 
 def test_branch_names_describe_elbow_and_shoulder():
@@ -136,8 +133,8 @@ def test_branch_names_describe_elbow_and_shoulder():
     found = elbow(ELBOW, p)
     joint = forward_kinematics(replace(ELBOW, rows=ELBOW.rows[:2], home=()), found.q[..., :2])
     elbow_at = joint[..., :3, 3]
-    # Height over the line from the shoulder (0, 0, 0.5) to the target, measured in the vertical
-    # plane of both.
+    # Height of the elbow over the line from the shoulder (0, 0, 0.5) to the target, in their
+    # vertical plane.
     reach = np.hypot(p[:, 0], p[:, 1])[:, None]
     line = 0.5 + (p[:, 2, None] - 0.5) * (elbow_at[..., :2] @ p[:, :2, None])[..., 0] / reach**2
     above = elbow_at[..., 2] > line
@@ -181,10 +178,10 @@ MAST = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()
 @pytest.mark.parametrize(
     ("solver", "arm", "target", "branches", "free"),
     [
-        (elbow, ELBOW, (0, 0, 0.9), ["elbow up", "elbow down"], [1]),  # back is front, turned round
+        (elbow, ELBOW, (0, 0, 0.9), ["elbow up", "elbow down"], [1]),  # back = front turned
         (elbow, TWINS, (0, 0, 0.5), ["the only one"], [1, 2]),  # folded onto the shoulder
         (rod, MAST, (0, 0, 0.6), ["rod out", "rod through"], [1]),  # upright
-        (rod, SHORT, tip(SHORT, (0.4, 0.9, 0)), ["the only one"], [2]),  # the tip in the shoulder
+        (rod, SHORT, tip(SHORT, (0.4, 0.9, 0)), ["the only one"], [2]),  # tip at the shoulder
     ],
 )
 @pytest.mark.parametrize("start", [(0.0, 0.3, 0.0), (-2.0, 0.7, 0.3)])
@@ -213,7 +210,7 @@ def test_straight_wrist_leaves_joint_4_free(solver, arm, flipped):
         < 1e-6
     )
     assert (same.sum(axis=1) == 1).all()
-    assert (found.times[same] == 2).all()  # both wrists, which are equal here
+    assert (found.times[same] == 2).all()  # both wrist branches, which are equal here
     assert found.free[same][:, 3].all()
     assert np.allclose(found.q[same][:, 3], 1.1)
     assert tip_errors(arm, found, T).max() < 1e-10
@@ -228,7 +225,7 @@ def test_parallel_wrist_axes_leave_joint_6_free(arm, bend):
     found = ur(arm, T, start=q)
     assert tip_errors(arm, found, T).max() < 1e-10
     assert np.where(found.valid, joint_gaps(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-6
-    # Whatever value joint 6 is asked to keep, some branch is found, since the pose can be reached.
+    # The pose can be reached, so a branch is found for each start value of the free joint 6.
     for q6 in np.linspace(-3, 3, 7):
         found = ur(arm, T, start=(0, 0, 0, 0, 0, q6))
         assert found.valid.any(axis=1).all()
@@ -243,13 +240,13 @@ def test_parallel_wrist_axes_leave_joint_6_free(arm, bend):
         # the circle crosses the boundary.
         ((0, 0, 0, 0, 0, 0), False, UR10E_HOMEWORK),
         ((0, 0, 1e-3, 0, 0, 0), True, UR10E_HOMEWORK),
-        # d_5 in line with the stretched links; out of line; back towards the shoulder, so that
-        # other q_6 bend the elbow.
+        # d_5 in line with the stretched links; at an angle to them; and back towards the
+        # shoulder, so that other values of q_6 bend the elbow.
         ((0.3, -0.7, 0, 0, 0, 0.4), False, UR10E_HOMEWORK),
         ((0.3, -0.7, 0, 0.5, 0, 0.4), True, UR10E_HOMEWORK),
         ((0.3, -0.7, 0, np.pi, 0, 0.4), True, UR10E_HOMEWORK),
-        # Folded: the farthest point of the circle, of 0.1157 m, just reaches the inner boundary,
-        # |a_2 - a_3| = 0.3127 m.
+        # Folded: only the farthest point of the circle, whose radius is 0.1157 m, is on the inner
+        # boundary, |a_2 - a_3| = 0.3127 m.
         ((0.2, 0.4, np.pi, 0, 0, 0.3), False, UR10E_HOMEWORK.with_values(a_3=0.3)),
     ],
 )
@@ -264,7 +261,7 @@ def test_joint_6_is_free_only_if_several_angles_reach(q, free, arm):
 
 
 def add_round_off(targets, rng):
-    """Move each entry by up to two units of its last binary digit, as other processors may."""
+    """Change each entry by up to two units of its last binary digit, as other processors do."""
     digit = np.maximum(np.spacing(np.abs(targets)), 1e-16)
     noisy = targets + digit * rng.integers(-2, 3, targets.shape)
     if targets.shape[-2:] == (4, 4):
@@ -273,8 +270,10 @@ def add_round_off(targets, rng):
 
 
 def targets_with_one_shoulder(arm, near, rng):
-    """Poses of a UR whose wrist centre is as far from axis 1 as its shoulder is wide, so that both
-    shoulders are one, and farther, so that they turn by twice `near`."""
+    """Return poses of a UR at which both shoulder branches coincide or differ by 2 `near` in q_1.
+
+    They coincide if the wrist centre is as far from axis 1 as the shoulder is wide.
+    """
     width, hand = abs(arm.numeric[3].d), arm.numeric[5].d
     poses = np.tile(np.eye(4), (12, len(near), 1, 1))
     for some in poses:
@@ -287,10 +286,12 @@ def targets_with_one_shoulder(arm, near, rng):
 
 
 def boundary_targets():
-    """Poses at which branches meet, joint 6 or 4 is free, or both, and their neighbours at
-    distances down to rounding: solver, arm, targets."""
+    """Yield solver, arm and poses at which branches coincide or joint 4 or 6 is free.
+
+    Neighbours of these poses, at distances down to rounding, are included.
+    """
     rng = np.random.default_rng(20)
-    near = np.array([0.0, *3 * 10.0 ** -np.arange(3, 13)])  # not at the tolerances themselves
+    near = np.array([0.0, *3 * 10.0 ** -np.arange(3, 13)])  # 3e-k is no tolerance
     for arm, solver in (
         (UR10E_HOMEWORK, ur),
         (UR10E, ur),
@@ -335,7 +336,7 @@ def test_branches_do_not_depend_on_round_off(solver, arm, targets):
 
 
 def test_infinite_family_is_listed_as_one_branch():
-    """A quarter round the homework's circle axes 4 and 6 are parallel, the shoulder at the back."""
+    """After a quarter of the homework's circle, axes 4 and 6 of the back branches are parallel."""
     T = forward_kinematics(UR10E_HOMEWORK, np.zeros(6))
     T[:3, 3] = (-0.1, 0.3561, 1.328)
     found = ur(UR10E_HOMEWORK, T)
@@ -353,7 +354,7 @@ def test_infinite_family_is_listed_as_one_branch():
         ur(UR10E_HOMEWORK, [T, T]).by_name  # noqa: B018
 
 
-# Choosing
+# Choice of a branch
 
 
 def limit_joints(arm, limits):
@@ -369,7 +370,7 @@ def limit_joints(arm, limits):
 @settings(max_examples=60)
 @given(seed=st.integers(0, 9999), wide=st.floats(0.5, 12))
 def test_nearest_agrees_with_search_over_branches_and_turns(solver, arm, seed, wide):
-    """The search tries every turn of every revolute joint."""
+    """The search tries every whole turn of every revolute joint."""
     rng = np.random.default_rng(seed)
     low = rng.uniform(-wide, 0, arm.dof)
     arm = limit_joints(arm, np.stack([low, low + wide], axis=1))
@@ -405,7 +406,7 @@ def test_joint_at_its_limit_is_within_limits(limits):
 
 
 def test_follow_keeps_branch_and_free_joint():
-    """A path straight through the column above the shoulder: the arm leans over without a jump."""
+    """The path crosses the axis above the shoulder, and the arm leans over without a jump."""
     x = np.linspace(-0.2, 0.2, 81)
     path = np.stack([x, 0 * x, 0 * x + 1.0], axis=-1)
     q0 = elbow(ELBOW, path[0]).q[0]
@@ -443,7 +444,7 @@ def test_targets_broadcast_beyond_one_chunk():
 
 
 def test_each_target_has_its_start_beyond_one_chunk():
-    """Above the shoulder joint 1 is free: each target's own value of it comes back."""
+    """Above the shoulder joint 1 is free, so each solution keeps the start value of its target."""
     q1 = np.linspace(-3, 3, 9000)
     near = np.column_stack([q1, 0 * q1, 0 * q1])
     for targets in ((0.0, 0.0, 0.9), np.tile((0.0, 0.0, 0.9), (9000, 1))):
@@ -503,7 +504,7 @@ def test_unsuitable_arm_or_target_is_rejected(call, message):
 
 @pytest.mark.parametrize("arm", [PANDA, PANDA.lock(3), UR10E, STANFORD, PUMA])
 def test_solve_converges_from_starts_within_0_2_rad(arm):
-    """No failure at 1000 targets that are not singular, each error proved by forward kinematics."""
+    """All of 1000 regular targets must be reached, by forward kinematics."""
     lower, upper = (np.clip(limit, -np.pi, np.pi) for limit in arm.limits)
     rng = np.random.default_rng(1)
     q = rng.uniform(lower, upper, (1500, arm.dof))
@@ -520,7 +521,7 @@ def test_solve_converges_from_starts_within_0_2_rad(arm):
 
 @pytest.mark.parametrize("arm", ARMS, ids=str)
 def test_solve_finds_reachable_target_by_itself(arm):
-    """At least 99.5 % of 1000 random configurations within the limits, from home."""
+    """From home, the poses of at least 99.5 % of 1000 random configurations must be reached."""
     lower, upper = (np.clip(limit, -np.pi, np.pi) for limit in arm.limits)
     T = forward_kinematics(arm, np.random.default_rng(3).uniform(lower, upper, (1000, arm.dof)))
     found = solve(arm, T[:, :3, 3] if arm.dof == 3 else T)
@@ -532,7 +533,7 @@ def test_solve_finds_reachable_target_by_itself(arm):
 
 
 def test_solve_reports_distance_of_unreachable_target():
-    """The elbow arm's distance by geometry is what least squares find: two methods, one number."""
+    """The least squares must find the distance that geometry gives for the elbow arm."""
     p = np.random.default_rng(2).uniform(-1.5, 1.5, (200, 3))
     expected = elbow(ELBOW, p).distance
     found = solve(ELBOW, p, (0.1, 0.4, -0.9), restarts=5, iterations=300)
@@ -553,7 +554,7 @@ def test_solve_prefers_limits_to_reaching_the_target():
 
 
 def test_restarts_cover_limits_or_default_range():
-    """Without iterations the answer is the start that is nearest to the target."""
+    """With no iterations, `solve` returns the restart that is nearest to the target."""
     rows = [
         revolute(limits=(0.2, 0.7)), revolute(a=1, limits=(-np.inf, 0.5)), prismatic(),
         revolute(a=1), prismatic(alpha="pi/2", limits=(0.1, np.inf)),
