@@ -28,7 +28,7 @@ _skip_without_packages = pytest.mark.skipif(
 
 
 def needs_packages(test: Callable) -> Callable:
-    """Skip a test where `npm ci` has not run; `make lint`, which runs it, runs these tests."""
+    """Skip a test if `npm ci` has not run. `make lint` runs `npm ci` and these tests."""
     return pytest.mark.npm(needs_node(_skip_without_packages(test)))
 
 
@@ -62,7 +62,7 @@ def _exchange_lines(script: str, question: str) -> str:
 
 @cache
 def _start_node(script: str, process_id: int, thread_id: int) -> subprocess.Popen:
-    """Start Node.js once per script, process and thread: a shared pipe would mix the answers."""
+    """Start Node.js once per script, process and thread; a shared pipe would mix answers."""
     assert NODE, "Node.js is not installed"
     command = [NODE, str(Path(__file__).with_name(script))]
     pipe = subprocess.PIPE

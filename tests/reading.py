@@ -1,4 +1,4 @@
-"""Ask the judge's reader, under Node.js, what it makes of a text on the way to numbers."""
+"""Ask the judge's reader, under Node.js, how it reads a text."""
 
 from typing import Any
 

@@ -22,7 +22,7 @@ MASKED = np.ma.array([1, 2], mask=[0, 1])
 
 
 class Orange:
-    """A kind whose name begins with a vowel, so that it needs the article 'an'."""
+    """A class whose name begins with a vowel, so that the message must say 'an'."""
 
 
 @pytest.mark.parametrize(

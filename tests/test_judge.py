@@ -88,7 +88,7 @@ def test_torque_of_a_single_joint_is_read():
     assert checks.compare_torques("0.40000", arm, [0.5]).grade == "wrong"
 
 
-# The page's questions
+# Questions asked on the page
 
 ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]
 
@@ -144,7 +144,7 @@ def judge_in_python(given):
 
 
 def branches(arm, typed):
-    """Those of a point, or of a pose whose axes are made perpendicular as the nearest ones."""
+    """Return the branches of a typed point, or of the rigid pose nearest to a typed matrix."""
     target = np.array(read_numbers(typed, "target").values).ravel()
     if target.size == 3:
         return inverse.elbow(arm, target)
@@ -157,7 +157,7 @@ def branches(arm, typed):
 
 @needs_node
 def test_page_and_python_print_the_same_report():
-    """Each question goes through a link first. Advice is an argument here, a button there."""
+    """The page gets each question by a link. Advice names an argument in Python, a button there."""
     advice = ("- If that is what you mean, ", "- The arm in your joints is report.")
     asked = [*judge.EXAMPLES, judge.trace_example(), *map(typed_fields, QUESTIONS)]
     for given, answer in zip(asked, judge_on_page(asked), strict=True):
@@ -171,7 +171,7 @@ def test_page_and_python_print_the_same_report():
 
 
 def summarize_verdict(given):
-    """Return grade, words and causes in Python, asked once."""
+    """Return grade, words and causes of Python's verdict, from a cache."""
     return _summarize_verdict(json.dumps(given))
 
 
@@ -257,7 +257,7 @@ def test_right_answer_with_whole_turns_asks_nothing(topic):
     assert (report.grade, report.advice) == ("right" if topic != "branches" else "so far", ())
 
 
-# Joint values of the first joints only
+# Answers with values for the first joints only
 
 UR_TARGET = forward_kinematics(UR10E, [0.3, -1.1, 1.4, -0.8, 0.9, 0.2])
 
@@ -298,7 +298,7 @@ def test_page_examples_name_their_mistakes():
 
 @needs_node
 def test_answers_are_judged_in_joint_angles_of_table():
-    """Axes 2 and 3 of this table point the other way; the Jacobian is that of the browser tests."""
+    """The table reverses axes 2 and 3. The Jacobian is the same as in tests/browser."""
     joints = "R 0 -1.57079632679 0.5 0, R 0.4 0 0 0, R 0.3 0 0 0"
     J = "-0.2841 0.3039 0.0778; 0.52 0.166 0.0425; 0 -0.5925 -0.2866; 0 -0.4794 -0.4794; "
     J += "0 0.8776 0.8776; 1 0 0"
@@ -313,7 +313,7 @@ def test_answers_are_judged_in_joint_angles_of_table():
 
 @needs_node
 def test_pose_in_own_joint_angles_reaches_tool_frame():
-    """The last frame of this table lies the other way round than the reference's."""
+    """The table turns the last frame, so that the page must convert the joint angles."""
     mine = PANDA.with_row(7, d=0.207).with_row(6, theta=0.4)
     joints = ", ".join(
         f"R {mine.number(row.a)} {mine.number(row.alpha)} {mine.number(row.d)} {row.theta}"
@@ -328,14 +328,14 @@ def test_pose_in_own_joint_angles_reaches_tool_frame():
     assert [answer["grade"] for answer in judge_on_page(answers)] == ["right", "wrong"]
 
 
-# Terms that only Python programmers know: shapes, keywords, names and values. Quotations and
-# fields of messages are exempt, and so is the remark about a print from NumPy.
+# Terms that only Python programmers know: shapes, keywords, names and values. Quotations,
+# placeholders of messages and the remark about NumPy's print are exempt.
 PYTHON = re.compile(
     r"shape \(|\(\d+,\)|\(\d, \d\)|\.\.\., |\w=[^ ]|\b(np\.|report\.|arm\.|robots\.|lambda|dof|None"
     r"|True|False|dtype|tuple|array|argument|Body|numpy|\w+Error|compare_\w+|angular_first)\b"
 )
 QUOTED = re.compile(
-    r"""'[^']*'|"[^"]*"|“[^”]*”|\{call\}\(.*\)|\{\w+\}|\(NumPy.*\)"""  # a call is the student's own
+    r"""'[^']*'|"[^"]*"|“[^”]*”|\{call\}\(.*\)|\{\w+\}|\(NumPy.*\)"""  # student's code
 )
 TYPED = ("answer", "q", "target", "table", "values", "wrench", "steps", "radius")
 COUNTS = ["5", "1 2", "1 2 3 4", "[1 2; 3 4]", "[1, 2, 3], [4, 5, 6]", "0.1 ... 3", "± 1 2"]
@@ -350,7 +350,7 @@ def test_page_sentences_use_no_python_terms():
 def test_unreadable_input_message_uses_no_python_terms():
     own, framed, *_ = map(typed_fields, questions_about("by link"))
     asked = [*judge.EXAMPLES, judge.trace_example(), {**framed, "ask": "torques"}, own, framed]
-    asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # an arm without closed form
+    asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # the Panda has no closed form
     bad = [{**one, field: text} for one in asked
            for field in TYPED if field in one for text in [*REFUSED, *COUNTS]]  # fmt: skip
     for given, said in zip(bad, judge_on_page(bad), strict=True):

@@ -91,7 +91,7 @@ def test_whole_turns_keep_the_pose(arm):
 
 @every_arm
 def test_jacobian_matches_complex_step_derivative(arm):
-    """The configurations include home, where axes line up."""
+    """The configurations include home, where axes are parallel or coincide."""
     for q in (*joint_vectors(arm, (3,), seed=3), np.array(arm.home)):
         np.testing.assert_allclose(jacobian(arm, q), complex_step_jacobian(arm, q), atol=1e-14)
 
@@ -103,7 +103,7 @@ def test_jacobian_of_random_arms_matches_derivative(arm, seed):
 
 
 def test_right_angles_leave_exact_zeros():
-    """The UR10e's axes at home are parallel or perpendicular, without round-off of 6e-17."""
+    """At home the UR10e's axes are parallel or perpendicular, so round-off must not occur."""
     T = link_frames(UR10E_HOMEWORK, np.zeros(6))
     np.testing.assert_array_equal(np.abs(T[:, :3, :3]), np.round(np.abs(T[:, :3, :3])))
 

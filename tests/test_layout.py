@@ -10,16 +10,16 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-# The Python rooms that each room may import.
-ALLOWED_ROOMS = {
+# The top-level Python folders that each such folder may import.
+ALLOWED_PYTHON_FOLDERS = {
     "helpers": set(),
     "answers": {"helpers"},
     "course": {"helpers", "answers"},
     "tools": {"helpers", "answers"},
     "benchmarks": {"helpers", "tools"},
 }
-# The folders that each folder of judge/ may import. judge/ itself holds the entry points and what
-# all folders share, such as sentences.js.
+# The folders that each folder of judge/ may import. The files in judge/ itself are entry points
+# or are shared by all folders, such as sentences.js.
 ALLOWED_FOLDERS = {
     "judge/geometry": {"judge"},
     "judge/reading": {"judge", "judge/geometry"},
@@ -27,8 +27,8 @@ ALLOWED_FOLDERS = {
     "judge/topics": {"judge", "judge/geometry", "judge/reading", "judge/causes"},
     "judge": {"judge/geometry", "judge/reading", "judge/causes", "judge/topics"},
 }
-# Readers of tables and of robot descriptions build on arms. `Arm` imports them when it is asked to
-# read one.
+# The readers of tables and robot descriptions import `Arm`, so `Arm` may import them only inside
+# the methods that use them.
 LATE_UPWARD_IMPORTS = {
     ("helpers.arm", "helpers.checks.tables"),
     ("helpers.arm", "helpers.urdf"),
@@ -37,13 +37,13 @@ LATE_UPWARD_IMPORTS = {
 
 def find_python_modules() -> dict[str, Path]:
     """Return the file of each Python module by its dotted name."""
-    paths = [path for room in ALLOWED_ROOMS for path in (ROOT / room).rglob("*.py")]
+    paths = [path for room in ALLOWED_PYTHON_FOLDERS for path in (ROOT / room).rglob("*.py")]
     names = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in paths]
     return {name.removesuffix(".__init__"): path for name, path in zip(names, paths, strict=True)}
 
 
 def find_imports(node: ast.AST, is_late: bool = False) -> Iterator[tuple[str, bool]]:
-    """Yield the names that a syntax tree imports, and whether a function does it when called."""
+    """Yield the names that a syntax tree imports, and whether the import is inside a function."""
     for child in ast.iter_child_nodes(node):
         if isinstance(child, ast.Import):
             yield from ((alias.name, is_late) for alias in child.names)
@@ -56,7 +56,7 @@ def find_imports(node: ast.AST, is_late: bool = False) -> Iterator[tuple[str, bo
 
 @cache
 def read_python_imports() -> tuple[dict[str, set[str]], set[tuple[str, str]]]:
-    """Return the modules that each module imports at its start, and all imports in functions."""
+    """Return for each module its imports at the top, and all imports inside functions."""
     modules = find_python_modules()
     at_start, late = {name: set() for name in modules}, set()
     for name, path in modules.items():
@@ -136,19 +136,19 @@ def test_javascript_imports_have_no_circle():
     assert find_circle(imports) == []
 
 
-def test_python_rooms_import_only_rooms_below():
+def test_python_folders_import_only_folders_below():
     at_start, late = read_python_imports()
     pairs = {(name, target) for name, targets in at_start.items() for target in targets} | late
     upward = {
         (name, target)
         for name, target in pairs
         if (room := name.partition(".")[0]) != (other := target.partition(".")[0])
-        and other not in ALLOWED_ROOMS[room]
+        and other not in ALLOWED_PYTHON_FOLDERS[room]
     }
     assert upward == set()
 
 
-def test_no_room_imports_tests_or_the_book():
+def test_no_folder_imports_tests_or_the_book():
     imports = {
         (name, imported)
         for name, path in find_python_modules().items()
@@ -196,7 +196,7 @@ def test_judge_folders_import_only_folders_below():
             assert others <= ALLOWED_FOLDERS[folder], name
 
 
-# The file whose first lines say what a folder is for.
+# The file that introduces each folder in its first lines.
 INTRODUCTIONS = [
     "helpers/README.md", "answers/__init__.py", "course/__init__.py", "judge/README.md",
     "judge/reading/README.md", "page/README.md", "tools/README.md", "tests/README.md",
@@ -222,7 +222,7 @@ def test_readme_of_reading_names_each_module():
 
 
 def test_text_of_each_planted_fault_occurs_once():
-    """A fault of `python -m tests.measure.faults` whose text has gone would plant nothing."""
+    """`python -m tests.measure.faults` replaces this text, so the text must still exist."""
     faults = json.loads((ROOT / "tests/measure/faults.json").read_text("utf-8"))["faults"]
     counts = {
         fault["old"]: (ROOT / fault["file"]).read_text("utf-8").count(fault["old"])

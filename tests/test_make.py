@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOK = "book/01_dh_tables.ipynb"
-# A stand-in for Sphinx: a warning fails the build, but appears only while its page is written.
+# A substitute for Sphinx: a warning fails the build, and appears only when its page is written.
 BUILDER = """#!/bin/sh
 echo build "$@" >> builds
 mkdir -p book/_build/html
@@ -26,7 +26,7 @@ pytestmark = pytest.mark.skipif(not shutil.which("make"), reason="make is not in
 
 @pytest.fixture
 def project(tmp_path):
-    """Return a folder with a blank and an umlaut that has the Makefile and an environment."""
+    """Return a project with the Makefile, in a folder whose name has a space and an umlaut."""
     root = tmp_path / "my übung"
     (root / ".venv/bin").mkdir(parents=True)
     (root / "book").mkdir()

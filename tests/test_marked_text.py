@@ -73,7 +73,7 @@ def test_wrong_table_shows_wrong_entry():
     assert 'title="entry of row 3, a, read as 0.35 m, wrong"' in verdict._repr_markdown_()
 
 
-def test_headers_of_more_columns_than_rows_have_keep_entries():
+def test_extra_column_headers_leave_entries_unchanged():
     rows = "0 90 0.5 q1\n0.4 0 0 q2\n0.35 0 0 q3"
     verdict = compare_tables(f"a alpha d theta offset\n{rows}", ELBOW)
     assert 'title="entry of row 3, a, read as 0.35 m, wrong"' in verdict._repr_markdown_()
@@ -88,7 +88,7 @@ def test_headers_of_more_columns_than_rows_have_keep_entries():
     ],
     ids=["array", "lists", "arm"],
 )
-def test_answer_that_is_no_text_has_no_marks(verdict):
+def test_answer_in_numbers_has_no_marked_text(verdict):
     assert not verdict.agrees
     assert verdict.marked_text is None
     assert "<pre" not in verdict._repr_markdown_()
@@ -114,7 +114,7 @@ def test_unread_number_stops_verdict_and_is_quoted():
     assert 'title="not read: nothing is graded"' in caught.value.marked_text._repr_markdown_()
 
 
-def test_unread_number_of_the_configuration_marks_no_answer():
+def test_unread_number_of_configuration_leaves_answer_unmarked():
     with pytest.raises(ArmError) as caught:
         compare_torques(print_torques(TORQUES), PANDA, "0.1 0.5 0.2 -1 0.3 0.4 0.2l2")
     assert not isinstance(caught.value, UnreadNumberError) or "0.2l2" in str(

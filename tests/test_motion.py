@@ -61,7 +61,7 @@ def test_circle_has_constant_radius_and_speed():
 @pytest.mark.parametrize(
     ("plane", "aside"), [("zy", [0, 0.1]), ("yz", [0, -0.1]), ("zx", [0.1, 0]), ("xz", [-0.1, 0])]
 )
-def test_circle_below_starts_at_tip_as_its_top(plane, aside):
+def test_circle_below_has_start_tip_as_top(plane, aside):
     path = circle_below(HOMEWORK, HOMEWORK.home, 0.1, plane, 5.0, 4)
     (x, y, z), lowest = tip(HOMEWORK, HOMEWORK.home), path.positions[2]
     np.testing.assert_allclose(path.positions[0], [x, y, z], atol=1e-15)
@@ -73,7 +73,7 @@ def test_circle_below_starts_at_tip_as_its_top(plane, aside):
     ("method", "gain", "order"), [("euler", 0.0, 1), ("rk4", 0.0, 4), ("rk4", 2.0, 4)]
 )
 def test_error_order_of_each_method(method, gain, order):
-    """Its size is in chapter 3, with the other numbers of the homework."""
+    """Chapter 3 checks the size of the errors; this test checks their order."""
     traces = [
         trace(HOMEWORK, HOMEWORK.home, panda_circle(n), method=method, gain=gain) for n in (50, 100)
     ]
@@ -104,7 +104,7 @@ def test_random_circle_is_traced_exactly(bend, turn, radius, plane):
 def test_plain_inverse_raises_below_cutoff_ratio():
     J, one, last = np.diag([5.0, 5, 5, 5, 5, 4e-9]), np.eye(6)[0], np.eye(6)[5]
     words = "its smallest singular value is 4e-09, its largest 5;"
-    for twist in (last, 1e-9 * last, one, 0 * one):  # whatever is asked, however little
+    for twist in (last, 1e-9 * last, one, 0 * one):  # for any twist, even a tiny or zero one
         with pytest.raises(SingularError, match=words):
             plain_inverse()(J, twist, None)
     for cutoff in (7.9e-10, 1e-10, 0.0):
@@ -117,8 +117,10 @@ def test_plain_inverse_raises_below_cutoff_ratio():
 
 @pytest.mark.parametrize("cutoff", [1e-9, 1e-3, 0.05])
 def test_plain_inverse_raises_exactly_when_singular(cutoff):
-    """The bound that spares them never decides otherwise, and no twist gets past it: these leave
-    out the direction that is lost where joint 5 stands at 0."""
+    """The quick bound must agree with the singular values, even for twists without the lost axis.
+
+    At q_5 = 0 the arm loses a direction; `J @ ones` has no component in it.
+    """
     q = np.random.default_rng(14).uniform(-np.pi, np.pi, (400, 6))
     q[:200, 4] *= 1e-2
     q[:50, 4] = 0.0
@@ -132,8 +134,8 @@ def test_plain_inverse_raises_exactly_when_singular(cutoff):
                 plain_inverse(cutoff).inverses(np.array([np.eye(6), one]))
 
 
-def test_regularity_check_refuses_singular_neighbour():
-    """The check sees only the known inverse; it may refuse more than the singular, never less."""
+def test_regularity_check_refuses_nearby_singular_jacobian():
+    """The check knows only a nearby inverse. It must refuse a singular J and may refuse others."""
     known = np.array([np.eye(6)])
     nearby = np.array([np.diag([1.0, 1, 1, 1, 1, 0.9])])
     plain_inverse(0.05).require_regular_near(nearby, known, known)
@@ -155,9 +157,8 @@ def test_rates_at_small_singular_value(size):
     assert rates == pytest.approx([size / (size**2 + 0.02**2), (size > 1e-2) / size])
 
 
-def made_up(q, q_dot, poses):
-    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the
-    origin."""
+def make_report(q, q_dot, poses):
+    """Return the report on invented joint values and poses of the locked Panda along a circle."""
     path = circle([0, 0, 0], 0.1, "zy", 2.0, len(q) - 1)
     return summary(REAL, path, np.asarray(q, float), np.asarray(q_dot, float), poses)
 
@@ -166,7 +167,7 @@ def test_report_matches_hand_calculation():
     q = np.tile(REAL.home, (5, 1))
     q_dot, poses = np.zeros((5, 6)), np.tile(np.eye(4), (5, 1, 1))
     poses[:, :3, 3] = [[0, 0, 0.1], [0, 0.1, 0], [0, 0, -0.1], [0, -0.1, 0], [0, 0, 0.1]]
-    clean = made_up(q, q_dot, poses)
+    clean = make_report(q, q_dot, poses)
     assert clean.executable
     assert clean.position_error == pytest.approx(0, abs=1e-15)
     assert (clean.pen_tilt, clean.closing_gap, clean.joint_gap) == (0, 0, 0)
@@ -181,12 +182,12 @@ def test_report_matches_hand_calculation():
     q[1, 3], q[2, 4], q[4, 0] = -3.0, 3.9, -0.25
     q_dot[2] = [0, -3.5, 0, 0, 1.305, 0]
     q_dot[[0, 3, 4]] = np.outer([1.5, 3, 1], [0.25, 0, 0, 0, 0, -0.125])
-    found = made_up(q, q_dot, poses)
+    found = make_report(q, q_dot, poses)
     assert found.position_error == pytest.approx(np.hypot(0.004, 0.002))
     assert found.off_wall == pytest.approx(0.004)
     back = poses.copy()
     back[:, 0, 3] *= -1
-    assert made_up(q, q_dot, back).off_wall == pytest.approx(0.004)
+    assert make_report(q, q_dot, back).off_wall == pytest.approx(0.004)
     assert found.pen_tilt == pytest.approx(np.radians(120))
     assert found.closing_gap == pytest.approx(0.003)
     assert found.joint_gap == pytest.approx(0.25)
@@ -197,28 +198,28 @@ def test_report_matches_hand_calculation():
     assert found.largest_speed == 3.5
     assert found.speed_share == pytest.approx(3.5 / 2.175)
     assert found.largest_acceleration == pytest.approx(3.5 / 0.5)
-    assert found.speed_from_rest == made_up(q, q_dot[::-1], poses).speed_from_rest == 0.375
+    assert found.speed_from_rest == make_report(q, q_dot[::-1], poses).speed_from_rest == 0.375
     assert (clean.largest_acceleration, clean.speed_from_rest) == (0, 0)
     assert "joint 5 by 0.1 rad, joint 6 by 0.15 rad" in str(found)
-    assert not made_up(np.tile(REAL.home, (5, 1)), q_dot, poses).executable
-    assert not made_up(q, 0 * q_dot, poses).executable
+    assert not make_report(np.tile(REAL.home, (5, 1)), q_dot, poses).executable
+    assert not make_report(q, 0 * q_dot, poses).executable
     assert "below 1e-10 m" in str(clean)
 
 
 def test_report_shows_singular_configuration():
-    """Reports near singular configurations are tested by chapter 3."""
+    """Chapter 3 checks reports near singular configurations."""
     home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
     assert home.largest_condition > 1e12
     assert "above 1e12" in str(home)
 
 
 def same_jacobian(arm, q):
-    """Return the arm's Jacobian. As a caller's function it makes a trace go step by step."""
+    """Return the arm's Jacobian; as a function of the caller it makes `trace` use the slow loop."""
     return jacobian(arm, q)
 
 
 ELBOW_OUT = PANDA.lock(3, at=np.radians(70))
-OUT = np.radians([-107.7, 44.5, 81.8, 100.0, 147.4, 50.9])  # Newton's first sweep overshoots
+OUT = np.radians([-107.7, 44.5, 81.8, 100.0, 147.4, 50.9])  # Newton overshoots first
 RUNS = {
     "elbow out": (ELBOW_OUT, OUT, circle_below(ELBOW_OUT, OUT, 0.1, "zy", 5.0, 300)),
     "UR10e": (UR10E, [0.4, -1.2, 1.6, -0.9, 1.2, 0.3], None),
@@ -247,7 +248,7 @@ def test_homework_circle_is_traced_without_the_loop(monkeypatch):
 
 
 def test_vectorized_trace_fails_like_stepwise_trace():
-    """The circle straightens the UR10e's elbow: both fail at the same step with the same
+    """The circle straightens the UR10e's elbow, so both must fail at the same step with the same
     message."""
     start = np.array([0.0, -1.2, 0.5, -0.9, 1.2, 0.3])
     tip = forward_kinematics(UR10E, start)[:3, 3]
@@ -274,8 +275,7 @@ def test_circle_out_of_reach_raises():
 
 
 def test_joint_jump_raises():
-    """Rates that turn joint 4 once more than they should bring the tip to the path, and nobody
-    would drive them."""
+    """The rates turn joint 4 by an extra whole turn, so the tip is right but the motion is not."""
 
     def once_more(J, error, q):
         return np.linalg.solve(J, error) + 2 * np.pi * (np.abs(error).max() > 1e-6) * np.eye(6)[3]
@@ -288,7 +288,7 @@ def test_joint_jump_raises():
 
 
 def test_branch_change_is_detected():
-    """From the middle on the other elbow: every pose is right, and no small step leads there."""
+    """The second half uses the other elbow: each pose is right, but the joints jump once."""
     start = [0.4, -1.2, 1.6, -0.9, 1.2, 0.3]
     tip = forward_kinematics(UR10E, start)[:3, 3]
     path = circle(tip - [0, 0, 0.05], 0.05, "zx", 4.0, 100)
@@ -307,8 +307,7 @@ def test_branch_change_is_detected():
 
 
 def test_exact_method_uses_given_jacobian():
-    """With one a tenth too large each iteration leaves a tenth of the error; with a useless one it
-    does not arrive."""
+    """With J too large by a tenth, Newton's method converges slowly; with the identity it fails."""
     seen = []
 
     def too_large(arm, q):
@@ -324,7 +323,7 @@ def test_exact_method_uses_given_jacobian():
 
 
 def spoil_inputs(function):
-    """The function, which spoils what it was given."""
+    """Return a function that calls `function` and then overwrites its array arguments."""
 
     def spoiling(*given):
         found = function(*given)
@@ -369,7 +368,7 @@ def test_path_copies_its_arrays():
 
 @pytest.mark.parametrize("method", ["euler", "rk4"])
 def test_path_with_constant_velocity_is_traced(method):
-    """A straight path at even speed, whose velocity is one vector whatever it is asked."""
+    """The velocity function returns a single vector for any number of times."""
     straight = Path(
         np.linspace(0, 1, 61),
         lambda t: TOP + 0.1 * np.asarray(t)[..., None] * [0, 1, 0],
@@ -406,8 +405,11 @@ def test_zero_damping_raises_at_singular_configuration():
 
 
 def test_rest_to_rest_follows_quintic():
-    """The quintic by its own conditions: ends, rest, no acceleration there, a speed of 15/8
-    halfway, and velocities that are the slopes of the positions."""
+    """The conditions of the quintic are checked, not its formula.
+
+    The path rests at both ends without acceleration, has 15/8 of the even speed halfway, and its
+    velocities are the slopes of its positions.
+    """
     even = circle([1, 2, 3], 0.1, "zy", 5.0, 10)
     path = rest_to_rest(even)
     np.testing.assert_allclose(path.position([0, 5]), even.position([0, 5]), atol=1e-15)
@@ -433,8 +435,10 @@ def test_rest_to_rest_keeps_start_time():
 
 
 def test_range_violations_use_unit_of_joint():
-    """The other lines stand in chapter 3, as they are printed."""
-    report = made_up(np.tile(REAL.home, (5, 1)), np.zeros((5, 6)), np.tile(np.eye(4), (5, 1, 1)))
+    """Chapter 3 prints the other lines of the report."""
+    report = make_report(
+        np.tile(REAL.home, (5, 1)), np.zeros((5, 6)), np.tile(np.eye(4), (5, 1, 1))
+    )
     slid = replace(report, beyond_limits=((2, 0.125), (4, 1.0)), sliding=(4, 5))
     assert dict(slid.rows())["joints beyond their range"] == "joint 2 by 0.12 rad, joint 4 by 1 m"
     assert not slid.executable

@@ -69,7 +69,7 @@ def test_book_has_five_chapters():
 
 
 def test_pages_have_no_control_characters():
-    """A script whose strings are not raw writes theta with a tab in place of its t."""
+    """A Python string that is not raw turns the start of \\theta into a tab."""
     pages = [path.read_text(encoding="utf-8") for path in NOTEBOOKS[0].parent.glob("*.md")]
     pages += [cell.source for path in NOTEBOOKS for cell in read(path).cells]
     assert not re.findall(r"[\x00-\x09\x0b-\x1f].{0,9}", "\n".join(pages))
@@ -116,7 +116,7 @@ def test_cells_have_only_allowed_tags(path):
 
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
 def test_chapter_imports_arms_only_in_first_cell(path):
-    """So that an arm that a reader changes there stays changed."""
+    """A later import would undo a reader's change of the arm in the first cell."""
     for cell in code_cells(path)[1:]:
         takes_arm = r"import.*robots|robots import|robots\.[A-Z]|\bnamed\("
         assert not re.search(takes_arm, cell.source), cell.source
@@ -124,7 +124,7 @@ def test_chapter_imports_arms_only_in_first_cell(path):
 
 @every_notebook
 def test_solution_assigns_no_name_that_the_exercise_gives_the_reader(path):
-    """Otherwise, after Run All, the solution would be judged in place of the reader's answer."""
+    """Otherwise Run All would check the solution's value in place of the reader's answer."""
     folded = False
     for cell in read(path).cells:
         heading = re.search(r"(?m)^#+ ", cell.source) if cell.cell_type == "markdown" else None
@@ -162,7 +162,7 @@ def test_pictures_are_svg_with_alt_and_caption(path):
 
 @every_notebook
 def test_drawing_cell_has_no_other_output(path):
-    """A cell must not end in what a drawing call returns: its text would stand above the figure."""
+    """If the cell ended in the value of a drawing call, its text would appear above the figure."""
     for cell, drawn in on_the_page(path):
         if PICTURES & set(drawn.get("data", {})) and not is_live(cell):
             (output,) = cell.outputs

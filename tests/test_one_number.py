@@ -10,7 +10,7 @@ from helpers import checks, motion, robots
 from tests.corpus.arms import KNOWN
 
 RNG = np.random.default_rng(7)
-#: For each arm the machine of the corpus, the start and the plane of a circle of radius 0.1 m.
+# For each arm its independent model, the start and the plane of a circle of radius 0.1 m.
 CIRCLES = {
     "UR10E_HOMEWORK": (robots.UR10E_HOMEWORK, "UR10E_HOMEWORK", np.zeros(6), "xz"),
     "UR10E": (robots.UR10E, "UR10E", [-0.6, -1.5, 1.2, -0.1, 0.7, 1.2], "xz"),
@@ -74,7 +74,7 @@ def test_one_wrong_number_of_trace_is_located(name):
 
 
 def test_wrong_step_among_three_is_not_located():
-    """Two other steps could lie on the path by chance."""
+    """With only three steps, the two others could be on the path by chance."""
     arm, path, q = trace_circle("ELBOW", 2)
     q[1, 1] += 0.4
     report = checks.compare_trace(write_rows(q, 4), arm, path)
@@ -83,7 +83,7 @@ def test_wrong_step_among_three_is_not_located():
 
 
 def test_wrong_number_of_unrounded_trace_is_located():
-    """Without typed decimals only round-off may separate the mended row from the path."""
+    """Numbers without typed decimals are exact, so the corrected row must fit to round-off."""
     arm, path, q = trace_circle("UR10E_HOMEWORK", 8)
     for joint in range(6):
         wrong = q.copy()
@@ -108,7 +108,7 @@ def test_one_wrong_number_of_pose_is_located(name):
         assert f"only q_{number} is wrong" in report.headline
 
 
-#: A reader's own solution of the circle around (0.4, 0, 0.6), with the sign of q_3 at step 2 lost.
+# A student's solution of the circle around (0.4, 0, 0.6), in which q_3 of step 2 lost its sign.
 ELBOW_ROWS = """0.000000,1.179288,-1.780667
 0.174969,1.121558,-1.805692
 0.244979,0.980753,1.866765
@@ -121,7 +121,7 @@ ELBOW_ROWS = """0.000000,1.179288,-1.780667
 
 
 def test_step_explained_by_two_joints_names_neither():
-    """With the elbow bent the other way, another shoulder would reach the circle as well."""
+    """With the typed q_3, another q_2 would also bring the tip to the circle."""
     path = motion.circle((0.4, 0, 0.6), 0.1, "zy", 5.0, 8)
     report = checks.compare_trace(ELBOW_ROWS, robots.ELBOW, path)
     assert not report.causes, str(report)

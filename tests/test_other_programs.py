@@ -31,7 +31,7 @@ def joint_values(arm):
 
 
 def run(arm, program):
-    """Run the code at other joint values than its zeros, and return its variables."""
+    """Run the code with random joint values in place of its zeros, and return its variables."""
     q = joint_values(arm)
     text = write_code(arm, program)
     zeros = f"q = np.zeros({arm.dof})"
@@ -82,7 +82,7 @@ def test_pinocchio_code_gives_pose_jacobians_and_torques(arm):
     np.testing.assert_allclose(variables["T"], forward_kinematics(arm, q), atol=1e-10)
     np.testing.assert_allclose(variables["J"], J, atol=1e-10)
     np.testing.assert_allclose(variables["J_tool"], in_tool, atol=1e-10)
-    # The point at the base's origin moves by w x (0 - tip) more than the tip.
+    # v + w x (0 - tip) is the velocity of the body's point at the base's origin.
     at_origin = J[:3] - np.cross(J[3:].T, tip).T
     np.testing.assert_allclose(variables["J_space"], [*at_origin, *J[3:]], atol=1e-10)
     if arm.bodies:

@@ -1,4 +1,4 @@
-"""Test that `Arm.from_table` says how it read a table, and where a guess may be wrong."""
+"""Test that `Arm.from_table` reports how it read a table, and warns where it guessed."""
 
 import re
 import warnings
@@ -17,7 +17,7 @@ GEN3 = """i alpha_i a_i d_i theta_i
 2 pi/2 0 -0.0118 q2 + pi
 3 pi/2 0 -0.4208 q3 + pi
 """
-# Universal Robots' page on its DH parameters, the UR3e.
+# The UR3e's table on Universal Robots' page of DH parameters.
 UR3E = """Kinematics\ttheta [rad]\ta [m]\td [m]\talpha [rad]\tDynamics\tMass [kg]\tCenter of Mass
 Joint 1\t0\t0\t0.15185\tπ/2\tLink 1\t1.98\t[0, -0.02, 0]
 Joint 2\t0\t-0.24355\t0\t0\tLink 2\t3.4445\t[0.13, 0, 0.1157]

@@ -1,4 +1,4 @@
-"""Test that a pasted table is read alike wherever it can be pasted."""
+"""Test that Python, the explorer and the form read a pasted table in the same way."""
 
 import re
 import warnings
@@ -21,7 +21,7 @@ ENTRIES = ("a", "alpha", "d", "theta")
 
 
 def make_machine(name):
-    """Return the rows of an arm such as ``PANDA.lock(3)``, typed without `helpers`."""
+    """Return the independent model of an arm such as ``PANDA.lock(3)``."""
     name, _, locked = name.partition(".lock(")
     machine = CATALOGUE[name]
     fixed = int(locked[:-1]) if locked else None
@@ -71,7 +71,7 @@ def test_public_answer_is_judged_right_or_refused_for_its_reason(case):
     assert_same_arm(arm, Machine(rows), 2e-4)  # the sources round to 0.1 mm and 1e-4 rad
 
 
-# One reading, or one question, at every input
+# The same reading, or the same refusal, at every input
 
 KINDS = {"R": "revolute", "P": "prismatic", "F": "fixed"}
 
@@ -95,7 +95,7 @@ def list_rows(arm):
 
 
 def read_on_page(text):
-    """Return what the explorer and the form make of a table, with either unit chosen there."""
+    """Yield how the explorer and the form read a table with each unit: name, rows, refusal."""
     for unit in ("deg", "rad"):
         for place, answer in ask_node("pasted_tables.mjs", {"text": text, "unit": unit}).items():
             rows = [
@@ -105,7 +105,7 @@ def read_on_page(text):
 
 
 def read_in_python(text):
-    """Return the rows of `Arm.from_table` and its question: a refusal or a warning of a guess."""
+    """Return the rows of `Arm.from_table` and its refusal or its warning about a guess."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -124,7 +124,7 @@ def assert_same_rows(place, rows, expected):
 @needs_node
 @pytest.mark.parametrize("case", expect_failures(PASTED_TABLES), ids=lambda case: case["about"])
 def test_pasted_table_is_read_or_asked_about_alike(case):
-    """A table with rows is read as these everywhere; one without is read nowhere unasked."""
+    """A case with rows must give these rows at each input; a case without rows is refused there."""
     text = case["text"]
     python_rows, python_question = read_in_python(text)
     if "rows" in case:

@@ -55,8 +55,8 @@ def list_views(text):
     return [[int(side) for side in view.get("viewBox").split()] for view in found]
 
 
-def test_svg_views_cover_all_ink_once():
-    """Words that reach out of their axes, walls of an arm in space, a colour bar, a key to all."""
+def test_svg_views_cover_each_drawn_pixel_once():
+    """The figure has labels outside their axes, a 3D plot, a colour bar and a common legend."""
     figure = plt.figure(figsize=(8, 5))
     flat, space, heat, bare = (
         figure.add_subplot(2, 2, k, projection="3d" if k == 2 else None) for k in range(1, 5)
@@ -72,7 +72,7 @@ def test_svg_views_cover_all_ink_once():
     assert len(boxes) == 5
     figure.set_layout_engine("none")  # keep the layout of the first drawing
     file = BytesIO()
-    figure.savefig(file, dpi=72, bbox_inches="tight")  # a dot for each point of the drawing
+    figure.savefig(file, dpi=72, bbox_inches="tight")  # one pixel for each point (1/72 inch)
     file.seek(0)
     ink = plt.imread(file)[..., 3] > 0
     assert ink.sum() > 10_000
@@ -91,7 +91,7 @@ def test_single_column_figure_has_no_views(rows):
     assert list_views(format_svg(figure)) == []
 
 
-# Flat figures, and what is drawn from numbers
+# Flat figures
 
 
 def points(line):
@@ -126,15 +126,14 @@ def test_regions_differ_in_hatch():
     key = ax.get_legend()
     assert [text.get_text() for text in key.get_texts()] == ["no", "yes"]
     assert len({patch.get_hatch() for patch in key.get_patches()}) == 2
-    for spot in np.random.default_rng(0).uniform(-0.5, 2.5, (200, 2)):  # no gap between them
+    for spot in np.random.default_rng(0).uniform(-0.5, 2.5, (200, 2)):  # the regions leave no gap
         drawn = [patch.get_path().contains_point(spot) for patch in ax.patches]
         one, other = np.rint(spot)
         assert drawn == [one != other, one == other]
 
 
 def test_moving_picture_draws_only_while_tip_moves():
-    """Half the time at rest, then half the time on a straight line: the ink comes in the second
-    half, evenly."""
+    """The tip rests for half the time, then moves evenly: the line must grow in the second half."""
     run = run_of()
     times = np.array([0.0, 5.0, 6.25, 7.5, 8.75, 10.0])
     poses = np.tile(run.poses[0], (6, 1, 1))
@@ -153,7 +152,7 @@ def test_moving_picture_draws_only_while_tip_moves():
     assert ink.get("dur") == "10s"
 
 
-# The drawing board
+# Projections
 
 
 @pytest.mark.parametrize("view", ["xz", "yz", "xy", "zy", (30, 18), (-60, 90), (200, -40)])
@@ -165,7 +164,7 @@ def test_view_is_a_rotation(view):
 
 
 def test_view_direction_matches_azimuth_and_elevation():
-    """From an azimuth of 0 one sees y to the right, from 90 degrees -x; high up is up."""
+    """From azimuth 0, y points to the right; from 90 degrees, -x does; z points up."""
     np.testing.assert_allclose(project_points([0, 1, 0], (0, 20))[:2], [1, 0], atol=1e-15)
     np.testing.assert_allclose(project_points([1, 0, 0], (90, 20))[0], -1, atol=1e-15)
     assert project_points([0, 0, 1], (37, 20))[1] > 0

@@ -1,4 +1,4 @@
-"""Test recorded programs: they give the formula's values with no needless step."""
+"""Test recorded programs: they give the formula's values without redundant steps."""
 
 import operator
 import threading
@@ -74,7 +74,7 @@ def test_negated_zero_prints_without_sign():
 
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 def test_threads_do_not_share_memory(arm):
-    """Each thread works in memory of its own: eight at once give what each gives alone."""
+    """Eight threads at once must give the results that each gives alone."""
     batches = [joint_vectors(arm, (3000,), seed) for seed in range(8)]
     found = [None] * 8
     meet = threading.Barrier(8)

@@ -1,4 +1,4 @@
-"""Test that the generator of answers draws by seed and keeps the numbers readable."""
+"""Test that the generator of answers is reproducible and that its texts contain the numbers."""
 
 from dataclasses import replace
 
@@ -22,7 +22,7 @@ def test_text_contains_each_typed_number():
         assert all("".join(number.split()) in text for number in draw.typed), (i, draw.text)
 
 
-def test_twin_differs_from_its_right_answer():
+def test_wrong_answer_differs_from_its_right_answer():
     for i in DRAWS:
         right, twin = draw_answer(7, i), draw_twin(7, i)
         assert right.text != twin.text, i

@@ -133,7 +133,7 @@ def stack_rows(matrices):
     return [row for A in matrices for row in A]
 
 
-def test_tables_at_the_edges_are_read():
+def test_smallest_and_unusual_tables_are_read():
     assert len(reading.read_tables([[0, 0, 0, 0]] * 32)[0]["rows"]) == 32
     [still] = reading.read_tables(["0 0 0 0"], convention="craig", kinds=["fixed"], **ORDER)
     assert reading.list_rows(still) == [("fixed", 0, 0, 0, 0)]
@@ -156,8 +156,8 @@ def test_link_matrices_are_read_as_table_rows(arrange):
     assert read["rows"][0]["texts"] == texts
 
 
-def test_matrix_that_fits_no_row_is_rejected():
-    """The wrong sign and the missing cosine do not show at q = 0."""
+def test_matrix_that_is_no_link_transform_is_rejected():
+    """At q = 0 a wrong sign of a sine, or a missing cosine, has no effect."""
     link = "cos(q{0}) sin(q{0}) 0 {2}\nsin(q{0}) -cos(q{0}) 0 0.4*sin(q{0})\n0 0 {1} 0.1\n0 0 0 1\n"
     good = link.format(1, -1, "0.4*cos(q1)")
     for wrong, at in ((link.format(2, 1, "0.4*cos(q2)"), "2, column 2"),
@@ -325,11 +325,11 @@ def test_numbers_of_stored_tables_have_owners():
             continue
         count += 1
         assert not list_wrong_marks(table), case["answer"]
-    assert count > 70  # the other of the 94 tables are refused or use symbols of their arm
+    assert count > 70  # the other tables (of 94) are refused or contain symbols of their arm
 
 
-# JavaScript does not count a pattern's steps, so its time is measured: a text four times as long
-# takes four times as long (measured: two to six), and sixteen times if the steps are quadratic.
+# The time is measured, because JavaScript cannot count the steps of a pattern. A text four times
+# as long takes two to six times as long, and sixteen times if the number of steps is quadratic.
 REPEATED = ["-", "[", "(", "{", ",", " ", "\t", "1", ".", "+", "a=", "a - ", "a_1 = ", "dict(",
             "Link(", "a(", "\\begin{", "Columns 1", "q1 = 1\n", "<a,", "(/ ", "0·0 ",
             "\\underbrace{"]  # fmt: skip

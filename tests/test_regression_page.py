@@ -1,4 +1,4 @@
-"""Follow the page on regression tests as it is printed, in an empty folder, without a network."""
+"""Follow the page on regression tests literally, in an empty folder and without a network."""
 
 import os
 import re
@@ -21,7 +21,7 @@ PARTS = (
     "requirements.lock",
 )
 NOTEBOOK = "book/02_jacobian.ipynb"
-CELLS = 20  # of the notebook, which `make test` runs whole
+CELLS = 20  # `make test` runs the whole notebook elsewhere
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="the commands need a POSIX shell")
 

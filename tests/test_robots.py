@@ -27,7 +27,7 @@ from tests.corpus.arms import CATALOGUE, LIMITS
 
 SIGNS = np.array([1, -1, 1, -1, 1, 1, -1])  # q_maker = SIGNS * q for the Panda
 
-# Gaz et al. (2019), in the Craig frames of Franka's own table.
+# Masses and centres of Gaz et al. (2019), in the frames of Franka's modified table.
 GAZ_MASSES = (4.970684, 0.646926, 3.228604, 3.587895, 1.225946, 1.666555, 0.735522)
 GAZ_CENTRES = (
     (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252,
@@ -88,7 +88,7 @@ def test_homework_panda_differs_only_in_a_3():
 
 
 def test_ur10e_masses_match_data_sheet():
-    """Universal Robots, DH parameters for calculations of kinematics and dynamics."""
+    """The numbers are from Universal Robots, DH parameters for kinematics and dynamics."""
     bare = UR10E.with_values(l_pen=0)
     assert [body.mass for body in UR10E.bodies] == [7.369, 13.051, 3.989, 2.1, 1.98, 0.615]
     expected = [
@@ -100,7 +100,7 @@ def test_ur10e_masses_match_data_sheet():
 
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_rows_match_independent_tables(name):
-    """Typed anew in the corpus, whose kinematics is the truth about hand-ins too."""
+    """The tables of tests/corpus were typed independently."""
     arm = getattr(robots, name.partition(".")[0])
     arm = arm.lock(3) if name.endswith("lock(3)") else arm
     kinds, numbers = zip(*((kind, row) for kind, *row in CATALOGUE[name].rows), strict=True)
@@ -111,7 +111,7 @@ def test_rows_match_independent_tables(name):
 
 @pytest.mark.parametrize("name", [name for name in CATALOGUE if hasattr(robots, name)])
 def test_limits_match_independent_numbers(name):
-    """An arm with limits has them typed anew in LIMITS of tests/corpus/arms.py."""
+    """LIMITS of tests/corpus/arms.py was typed independently."""
     joints = [row.joint for row in getattr(robots, name).rows]
     actual = [(joint.lower, joint.upper, joint.speed, joint.effort) for joint in joints]
     unlimited = [(-np.inf, np.inf, np.inf, np.inf)] * len(joints)
@@ -125,13 +125,15 @@ def test_catalogue_has_unique_arms_in_menu_order():
 
 
 def test_every_arm_is_public_and_documented():
-    """It shows what is public and has words of its own above it."""
-    told = re.findall(r"^#: .*\n(?:#: .*\n)*(\w+) = ", inspect.getsource(robots), re.MULTILINE)
+    """The catalogue's source lists each arm in `__all__` and has a comment above it."""
+    documented = re.findall(
+        r"^#: .*\n(?:#: .*\n)*(\w+) = ", inspect.getsource(robots), re.MULTILINE
+    )
     public = {name: getattr(robots, name) for name in robots.__all__}
-    named_so = {name for name, what in public.items() if not callable(what)}
-    assert {*told} == named_so, "an arm has words behind #: above it, and its name in __all__"
+    names = {name for name, what in public.items() if not callable(what)}
+    assert {*documented} == names, "expected a comment #: above each arm"
     arms = {what for what in public.values() if isinstance(what, Arm)}
-    assert {*ARMS, *PLANAR_ARMS} == arms, "an arm stands in __all__, and in ARMS or PLANAR_ARMS"
+    assert {*ARMS, *PLANAR_ARMS} == arms, "expected each arm in __all__, and in ARMS or PLANAR_ARMS"
 
 
 @pytest.mark.parametrize("arm", [*ARMS, *PLANAR_ARMS], ids=lambda arm: arm.name)
@@ -145,7 +147,7 @@ def test_arm_has_name_source_and_valid_home(arm):
 
 
 def test_every_arm_has_an_independent_table():
-    """An arm added to the catalogue is typed anew in tests/corpus/arms.py, from its source."""
+    """A new arm of the catalogue also needs its source's table, typed again, in tests/corpus."""
     names = {name for name, arm in vars(robots).items() if isinstance(arm, Arm)}
     missing = sorted(names - {*CATALOGUE})
     assert not missing, f"type the rows of {', '.join(missing)} in CATALOGUE of the corpus"

@@ -15,8 +15,8 @@ from tests.laws import slow_frames
 HOME = np.array(PANDA.home)
 IDLE = np.array([1, 0, -1, 0, 0, 0, 0])
 TURNED = HOME - np.pi / 2 * IDLE
-# Base and tip are two ends of the fourth side: a parallelogram with sides of 1 and 2 m, folded
-# flat.
+# A four-bar linkage: base and tip are the ends of its fourth side. At FLAT it is a parallelogram
+# with sides of 1 and 2 m, folded flat.
 LINKAGE = Arm("linkage", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
 FLAT = [0, 0, np.pi, -np.pi]
 
@@ -56,7 +56,7 @@ def test_arm_without_redundancy_has_no_self_motion():
 
 
 def test_singular_ur10e_wrist_has_self_motion():
-    """Axes 2, 3, 4 and 6 of the UR10e are parallel at q_5 = 0: a four-bar linkage."""
+    """At q_5 = 0 the axes 2, 3, 4 and 6 of the UR10e are parallel, as in a four-bar linkage."""
     q = [0.1, 0.5, 0.9, 0.3, 0, 0.2]
     (direction,) = self_motion_directions(UR10E_HOMEWORK, q)
     assert direction[[0, 4]] == pytest.approx(0, abs=1e-12)
@@ -68,19 +68,18 @@ def test_singular_ur10e_wrist_has_self_motion():
 
 
 def test_direction_excluded_by_second_order_is_left_out():
-    """A stretched planar arm of three joints that reaches its own length: the tip can only come
-    nearer."""
+    """The arm is stretched, so that any motion of its joints moves the tip nearer."""
     straight = Arm("straight", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
     assert self_motion_directions(straight, [0, 0, 0, 0]).shape == (0, 4)
 
 
-def way_out():
+def move_elbow_out():
     _, direction = self_motion_directions(PANDA, TURNED)
     return self_motion(PANDA, TURNED, -direction, 2.45)
 
 
 def test_steps_and_times_are_equally_spaced():
-    run = way_out()
+    run = move_elbow_out()
     lengths = np.linalg.norm(np.diff(run.q, axis=0), axis=1)
     assert lengths == pytest.approx(0.01, rel=1e-2)
     assert np.diff(run.t) == pytest.approx(0.01 / 0.5)

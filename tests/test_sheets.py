@@ -26,7 +26,7 @@ from helpers.robots import ELBOW, PANDA
 from helpers.urdf import from_urdf
 from tools import answers
 
-TOLERANCE = 1e-10  # letters are printed with twelve digits
+TOLERANCE = 1e-10  # lengths are printed with twelve digits
 
 SKEWED = derive(
     [
@@ -42,18 +42,18 @@ ARMS = {page.name: page.arms[-1] for page in answers.PAGES}
 SHEETS = {
     name: AnswerSheet(arm) for name, arm in {**ARMS, "skewed": SKEWED, "numbers": NUMBERED}.items()
 }
-PARALLEL = ["z_{7} = z_{6}", "z_{4} = z_{3}"]  # axes of the Panda, and of the skewed arm's slide
+PARALLEL = ["z_{7} = z_{6}", "z_{4} = z_{3}"]  # parallel axes of the Panda and of the skewed arm
 every_arm = pytest.mark.parametrize("sheet", SHEETS.values(), ids=SHEETS)
 
 
 @cache
-def draw_pose(sheet):
+def draw_configuration(sheet):
     """Return a random pose of an arm, the same for all its answers."""
     return tuple(np.random.default_rng(7).uniform(-3, 3, sheet.arm.dof).tolist())
 
 
 def compute_expected(sheet, what, q):
-    """Return an answer at q by the numeric functions."""
+    """Compute an answer at q by the numeric functions."""
     arm, index = sheet.arm, int("0" + re.sub(r"\D", "", what))
     frames = kinematics.link_frames(arm, q)
     answers_by_letter = {
@@ -76,7 +76,7 @@ def check_answer(sheet, what, got, q):
     np.testing.assert_allclose(got, expected, rtol=0, atol=TOLERANCE * largest)
 
 
-def set_joints(text, arm, q):
+def replace_joint_values(text, arm, q):
     """Replace the joint values of a block."""
     for variable, value in zip(arm.variables, q, strict=True):
         text = re.sub(rf"(?m)^{variable} = [^;\n]+", f"{variable} = {value!r}", text)
@@ -108,15 +108,17 @@ def run_program(text):
 def test_numpy_blocks_match_numeric_view(sheet, capsys):
     for item in sheet.answers:
         names = run_program(
-            set_joints(read_program("NumPy", sheet, item), sheet.arm, draw_pose(sheet))
+            replace_joint_values(
+                read_program("NumPy", sheet, item), sheet.arm, draw_configuration(sheet)
+            )
         )
-        check_answer(sheet, item.name, names[item.name], draw_pose(sheet))
+        check_answer(sheet, item.name, names[item.name], draw_configuration(sheet))
         assert capsys.readouterr().out
 
 
 @every_arm
 def test_numpy_blocks_hold_the_home_pose(sheet):
-    """All blocks begin with the same joint values, so that one of them is run."""
+    """All blocks begin with the same joint values, so a single one is run."""
     home = np.array(sheet.arm.home)
     first, *others = (read_program("NumPy", sheet, item) for item in sheet.answers)
     check_answer(sheet, sheet.answers[0].name, run_program(first)[sheet.answers[0].name], home)
@@ -132,8 +134,8 @@ def test_sympy_blocks_match_numeric_view(sheet):
         names = run_program(read_program("SymPy", sheet, item))
         letters = [sp.Symbol(name) for name in (*sheet.symbol_values, *sheet.arm.variables)]
         value = sp.Matrix([names[item.name]]) if item.is_number else names[item.name]
-        got = sp.lambdify(letters, value)(*sheet.symbol_values.values(), *draw_pose(sheet))
-        check_answer(sheet, item.name, got, draw_pose(sheet))
+        got = sp.lambdify(letters, value)(*sheet.symbol_values.values(), *draw_configuration(sheet))
+        check_answer(sheet, item.name, got, draw_configuration(sheet))
 
 
 @every_arm
@@ -145,8 +147,11 @@ def test_matlab_blocks_match_numeric_view(sheet):
         text = text.replace(".*", "*").replace(".^", "**").replace("^", "**")
         text = re.sub(r"(?s)= \[\n(.*)\n\];", r"= [[\1]]", text).replace(";\n    ", "], [")
         names = {"cos": np.cos, "sin": np.sin, "pi": np.pi}
-        exec(set_joints(text.replace(";]]", "]]"), sheet.arm, draw_pose(sheet)), names)
-        check_answer(sheet, item.name, names[item.name], draw_pose(sheet))
+        exec(
+            replace_joint_values(text.replace(";]]", "]]"), sheet.arm, draw_configuration(sheet)),
+            names,
+        )
+        check_answer(sheet, item.name, names[item.name], draw_configuration(sheet))
 
 
 @every_arm
@@ -160,8 +165,11 @@ def test_program_lines_have_at_most_110_characters(sheet):
 
 
 def read_entries(item, shown, elsewhere):
-    """The TeX of an answer's entries as a reader finds them: lines that go on are joined, and a
-    name in the matrix stands for its line below, or elsewhere."""
+    """Return the TeX of an answer's entries as a reader finds them on the page.
+
+    Continued lines are joined. A name in the matrix is replaced by its formula, which is in a line
+    below the matrix or in `elsewhere`.
+    """
     written = {}
     for display in shown:
         lines = re.sub(r" \\\\\n&\\quad ", " ", display).split(" \\\\\n")
@@ -183,7 +191,7 @@ def strip_brackets(tex):
 
 @every_arm
 def test_displayed_formulas_are_complete(sheet):
-    """Long parts of T_0i and J stand under Axes and Origins; what is copied is whole by itself."""
+    """Long parts of T_0i and J are under Axes and Origins, but the copied text must be complete."""
     vectors = {
         f"({displays.format_name(vector)})_{{{axis}}}": print_latex(x)
         for vector in (*sheet.axes, *sheet.origins)
@@ -203,7 +211,7 @@ def test_displayed_formulas_are_complete(sheet):
 
 @every_arm
 def test_matrices_are_displayed_as_matrices(sheet):
-    """Long entries have names in them; a long vector is written line by line."""
+    """Long entries are replaced by names in a matrix. A long vector has one line per entry."""
     for item in sheet.answers:
         first, *below = displays.format_symbols(sheet, item)
         lines = item.value.cols == 1 and ("aligned" in first or first in PARALLEL)
@@ -221,7 +229,7 @@ def test_latex_block_explains_abbreviations():
 
 @every_arm
 def test_page_numbers_match_numeric_view(sheet):
-    """Rounded to four digits, at the home configuration."""
+    """The page shows four decimals at the home configuration."""
     for item in sheet.answers:
         shown = displays.format_numbers(item, item.home_values)
         assert f"In numbers:\n\n$$\n{shown}\n$$" in page(sheet)
@@ -277,7 +285,7 @@ def test_sheet_page_has_title_and_answers():
 
 
 def test_other_arm_is_shown_where_numbers_differ():
-    """Numbers of both arms where they differ; at home link 3 points down its frame's y axis."""
+    """The page shows numbers of both arms if they differ. At home, link 3 points along its -y."""
     text = make_markdown_sheet(
         ELBOW, "E", "L", (replace(ELBOW.with_values(a_3=0.35), name="longer"),)
     )
@@ -371,7 +379,7 @@ def test_command_reads_arm_from_file_or_explains(tmp_path):
             main([words])
 
 
-# What is refused
+# Refused arms and symbols
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ def test_matrices_are_shown_with_their_names():
     lengths = sp.Add(*sp.symbols("a_1001:1017"))
     long = show.matrices({"J": sp.Matrix([lengths, q])})._repr_markdown_()
     entry, rest = long.split(r"\begin{array}{l}")[1].split(r"\end{array}\\")
-    assert (rest[:5], entry.count("a_"), entry.count(r"\\")) == ("q_{1}", 16, 1)  # in two lines
+    assert (rest[:5], entry.count("a_"), entry.count(r"\\")) == ("q_{1}", 16, 1)  # two lines
 
 
 def test_long_bracket_is_broken_into_lines():
@@ -28,7 +28,7 @@ def test_long_bracket_is_broken_into_lines():
     made = typeset.convert_to_mathml(
         show.matrices({"J": sp.Matrix([entry])})._repr_markdown_().strip("$")
     )
-    assert made.count("<mtr>") == 3  # the matrix has a single row of two lines
+    assert made.count("<mtr>") == 3  # one row of the matrix, in two lines
     assert "linebreak" not in made
 
 
@@ -36,7 +36,7 @@ def test_frames_are_listed_by_columns():
     T = np.eye(4)
     T[:3, :] = [[0, 0, -1, 0.5], [0, 1, 0, 0], [1, 0, 0, 0.81954]]
     text = show.frames([np.eye(4), T])._repr_markdown_()
-    last = text.splitlines()[-1].replace("\u202f", " ")  # no column breaks in two
+    last = text.splitlines()[-1].replace("\u202f", " ")  # no column has a line break
     assert last == "| 1 | 0, 0, 1 | 0, 1, 0 | −1, 0, 0 | 0.5, 0, 0.8195 |"
 
 

@@ -1,4 +1,4 @@
-"""Test which other lengths the judge expects a student to give an arm."""
+"""Test which wrong lengths the judge expects in a student's arm."""
 
 import pytest
 
@@ -19,8 +19,8 @@ def test_lengths_of_one_letter_with_similar_values_are_paired():
 @pytest.mark.parametrize(
     ("arm", "robots"),
     [
-        # a_2 and d_1 of the two, by their makers' tables: the UR10e (0.6127, 0.1807), the UR10
-        # (0.612, 0.1273), and as the homework draws it (0.6127, 0.128).
+        # |a_2| and d_1 in the makers' tables are 0.6127, 0.1807 (UR10e) and 0.612, 0.1273 (UR10).
+        # The homework draws 0.6127, 0.128.
         (UR10E, [("UR10", 0.6127, 0.128), ("UR10", 0.612, 0.1273)]),
         (UR10E_HOMEWORK, [("UR10e", 0.6127, 0.1807)]),
         (UR10E.with_values(a_2=0.6), []),
@@ -47,5 +47,5 @@ def test_forgotten_pen_and_exchanged_lengths_are_listed():
 
 @pytest.mark.parametrize("a", ["-a_2", "a_2"])
 def test_exchanged_length_is_named_with_either_sign(a):
-    """A wrong number would fit, too, since one entry alone differs."""
+    """Since only one entry differs, the cause "wrong number" would also fit."""
     assert compare_tables(UR10E.with_row(3, a=a), UR10E).causes == ("table.length:a_3:a_2",)

@@ -70,7 +70,7 @@ def test_gravity_torque_of_random_arms(arm, seed):
 @every_arm
 @pytest.mark.parametrize("gravity", [(0, 0, -9.81), (1.0, -2.0, 3.0)])
 def test_static_torque_obeys_virtual_work(arm, gravity):
-    """In a small motion the motors' work and the wrench's are the change of energy."""
+    """In a small motion, the work of the motors and of the wrench equals the change of energy."""
     q, F, h = joint_vectors(arm, (), 3), np.array([3.0, -2, 5, 0.4, 0.1, -0.7]), 1e-6
     step = h * np.random.default_rng(0).normal(size=arm.dof)
     before, after = link_frames(arm, q - step)[-1], link_frames(arm, q + step)[-1]
@@ -99,7 +99,7 @@ def test_zero_payload_returns_same_arm():
 
 
 def test_centres_in_keeps_points_in_place():
-    """The frames are those of two arms that have no frame in common."""
+    """The two arms have no frame in common."""
     points = np.random.default_rng(2).uniform(-0.3, 0.3, (6, 3))
     ours, theirs = (link_frames(arm, np.linspace(0.3, 1.4, 6))[1:] for arm in (UR10E, STANFORD))
     moved = centres_in(ours, theirs, points)

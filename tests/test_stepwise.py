@@ -1,4 +1,4 @@
-"""Test formulas in named steps against the numeric view, and the size of long sheets."""
+"""Test formulas in named steps against the numeric functions, and the size of long sheets."""
 
 import contextlib
 import io
@@ -22,14 +22,14 @@ from tests.laws import joint_vectors, random_arms, slow_frames
 
 
 def skew_arm(dof, bodies=True):
-    """Return an arm whose twists are no quarter turns."""
+    """Return an arm whose twists are not multiples of a right angle."""
     rows = [revolute(f"a_{i}", 0.3 + 0.1 * i, f"d_{i}") for i in range(1, dof + 1)]
     values = {f"{c}_{i}": 0.1 * i for c in "ad" for i in range(1, dof + 1)}
     links = [Body(1.5 * i, (0.01 * i, 0.02, 0.03)) for i in range(1, dof + 1)] if bodies else []
     return Arm("Skew arm", rows, values=values, bodies=links)
 
 
-def in_numbers(arm, formula, steps, q):
+def evaluate_steps(arm, formula, steps, q):
     """Return the number of a formula in named steps at the joint values."""
     numbers = dict(zip(symbolic.joint_symbols(arm), map(float, q), strict=True))
     numbers |= {sp.Symbol(name): value for name, value in arm.values.items()}
@@ -44,17 +44,17 @@ def in_numbers(arm, formula, steps, q):
 def test_stepwise_formulas_of_random_arms_match_numeric_view(arm, seed):
     q, steps = joint_vectors(arm, (), seed), stepwise_formulas(arm)
     for T, expected in zip(steps.frames, slow_frames(arm, q), strict=True):
-        np.testing.assert_allclose(in_numbers(arm, T, steps, q), expected, atol=1e-9)
-    J = in_numbers(arm, steps.jacobian, steps, q)
+        np.testing.assert_allclose(evaluate_steps(arm, T, steps, q), expected, atol=1e-9)
+    J = evaluate_steps(arm, steps.jacobian, steps, q)
     np.testing.assert_allclose(J, kinematics.jacobian(arm, q), atol=1e-9)
 
 
 @pytest.mark.parametrize("arm", [PANDA, UR10E, skew_arm(8)], ids=lambda arm: arm.name)
 def test_stepwise_gravity_matches_numeric_view(arm):
     q, steps = joint_vectors(arm, (), 3), stepwise_formulas(arm)
-    torque = in_numbers(arm, steps.torque, steps, q)[:, 0]
+    torque = evaluate_steps(arm, steps.torque, steps, q)[:, 0]
     np.testing.assert_allclose(torque, statics.gravity_torque(arm, q), atol=1e-9)
-    energy = in_numbers(arm, sp.Matrix([steps.energy]), steps, q)[0, 0]
+    energy = evaluate_steps(arm, sp.Matrix([steps.energy]), steps, q)[0, 0]
     np.testing.assert_allclose(energy, statics.potential_energy(arm, q), atol=1e-9)
 
 
@@ -62,7 +62,7 @@ def test_stepwise_prismatic_force_matches_numeric_view():
     bodies = [Body(i + 1, (0.1, 0.2, 0.3)) for i in range(len(STANFORD.rows))]
     arm = Arm("Stanford", STANFORD.rows, values=STANFORD.values, bodies=bodies)
     q, steps = joint_vectors(arm, (), 5), stepwise_formulas(arm)
-    torque = in_numbers(arm, steps.torque, steps, q)[:, 0]
+    torque = evaluate_steps(arm, steps.torque, steps, q)[:, 0]
     np.testing.assert_allclose(torque, statics.gravity_torque(arm, q), atol=1e-9)
 
 

@@ -32,7 +32,7 @@ def test_symbol_is_known_in_each_spelling(typed):
 @pytest.mark.parametrize(
     ("names", "arm", "q", "values", "found"),
     [
-        # Joints in all spellings, functions of sums and differences of them, lengths.
+        # Joints in all spellings, sines and cosines of their sums, lengths.
         (["q_1", "th2", "theta_3", "t1", "phi2", "j3", "joint1", "x2", "d3"], ELBOW, Q3, {},
          [0.3, 0.5, -0.2, 0.3, 0.5, -0.2, 0.3, 0.5, -0.2]),
         (["s1", "C2", "s_23", "c_{2-3}", "S_{123}", "c-1+2", "c22"], ELBOW, Q3, {},
@@ -41,7 +41,7 @@ def test_symbol_is_known_in_each_spelling(typed):
         (["a_2", "a3", "d_1", "h", "q1"], ELBOW, Q3, {"h": 7.0, "d_1": 9.0},
          [0.4, 0.3, 9.0, 7.0, 0.3]),
         (["d_3", "q_3"], STANFORD, Q6, {}, [0.3, 0.3]),
-        # Numbered by the rows.
+        # The numbers of joints are those of the rows.
         (["q_1", "q_4", "q_7"], LOCKED, Q6, {}, [0.1, 0.3, 0.6]),
         (iter(["q_1", "q_1"]), ELBOW, Q3, None, [0.3]),
     ],
@@ -72,7 +72,7 @@ def test_unknown_symbol_is_rejected_with_known_ones(names, arm, unknown):
     assert str(error.value) == said
 
 
-def test_joint_after_fixed_row_is_no_symbol():
+def test_joint_numbered_without_fixed_rows_is_rejected():
     arm = ELBOW.with_base((0, 0, 2.5, "pi", 0, 0))
     with pytest.raises(ArmError, match=r"by their rows, and row 1 is fixed$"):
         look_up(["q_1", "q_2"], arm, np.zeros(arm.dof))

@@ -1,4 +1,4 @@
-"""Test the symbolic view against the numeric view."""
+"""Test the symbolic functions against the numeric functions."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from tests.laws import ALL_ARMS, arm_id, joint_vectors, random_arms, slow_frames
 every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 
 
-def in_numbers(arm, expression, q):
+def evaluate(arm, expression, q):
     values = dict(zip(symbolic.joint_symbols(arm), map(float, q), strict=True))
     return np.array(symbolic.with_numbers(arm, expression).xreplace(values).evalf(), dtype=float)
 
@@ -30,17 +30,17 @@ def test_both_jacobians_are_identical_expressions(arm):
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
 def test_random_arms_match_numeric_view(arm, seed):
     q = joint_vectors(arm, (), seed)
-    T = in_numbers(arm, symbolic.forward_kinematics(arm), q)
+    T = evaluate(arm, symbolic.forward_kinematics(arm), q)
     np.testing.assert_allclose(T, slow_frames(arm, q)[-1], atol=1e-9)
     J = symbolic.jacobian(arm)
-    np.testing.assert_allclose(in_numbers(arm, J, q), kinematics.jacobian(arm, q), atol=1e-9)
+    np.testing.assert_allclose(evaluate(arm, J, q), kinematics.jacobian(arm, q), atol=1e-9)
 
 
 @settings(max_examples=15)
 @given(arm=random_arms, seed=st.integers(0, 99))
 def test_link_transforms_multiply_to_tip_pose(arm, seed):
     q = joint_vectors(arm, (), seed)
-    links = [in_numbers(arm, A, q) for A in symbolic.link_transforms(arm)]
+    links = [evaluate(arm, A, q) for A in symbolic.link_transforms(arm)]
     product = np.linalg.multi_dot([np.eye(4), *links, np.eye(4)])
     np.testing.assert_allclose(product, slow_frames(arm, q)[-1], atol=1e-9)
 
@@ -59,7 +59,7 @@ _PARALLEL_ROWS = st.builds(
 def test_parallel_axes_match_numeric_view(rows):
     arm = Arm("run", [*rows, revolute(0.1, "pi/2"), revolute(0.1)])
     q = joint_vectors(arm, ())
-    T = in_numbers(arm, symbolic.forward_kinematics(arm), q)
+    T = evaluate(arm, symbolic.forward_kinematics(arm), q)
     np.testing.assert_allclose(T, slow_frames(arm, q)[-1], atol=1e-12)
     assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
 

@@ -66,7 +66,7 @@ def replace_rows(arm, i, *rows):
 
 
 def reverse_axis(row):
-    """Reverse the axis of a row, whose joint then counts backwards."""
+    """Reverse the axis of a row, so that its joint angle changes its sign."""
     return replace(row, alpha=_write_sum(row.alpha, "pi"), d=f"-({row.d})", theta=f"-({row.theta})")
 
 
@@ -125,16 +125,16 @@ def test_valid_choices_of_frames_are_accepted(arm, data):
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
 @pytest.mark.parametrize("size", [0.004, 0.3])
 def test_wrong_length_or_twist_is_detected(arm, size):
-    """Unless it is one of the free choices, each given here by hand with its reason."""
+    """A table may choose some entries freely; these are listed here with their reasons."""
     for i in range(len(arm.rows)):
         for name in ("a", "alpha", "d"):
             mine = add_to_entry(arm, i, name, size)
             free = (
-                (name == "alpha" and i == len(arm.rows) - 1)  # the last frame's tilt
+                (name == "alpha" and i == len(arm.rows) - 1)  # tilt of the last frame
                 or (
                     name == "d" and (arm.rows[i].joint.kind == "prismatic" or i == 0)
-                )  # a zero; the base
-                or (name == "d" and _slides_along(arm, i))  # the slide's zero takes it up
+                )  # zero of the slide; base height
+                or (name == "d" and _slides_along(arm, i))  # zero of the slide
             )
             report = compare_tables(mine, arm)
             assert is_same_machine(report) == free, (arm.name, i + 1, name)
@@ -163,7 +163,7 @@ def test_numeric_search_finds_the_stored_answer(seed):
 @pytest.mark.parametrize(
     ("mine", "reference"),
     [
-        # Reversed slides, moved sliding axes, and slides before the first axis that turns.
+        # Reversed slides, moved sliding axes, and slides before the first revolute joint.
         ("0.5 -1.1 0.3 q1; -0.3 pi/2 q2-0.2 pi/2; 0 -1.1 0.5 q3",
          "0.5 -1.1 0.3 q1; 0.3 pi/2 q2-0.2 pi/2; 0 -1.1 0.5 q3"),
         ("0.3 -pi/2 q1+0.3 0; 0.3 pi 0.4 q2; -0.2 -1.1 0.1 q3",
@@ -245,7 +245,7 @@ def test_fixed_pose_excludes_joint_maps():
     assert (report.grade, report.causes) == ("wrong", ())
     words = "is at q = (0, 0, 0), and the tip of your table is 0.99 m away from there, "
     assert words in report.headline
-    turned = typed.replace("q2+90", "q2").replace("90", "-90")  # joints 2 and 3 count backwards
+    turned = typed.replace("q2+90", "q2").replace("90", "-90")  # joints 2 and 3 have opposite signs
     assert compare_tables(turned, ELBOW, start_configuration=[0, 0, 0]).grade == "wrong"
     assert compare_tables(ELBOW, ELBOW, start_configuration=[0, 0, 0]).grade == "right"
     with pytest.raises(ArmError, match="start_configuration"):
@@ -254,7 +254,7 @@ def test_fixed_pose_excludes_joint_maps():
 
 @pytest.mark.parametrize("arm", [UR10E, PANDA, STANFORD, PANDA.lock(3), SCARA], ids=str)
 def test_first_rows_of_a_table_are_right_so_far(arm):
-    """Also with other zeros and directions of the joints; not with a wrong length."""
+    """Other zeros and directions of the joints are allowed, a wrong length is not."""
     for count in range(2, len(arm.rows)):
         first = Arm("first", arm.rows[:count], values=arm.values)
         for mine in (first, flip_z(flip_x(shift_zero(first, 0, 0.3), 0), 0)):
@@ -265,11 +265,11 @@ def test_first_rows_of_a_table_are_right_so_far(arm):
         assert compare_tables(longer, arm).grade == "wrong", count
 
 
-# Their joints
+# Arms in the joint angles of a student's table
 
 
 HEAVY_SCARA = SCARA.with_bodies([Body(k + 1.0, (0.1, 0.2, 0.3 * k)) for k in range(4)])
-BEYOND = Arm(  # the height of its base shows beyond a slide only
+BEYOND = Arm(  # only a slide shows the height of its base
     "beyond",
     [revolute(0, "pi/2", 0.4), prismatic(0, "pi/2", 0, "pi/2"), revolute(0.2, 0, 0.1)],
     bodies=[Body(k + 1.0, (0.1, 0.2, 0.3 * k)) for k in range(3)],
@@ -280,7 +280,7 @@ WITH_BODIES = tuple(arm for arm in (PANDA, UR10E, UR10E_HOMEWORK, PANDA.lock(3))
 @pytest.mark.parametrize("reference", [*WITH_BODIES, BASED, STANFORD, HEAVY_SCARA, BEYOND], ids=str)
 @pytest.mark.parametrize("seed", range(8))
 def test_arm_in_students_joints_behaves_like_reference(reference, seed):
-    """Frames, torques and limits agree at the joints that the map gives."""
+    """Frames, torques and limits must agree at the joint values given by the joint map."""
     rng = np.random.default_rng(seed)
     limited = [
         replace(row, joint=replace(row.joint, lower=-1.0 - k, upper=2.0 + k, speed=k + 1.0))

@@ -39,7 +39,7 @@ def test_pdf_link_is_inserted_once(tmp_path):
 
 
 def test_pdf_references_use_pages_of_first_print(monkeypatch):
-    """The second print may not move a link's target to another page."""
+    """The second print must leave each link's target on the same page."""
     targets = iter([{"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 4, "b": 1}])
     monkeypatch.setattr(pdf, "target_pages", lambda _: next(targets))
     page_numbers = []

@@ -194,7 +194,7 @@ def test_function_is_called_for_each_configuration():
     [(3, 0.49, ("right", "so far")), (3, 1.4, ("wrong",)), (2, 0.49, ("wrong",))],
 )
 def test_rounded_q_widens_torque_tolerance(digits, share, grades):
-    """q with three decimals counts as rounded. q with two decimals counts as exact."""
+    """Joint values with three decimals count as rounded, with two decimals as exact."""
     off = share * 10.0**-digits * np.array([1, -1, 1])
     for q in (BENT.round(digits), BENT.round(digits)[None], Q3.round(digits)):
         shown = "\n".join(", ".join(f"{x:.{digits}f}" for x in y) for y in np.atleast_2d(q))
@@ -204,7 +204,7 @@ def test_rounded_q_widens_torque_tolerance(digits, share, grades):
 @pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.001, "rounded"), (0.5, "wrong")])
 @pytest.mark.parametrize("at", [0, 1, 33, 59])
 def test_error_at_any_configuration_makes_the_answer_wrong(off, grade, at):
-    """The judge tries five of sixty configurations first, and the second is not among them."""
+    """The judge samples five of the sixty configurations first, and the second is not sampled."""
     q = np.linspace(BENT, 1.3 * BENT, 60)
     mine = compute_torques(q)
     mine[at, 1] += off

@@ -74,7 +74,7 @@ def test_function_name_has_space_only_before_it():
 
 
 def test_math_font_has_usable_subscript_metrics():
-    """A table of measures; and no letter lowers its index further than others."""
+    """The font must have a MATH table, and its subscripts must be lower than any descender."""
     face = TTFont(FACE)
     constants = face["MATH"].table.MathConstants
     below = max(-face["glyf"][face.getBestCmap()[ord(letter)]].yMin for letter in "𝑞𝑝𝑔𝑦𝑓")

@@ -1,4 +1,4 @@
-"""Test that the first part of a right answer is right so far, whatever stands for the rest."""
+"""Test that the first part of a right answer is right so far, with any filler for the rest."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ def write(rows, decimals=4):
 
 
 def fill(lines, count, width, rest):
-    """Return the first lines, and `rest` for each number of the other lines, or none of them."""
+    """Return the first lines, and other lines with `rest` for each number if it is not None."""
     end = [] if rest is None else [" ".join([rest] * width)] * (len(lines) - count)
     return "\n".join([*lines[:count], *end])
 
@@ -61,7 +61,7 @@ def test_columns_behind_a_gap_are_not_right_so_far():
     assert grade_jacobian("\n".join(lines)) != "so far"
     gap = [line.replace(" ", " ? ", 1) + " ? ? ? ?" for line in lines]
     assert grade_jacobian("\n".join(gap)) == "refused"
-    dashes = [f"{line} - - - - -" for line in write(JACOBIAN[:, :2])]  # drawn minus signs
+    dashes = [f"{line} - - - - -" for line in write(JACOBIAN[:, :2])]  # minus signs as dashes
     assert grade_jacobian("\n".join(dashes)) == "refused"
 
 
@@ -104,7 +104,7 @@ def test_first_rows_of_trace_are_right_so_far(rest):
 
 
 def test_line_of_dashes_before_a_word_takes_no_time():
-    """A pattern with a repetition of repetitions would need 2**60 steps."""
+    """A pattern with nested repetitions would need 2**60 steps."""
     text = "0.0 -97.5297 -54.7816\n" + 60 * "-" + " end"
     with pytest.raises(ArmError):
         checks.compare_torques(text, robots.UR10E, [0.3, -1.1, 1.4, -0.8, 0.9, 0.2])

@@ -1,4 +1,4 @@
-"""Test reading robot descriptions, and messages where they are no serial arm."""
+"""Test reading robot descriptions, and the messages if one is not a serial arm."""
 
 import itertools
 import math
@@ -107,7 +107,7 @@ GRIPPER = robot(*LINKS, *FINGERS, *JOINTS, *GRIP)
 
 
 def test_side_links_add_mass_at_zero_angle():
-    """The side links are fingers, one of which mimics a joint, and a floating cup."""
+    """The side links are two fingers, one with a mimic joint, and a cup with a floating joint."""
     cup = link("cup", 1), joint("m", "tool", "cup", "floating", MIMIC, xyz="0 0 0")
     for more, mass in (((), 0.7), (cup, 1.7)):
         arm = from_urdf(robot(*LINKS, *FINGERS, *JOINTS, *GRIP, *more), tip="tool")
@@ -134,7 +134,7 @@ XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="a"/
 TEN = robot(*map(link, "abcdefghij"), *map(joint, "123456789", "abcdefghi", "bcdefghij"))
 
 
-def make_pair(*how, **more):
+def make_single_joint_robot(*how, **more):
     """Return a robot description with one link on a base, by joint m."""
     return robot(*LINKS[:2], joint("m", "base", "upper", *how, **more))
 
@@ -144,12 +144,15 @@ def make_pair(*how, **more):
     [
         (GRIPPER, r"beyond base are left, right; expected one. Say which .* with base and tip"),
         (
-            make_pair(inside=MIMIC),
+            make_single_joint_robot(inside=MIMIC),
             "joint m follows joint shoulder .mimic.; .* tip = 'base', or remove",
         ),
-        (make_pair("planar"), "joint m is planar; a table has rows for .* it, with base = 'upper'"),
         (
-            make_pair("floating"),
+            make_single_joint_robot("planar"),
+            "joint m is planar; a table has rows for .* it, with base = 'upper'",
+        ),
+        (
+            make_single_joint_robot("floating"),
             "joint m is floating; a table has rows for .* beyond it, with base =",
         ),
         (robot(link("a"), link("b")), "links without a parent are a, b; expected one"),
@@ -158,24 +161,33 @@ def make_pair(*how, **more):
         (robot(*LINKS, *JOINTS, joint("extra", "base", "tool")), "that carry link tool are 2; exp"),
         (robot(link("a"), link("a")), "links called a are 2; expected one"),
         (robot(link("a"), joint("j", "a", "b")), "names a link 'b'; there"),
-        (make_pair().replace("child", "kid"), "the child of joint m has no link; expected link="),
+        (
+            make_single_joint_robot().replace("child", "kid"),
+            "the child of joint m has no link; expected link=",
+        ),
         (robot("<link/>"), "a link has no name; expected name="),
         (robot(), "two: links without a parent are ; expected one"),
         (
-            make_pair(inside='<limit lower="1" upper="-1"/>'),
+            make_single_joint_robot(inside='<limit lower="1" upper="-1"/>'),
             "m has limits 1 to -1; expected lower <= up",
         ),
-        (make_pair(inside='<limit lower="low"/>'), "m: lower is 'low'; expected a finite number"),
-        (make_pair(xyz="0 0 nan"), "the xyz of m is '0 0 nan'; expected three finite numbers"),
         (
-            make_pair().replace('<axis xyz="0 0 1', '<axis xyz="0 0 0'),
+            make_single_joint_robot(inside='<limit lower="low"/>'),
+            "m: lower is 'low'; expected a finite number",
+        ),
+        (
+            make_single_joint_robot(xyz="0 0 nan"),
+            "the xyz of m is '0 0 nan'; expected three finite numbers",
+        ),
+        (
+            make_single_joint_robot().replace('<axis xyz="0 0 1', '<axis xyz="0 0 0'),
             "the axis of m is 0 0 0; expected",
         ),
         (
-            make_pair().replace('"2"', '"-1"'),
+            make_single_joint_robot().replace('"2"', '"-1"'),
             "the mass of upper is -1.0; expected a number of kg, 0 or",
         ),
-        (make_pair().replace("value", "val"), "the mass of upper is nan; expected"),
+        (make_single_joint_robot().replace("value", "val"), "the mass of upper is nan; expected"),
         (BOMB, "has a document type, which a robot description does not need"),
         (OUTSIDE, "has a document type"),
         ("<a>" * 10**5 + "</a>" * 10**5, "is a <a>; expected"),
@@ -184,7 +196,7 @@ def make_pair(*how, **more):
         ("<sdf/>", "the text is an SDF model of Gazebo; give the robot's URDF"),
         ("<mujoco/>", "the text is an MJCF model of MuJoCo; give the robot's URDF"),
         (XACRO, "the text holds xacro macros; expand them first, by `xacro arm.urdf.xacro >"),
-        (make_pair(rpy="${pi/2} 0 0"), "the text holds xacro macros"),
+        (make_single_joint_robot(rpy="${pi/2} 0 0"), "the text holds xacro macros"),
         ("nowhere.urdf", "source is 'nowhere.urdf'; expected a file that exists"),
         ("a" * 5000, "cannot be read|expected a file that exists"),
     ],
@@ -279,7 +291,7 @@ def test_base_may_be_fixed_behind_two_turned_joints():
     assert forward_kinematics(arm, q) == pytest.approx(expected, abs=1e-12)
 
 
-def test_blank_first_line_and_missing_meshes_are_no_fault(tmp_path):
+def test_blank_first_line_and_missing_meshes_are_accepted(tmp_path):
     mesh = '<visual><geometry><mesh filename="package://nowhere/a.stl"/></geometry></visual>'
     text = "\n  " + TWO.replace('<link name="base"/>', f'<link name="base">{mesh}</link>')
     path = tmp_path / "two.URDF"

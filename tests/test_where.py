@@ -39,7 +39,7 @@ def test_each_arm_has_a_figure_of_its_frames():
     assert not [source for source in drawn if "plotting.draw_frames(" not in source]
 
 
-def test_results_of_the_assignment_sheets_stand_on_the_linked_pages():
+def test_results_of_assignment_sheets_are_on_linked_pages():
     sheets = TEXT.partition("## Assignment sheets")[2].partition("\n## ")[0]
     results = [
         row for row in re.findall(r"(?m)^\| (.+?) \| (.+?) \| (.+?) \|$", sheets) if "](" in row[1]

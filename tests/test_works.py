@@ -1,4 +1,4 @@
-"""Test the judge on 600 works: the numbers it reads, its grade and its causes.
+"""Test the judge on 600 stored answers of students: the numbers it reads, its grade and its causes.
 
 `works/read.jsonl` has a line for each work: the numbers that its maker wrote as entries, row by
 row, with the unit beside them, and the grade and causes that the judge gives. Where the judge reads

@@ -1,4 +1,4 @@
-"""What a user writes, for the type checker alone: `make lint` reads it, nothing runs it."""
+"""Typical calls of a user, which only the type checker of `make lint` reads."""
 
 from helpers.arm import Arm, prismatic, revolute
 from helpers.kinematics import forward_kinematics
