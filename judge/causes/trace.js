@@ -2,14 +2,7 @@
 // computed the trajectory.
 
 import { DEG } from "../geometry/angles.js";
-import {
-  jacobianColumns,
-  linkFrames,
-  minus,
-  norm,
-  rotationBetween,
-  scaled,
-} from "../geometry/kinematics.js";
+import { jacobianColumns, minus, norm, rotationBetween, scaled } from "../geometry/kinematics.js";
 import { subtractEach, nullSpace } from "../geometry/linear.js";
 import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { listJacobianRecipes } from "./jacobian.js";
@@ -80,81 +73,54 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  *   whether anything in the motion is wrong
  */
 export function findTraceCause(trace, tip, allowed, { isOff, hasSymptoms }) {
-  const { path } = trace;
-  const [shiftedPaths, wrongPaths] = isOff
-    ? [listDisplacedPaths(path, tip[0], allowed[0]), listPathsWithOneMistake(path)]
-    : [[], []];
-  const centrelessPaths = shiftedPaths.filter(({ cause }) => cause.keys[0] === "trace.centre");
-  if (followsPath(trace)) return findShiftCause(trace, centrelessPaths, shiftedPaths, allowed);
+  const { arm, path } = trace;
+  const findMotionCause = (mistakes) => {
+    for (const mistake of mistakes)
+      if (explainsMotion(trace, mistake, allowed)) return mistake.cause;
+    return null;
+  };
+  const tableMistakes = listTableMistakes(arm).map(([cause, change]) => ({ cause, change }));
+  const jointMistakes = listJointMistakes(arm).map(([cause, undo]) => ({ cause, undo }));
+  const shifts = isOff ? listDisplacedPaths(path, tip[0], allowed[0]) : [];
+  const centreless = shifts.filter(({ cause }) => cause.keys[0] === "trace.centre");
+  if (followsPath(trace))
+    return (
+      centreless[0]?.cause ??
+      (shifts.length ? findMotionCause([...tableMistakes, ...jointMistakes]) : null) ??
+      shifts[0]?.cause ??
+      null
+    );
+  const wrongPaths = isOff ? listPathsWithOneMistake(path) : [];
+  const pathRules = wrongPaths.map((wrong) => ({ cause: wrong.cause, v: wrong.path.velocity }));
+  const rules = [...listVelocityRules(path), ...pathRules, ...listMatrixRules(trace)];
   return (
-    findWrongPathCause(trace, [...wrongPaths, ...centrelessPaths], tip, allowed, isOff) ??
-    findLoopCause(trace, [
-      ...listVelocityRules(path),
-      ...wrongPaths.map(makePathRule),
-      ...listMatrixRules(trace),
-    ]) ??
-    findJointCause(trace, allowed, hasSymptoms) ??
+    (isOff ? findMotionCause([...tableMistakes, ...wrongPaths, ...centreless]) : null) ??
+    findLoopCause(trace, rules) ??
+    (hasSymptoms ? findMotionCause(jointMistakes) : null) ??
     findLoopCause(trace, listPairsOfRules(trace)) ??
-    findPathCause(shiftedPaths, path, tip, allowed) ??
+    findMotionCause(shifts) ??
     (hasSymptoms
       ? findLoopCause(trace, listMatrixRules(trace), [METHOD_ERROR, METHOD_TILT])
       : null) ??
-    (isOff ? findPathCause(listPathsWithTwoMistakes(path), path, tip, allowed) : null)
+    (isOff ? findMotionCause(listPathsWithTwoMistakes(path)) : null)
   );
 }
 
-// Explain a trajectory that follows the right rule from a wrong start. Null if it begins right.
-function findShiftCause(trace, centrelessPaths, shiftedPaths, allowed) {
-  const [shift] = shiftedPaths;
-  if (!shift) return null;
-  return (
-    centrelessPaths[0]?.cause ??
-    findTableCause(trace, allowed) ??
-    findJointCause(trace, allowed, true) ??
-    shift.cause
-  );
+// Return whether the tip follows the path, and the tool keeps its orientation, with a mistake made
+// in the table (`change`) or in the path, or undone in the joint values.
+function explainsMotion({ typedRows, arm, path: rightPath }, mistake, allowed) {
+  const { change = keep, undo = keep, path = rightPath } = mistake;
+  const toolAt = (row) => chainFrames(change(makeChain(arm, undo(row)))).at(-1);
+  const first = toolAt(typedRows[0]);
+  const keepsTool = typedRows[0].length >= 6;
+  return typedRows.every((row, k) => {
+    const tool = toolAt(row);
+    const isNear = norm(minus(tool.o, path.position(path.times[k]))) <= allowed[k];
+    return isNear && (!keepsTool || rotationBetween(first, tool) <= METHOD_TILT);
+  });
 }
 
-// Find a table mistake or a wrong path that explains the tip's motion, or null if the tip is right.
-function findWrongPathCause(trace, wrongPaths, tip, allowed, isOff) {
-  if (!isOff) return null;
-  return findTableCause(trace, allowed) ?? findPathCause(wrongPaths, trace.path, tip, allowed);
-}
-
-// Find a mistake in the joint values, such as a joint in degrees. Without it the tip would follow
-// the path and the tool would keep its orientation. Null if they do so as typed.
-function findJointCause({ typedRows, arm, path }, allowed, hasSymptoms) {
-  if (!hasSymptoms) return null;
-  const keepsTool = typedRows[0].length >= 6; // its tool keeps its orientation
-  const isRight = (undo) => {
-    const toolAt = (row) => linkFrames(arm, undo(row)).at(-1);
-    const first = toolAt(typedRows[0]);
-    return typedRows.every((row, k) => {
-      const tool = toolAt(row);
-      const isNear = norm(minus(tool.o, path.position(path.times[k]))) <= allowed[k];
-      return isNear && (!keepsTool || rotationBetween(first, tool) <= METHOD_TILT);
-    });
-  };
-  return listJointMistakes(arm).find(([, undo]) => isRight(undo))?.[0] ?? null;
-}
-
-// Find a table mistake, such as a forgotten pen, with which the tip would follow the path.
-function findTableCause({ q, arm, path }, allowed) {
-  const isNear = (change) => (row, k) => {
-    const tip = chainFrames(change(makeChain(arm, row))).at(-1).o;
-    return norm(minus(tip, path.position(path.times[k]))) <= allowed[k];
-  };
-  return listTableMistakes(arm).find(([, change]) => q.every(isNear(change)))?.[0] ?? null;
-}
-
-// Return the cause of the first path that the tip follows within the allowed error.
-function findPathCause(wrongPaths, { times }, tip, allowed) {
-  for (const { cause, path } of wrongPaths) {
-    const isNear = (p, k) => norm(minus(p, path.position(times[k]))) <= allowed[k];
-    if (tip.every(isNear)) return cause;
-  }
-  return null;
-}
+const keep = (x) => x;
 
 /** Return whether the right rule holds to the digits, by Euler's method. @param {Trace} trace */
 export const followsPathByEuler = (trace) => measureRuleError(trace, {}) <= 1;
@@ -199,8 +165,6 @@ function* listPairsOfRules({ path, at }) {
     for (const [second, K] of listJacobianRecipes(at(0)[0]))
       yield { cause: combineCauses(first, second), v, K };
 }
-
-const makePathRule = ({ cause, path }) => ({ cause, v: path.velocity });
 
 /** @param {Trace} trace @returns {Generator<Rule>} */
 function* listMatrixRules({ q, arm, at }) {
