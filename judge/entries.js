@@ -1,7 +1,7 @@
 // Judges the entries of a Jacobian, of torques or of a pose. It compares them to their digits, and
 // finds the mistakes that explain wrong entries or would look the same.
 
-import { findExplanations } from "./causes/ranking.js";
+import { findExplanations, listMistakePairs, listSingleMistakes } from "./causes/ranking.js";
 import {
   compareDigits,
   agrees,
@@ -24,10 +24,10 @@ import {
  * @property {Entries} typed
  * @property {Entries} q joint values, `dof` for each configuration
  * @property {number} dof
- * @property {(q: number[]) => number[]} makeExpected computes the right entries from q
- * @property {Mistake[]} mistakes usual mistakes
- * @property {() => Iterable<Mistake>} [listPairs] pairs of mistakes, tried only if no single
- *   mistake explains the entries
+ * @property {import("./causes/ranking.js").Maker} maker computes the entries from q
+ * @property {import("./causes/ranking.js").Step[]} [steps] usual mistakes
+ * @property {boolean} [hasPairs] whether pairs of mistakes are tried if no single mistake explains
+ *   the entries
  * @property {number | null} [tolerance] used instead of the typed digits
  * @property {boolean} [isGradeOnly] whether the mistakes in a wrong answer are not asked for
  * @property {boolean} [areGiven] whether the entries are those of a given target
@@ -43,7 +43,9 @@ import {
 
 /** Judge entries. @param {EntriesQuestion} question @returns {EntriesVerdict} */
 export function judgeEntries(question) {
-  const { q, dof, makeExpected, mistakes, listPairs, tolerance = null } = question;
+  const { q, dof, maker, steps = [], hasPairs = true, tolerance = null } = question;
+  const makeExpected = maker();
+  const mistakes = listSingleMistakes(steps, maker);
   const expected = makeExpected(q.values);
   const typed = sharpenUnits(question.typed, expected);
   const zeros = expected.map(() => 0);
@@ -62,7 +64,8 @@ export function judgeEntries(question) {
   const usedSlack = tolerance === null ? slack : zeros;
   const answer = { typed, q, dof, expected, slack: usedSlack, wrong, areGiven };
   const single = findExplanations(answer, mistakes);
-  const explanations = single.length || !listPairs ? single : findExplanations(answer, listPairs());
+  const pairs = hasPairs && !single.length ? listMistakePairs(steps, maker) : [];
+  const explanations = single.length ? single : findExplanations(answer, pairs);
   return { grade, agreement, mistakes: explanations, wrong };
 }
 

@@ -1,7 +1,8 @@
 // Lists the entries that each usual mistake makes of right work, and finds a wrong entry in a DH
 // table. The course marks by these lists, so that marks and messages agree.
 
-import { listConfigurationMistakes, listTableMistakes } from "./causes/chain.js";
+import { listTableMistakes } from "./causes/chain.js";
+import { listConfigurationMistakes } from "./causes/joints.js";
 import { listJacobianSteps, makeJacobianMaker } from "./causes/jacobian.js";
 import { causeMessage, causeName, listSingleMistakes, makeCause } from "./causes/ranking.js";
 import { listTorqueSteps, makeLoad, makeTorqueMaker } from "./causes/torques.js";
@@ -62,7 +63,7 @@ function* listTipMistakes(arm) {
     const { x, y, z, o } = chainFrames(change(makeChain(arm, q))).at(-1);
     return [...o, ...[0, 1, 2].flatMap((i) => [x[i], y[i], z[i]])];
   };
-  for (const [cause, change] of [
+  for (const { cause, change } of [
     ...listConfigurationMistakes("J.degrees", arm),
     ...listTableMistakes(arm),
   ])

@@ -48,7 +48,7 @@ def visible(mistakes, right):
 
 HERE = Path(__file__).parent
 CAUSE = re.compile(
-    r'(?:makeCause|make\w+Mistake)\(\s*"([^"]+)"|\["((?:J|ik|pose|table|tau|trace)\.[^"]+)"'
+    r'(?:makeCause|make\w*Mistake|with\w*Options)\(\s*"([^"]+)"|\["((?:J|ik|pose|table|tau|trace)\.[^"]+)"'
 )
 # These keys describe wrong entries. They are no causes.
 DESCRIPTIONS = {"J.entries", "J.entry signs"}

@@ -64,22 +64,22 @@ function findBranchCauses(solutions, answer, tolerance) {
 
 // Add slip 12 to a mix of branches, since in a planar arm both give the other elbow's second angle.
 function addElbowFormula(mixed, solutions, answer, tolerance) {
-  const [elbow] = listJointMistakes(solutions.arm).filter(([{ keys }]) =>
-    keys.includes("ik.plus for minus"),
+  const elbow = listJointMistakes(solutions.arm).find(
+    ({ cause }) => causeName(cause) === "ik.plus for minus",
   );
-  if (!elbow || findBranch(solutions, undoMistake(answer, elbow[1]), tolerance) < 0) return mixed;
+  if (!elbow || findBranch(solutions, undoMistake(answer, elbow), tolerance) < 0) return mixed;
   const words = formatMessage("or", {
     first: mixed.words,
-    others: uncapitalize(causeMessage(elbow[0])),
+    others: uncapitalize(causeMessage(elbow.cause)),
   });
-  return { causes: [...mixed.causes, elbow[0]], words };
+  return { causes: [...mixed.causes, elbow.cause], words };
 }
 
 // Return whether an answer fits a branch and, with so few digits, a mistake in that branch as well.
 export const looksLikeMistake = (solutions, answer) =>
-  listJointMistakes(solutions.arm).some(([, undo]) =>
+  listJointMistakes(solutions.arm).some(({ correct }) =>
     solutions.branches.some(({ q, free }) => {
-      const mistaken = { values: undo(q), units: answer.units };
+      const mistaken = { values: correct(q), units: answer.units };
       const withMistake = { ...solutions, branches: [{ q: mistaken.values, free }] };
       const fitsBoth =
         findBranch(solutions, answer, null) >= 0 && findBranch(withMistake, answer, null) === 0;
@@ -91,7 +91,7 @@ export const looksLikeMistake = (solutions, answer) =>
 // table.
 function listCauses(solutions, answer, tolerance) {
   const corrections = [...listJointMistakes(solutions.arm), ...listQuarterTurns(solutions, answer)]
-    .map(([cause, undo]) => ({ cause, corrected: undoMistake(answer, undo) }))
+    .map((mistake) => ({ cause: mistake.cause, corrected: undoMistake(answer, mistake) }))
     .filter(
       ({ corrected }) => hasFineDigits(corrected) && exceedsDigits(solutions, answer, corrected),
     );
@@ -100,7 +100,7 @@ function listCauses(solutions, answer, tolerance) {
     .map(({ cause }) => cause);
   const reaches = (change) => reachesTarget(solutions, answer.values, answer.units, change);
   const tableChanges = reaches() || !hasFineDigits(answer) ? [] : listTableMistakes(solutions.arm);
-  const tableCauses = tableChanges.flatMap(([cause, change]) => (reaches(change) ? [cause] : []));
+  const tableCauses = tableChanges.flatMap(({ cause, change }) => (reaches(change) ? [cause] : []));
   const causes = [...jointCauses, ...tableCauses];
   const names = causes.map(causeName);
   return causes.filter((_, i) => names.indexOf(names[i]) === i);
@@ -109,10 +109,10 @@ function listCauses(solutions, answer, tolerance) {
 const hasFineDigits = ({ units }) => Math.max(...units) <= COARSEST_DIGIT;
 
 // Undo a mistake in an answer, and carry the units of its last places along.
-function undoMistake({ values, units }, undo) {
-  const corrected = undo(values);
+function undoMistake({ values, units }, { correct }) {
+  const corrected = correct(values);
   const slopes = values.map(
-    (_, k) => (undo(values.map((x, i) => (i === k ? x + STEP : x)))[k] - corrected[k]) / STEP,
+    (_, k) => (correct(values.map((x, i) => (i === k ? x + STEP : x)))[k] - corrected[k]) / STEP,
   );
   return { values: corrected, units: units.map((unit, k) => unit * Math.abs(slopes[k] || 1)) };
 }
@@ -129,14 +129,14 @@ const exceedsDigits = ({ arm }, { values, units }, corrected) => {
 /**
  * List theta_1 = +-pi/2, which is right only in the singular case of an offset shoulder (slips 14
  * and 15).
- * @returns {[Cause, (q: number[]) => number[]][]}
+ * @returns {import("./joints.js").JointMistake[]}
  */
 function listQuarterTurns({ branches }, { values: [first], units: [unit] }) {
   if (Math.abs(Math.abs(first) - QUARTER) > Math.max(unit, 1e-4)) return [];
-  return branches.map((branch) => [
-    makeCause("ik.quarter turn"),
-    (q) => [branch.q[0], ...q.slice(1)],
-  ]);
+  return branches.map((branch) => ({
+    cause: makeCause("ik.quarter turn"),
+    correct: (q) => [branch.q[0], ...q.slice(1)],
+  }));
 }
 
 // Return whether an answer is a branch with the first joint of a different branch. Chapter 5 has an

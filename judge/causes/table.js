@@ -55,7 +55,7 @@ const countMistakes = ({ cause, differences }) => (cause?.keys.length ?? 0) + di
 /** @returns {Hypothesis[]} */
 function listHypotheses(rows, reference, expected, modified, tolerance) {
   const changeReference = (mistakes) =>
-    Array.from(mistakes, ([cause, change]) => [
+    Array.from(mistakes, ({ cause, change }) => [
       cause,
       snapRows(change({ rows: reference.rows }).rows),
     ]);

@@ -7,9 +7,9 @@ import * as chains from "../geometry/chains.js";
 import { jointNumbers, movingRows } from "../geometry/kinematics.js";
 import { splitIntoRows, subtractEach } from "../geometry/linear.js";
 import { formatNumber, joinList } from "../sentences.js";
-import { listConfigurationMistakes, listTableMistakes } from "./chain.js";
+import { listTableMistakes } from "./chain.js";
 import { listJacobianRecipes } from "./jacobian.js";
-import { makeMakersCause } from "./joints.js";
+import { listConfigurationMistakes, makeMakersCause } from "./joints.js";
 import { cacheResults, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
@@ -128,7 +128,7 @@ function listChainMistakes(arm) {
   // Without the pen the last centre of mass stays where it is, so that its coordinates change.
   const centres = arm.penless?.rows.map(({ body }) => (body ?? MASSLESS).slice(1));
   return [...listConfigurationMistakes("tau.degrees", arm), ...listTableMistakes(arm)].map(
-    ([cause, change]) => {
+    ({ cause, change }) => {
       const changed = cacheResults(change);
       const withCentres = cause.keys[0] === "table.pen" ? { centres } : {};
       return { cause, change: (load) => ({ ...load, c: changed(load.c), ...withCentres }) };
@@ -138,9 +138,9 @@ function listChainMistakes(arm) {
 
 /** @param {Arm} arm @returns {Generator<TorqueStep>} */
 function* listWritingMistakes(arm) {
-  yield { cause: makeCause("tau.all signs"), write: (tau) => multiply(-1, tau) }; // handed in
-  // handed in: tau_7 first
-  yield { cause: makeCause("tau.reversed order"), write: (tau) => [...tau].reverse() };
+  const makeMistake = (key, write, fields = {}) => ({ cause: makeCause(key, fields), write });
+  yield makeMistake("tau.all signs", (tau) => multiply(-1, tau)); // handed in
+  yield makeMistake("tau.reversed order", (tau) => [...tau].reverse()); // handed in: tau_7 first
   const signs = arm.makerSigns; // as Pinocchio's model has them
   if (signs)
     yield {
@@ -151,10 +151,9 @@ function* listWritingMistakes(arm) {
   for (let i = 0; i < joints.length; i++)
     for (let j = i + 1; j < joints.length; j++) {
       if (joints.length === 3 && j === i + 2) continue; // the reversed order
-      yield {
-        cause: makeCause("tau.exchanged", { i: joints[i], j: joints[j] }), // handed in
-        write: (tau) => tau.map((x, k) => (k === i ? tau[j] : k === j ? tau[i] : x)),
-      };
+      // handed in
+      const exchange = (tau) => tau.map((x, k) => (k === i ? tau[j] : k === j ? tau[i] : x));
+      yield makeMistake("tau.exchanged", exchange, { i: joints[i], j: joints[j] });
     }
 }
 
@@ -177,17 +176,14 @@ function* listForceMistakes({ wrenches, c }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
   const withWrench = (change) => (at) =>
     chains.multiplyByTranspose(computeJacobian(at), change(at.F, at.T.at(-1)));
-  const makeForceMistake = (key, change, fields) => ({
-    cause: makeCause(key, fields),
-    force: withWrench(change),
-  });
+  const makeForceMistake = (key, change) => ({ cause: makeCause(key), force: withWrench(change) });
   yield makeForceMistake("tau.force sign", (F) => multiply(-1, F)); // section 4
   yield makeForceMistake("tau.force missing", (F) => multiply(0, F)); // half an answer
   yield makeForceMistake("tau.force in tool", (F, T) => chains.wrenchFromFrame(T, F)); // handed in
   const untransposed = (at) =>
     chains.multiplyByTranspose(chains.transpose(computeJacobian(at), [c.dof, 6]), at.F);
   if (c.dof === 6) yield { cause: makeCause("tau.J for J^T"), force: untransposed }; // handed in
-  for (const [cause, recipe] of listJacobianRecipes(c)) {
+  for (const { cause, recipe } of listJacobianRecipes(c)) {
     // Its linear rows are all 0: for a pure force it is as if the force were missing.
     if (cause.keys[0] === "J.rows of T") continue;
     yield { cause, force: ({ c: chain, T, F }) => chains.multiplyByTranspose(recipe(chain, T), F) };

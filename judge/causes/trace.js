@@ -29,7 +29,7 @@ const CONSTANT_ERROR = 1e-5;
  * right equation K is the Jacobian, as a list row by row, and v the path's velocity.
  * @typedef {object} Rule
  * @property {Cause} [cause] the mistake in the equation
- * @property {(c: any, T: any[]) => number[]} [K] of an arm at a configuration
+ * @property {(c: any, T: any[]) => number[]} [recipe] makes K of an arm at a configuration
  * @property {(t: number, dt: number) => number[]} [v]
  */
 /**
@@ -74,50 +74,51 @@ export function makeTrace(q, units, arm, path, typedRows = q) {
  */
 export function findTraceCause(trace, tip, allowed, { isOff, hasSymptoms }) {
   const { arm, path } = trace;
-  const findMotionCause = (mistakes) => {
-    for (const mistake of mistakes)
-      if (explainsMotion(trace, mistake, allowed)) return mistake.cause;
-    return null;
-  };
-  const tableMistakes = listTableMistakes(arm).map(([cause, change]) => ({ cause, change }));
-  const jointMistakes = listJointMistakes(arm).map(([cause, undo]) => ({ cause, undo }));
-  const shifts = isOff ? listDisplacedPaths(path, tip[0], allowed[0]) : [];
-  const centreless = shifts.filter(({ cause }) => cause.keys[0] === "trace.centre");
-  if (followsPath(trace))
-    return (
-      centreless[0]?.cause ??
-      (shifts.length ? findMotionCause([...tableMistakes, ...jointMistakes]) : null) ??
-      shifts[0]?.cause ??
-      null
-    );
-  const wrongPaths = isOff ? listPathsWithOneMistake(path) : [];
+  const find = (mistakes) => findMotionCause(trace, mistakes, allowed);
+  const [tableMistakes, jointMistakes] = [listTableMistakes(arm), listJointMistakes(arm)];
+  const [shifts, wrongPaths] = isOff
+    ? [listDisplacedPaths(path, tip[0], allowed[0]), listPathsWithOneMistake(path)]
+    : [[], []];
+  const [shift] = shifts;
+  if (followsPath(trace)) {
+    const findOther = () => find([...tableMistakes, ...jointMistakes]);
+    return shift ? chooseShiftCause(shift, findOther) : null;
+  }
   const pathRules = wrongPaths.map((wrong) => ({ cause: wrong.cause, v: wrong.path.velocity }));
   const rules = [...listVelocityRules(path), ...pathRules, ...listMatrixRules(trace)];
   return (
-    (isOff ? findMotionCause([...tableMistakes, ...wrongPaths, ...centreless]) : null) ??
+    find(isOff ? [...tableMistakes, ...wrongPaths, ...shifts.filter(isCentreless)] : []) ??
     findLoopCause(trace, rules) ??
-    (hasSymptoms ? findMotionCause(jointMistakes) : null) ??
+    find(hasSymptoms ? jointMistakes : []) ??
     findLoopCause(trace, listPairsOfRules(trace)) ??
-    findMotionCause(shifts) ??
-    (hasSymptoms
-      ? findLoopCause(trace, listMatrixRules(trace), [METHOD_ERROR, METHOD_TILT])
-      : null) ??
-    (isOff ? findMotionCause(listPathsWithTwoMistakes(path)) : null)
+    find(shifts) ??
+    findLoopCause(trace, hasSymptoms ? listMatrixRules(trace) : [], [METHOD_ERROR, METHOD_TILT]) ??
+    find(isOff ? listPathsWithTwoMistakes(path) : [])
   );
 }
 
-// Return whether the tip follows the path, and the tool keeps its orientation, with a mistake made
-// in the table (`change`) or in the path, or undone in the joint values.
-function explainsMotion({ typedRows, arm, path: rightPath }, mistake, allowed) {
-  const { change = keep, undo = keep, path = rightPath } = mistake;
-  const toolAt = (row) => chainFrames(change(makeChain(arm, undo(row)))).at(-1);
-  const first = toolAt(typedRows[0]);
+const isCentreless = ({ cause }) => cause.keys[0] === "trace.centre";
+
+// Choose the cause of a trajectory that follows the right rule from a wrong start.
+const chooseShiftCause = (shift, findOther) =>
+  isCentreless(shift) ? shift.cause : (findOther() ?? shift.cause);
+
+// Find the first mistake with which the tip would follow the path, and the tool keep its
+// orientation. It is made in the table (`change`) or in the path, or undone in the joint values
+// (`correct`).
+function findMotionCause({ typedRows, arm, path: rightPath }, mistakes, allowed) {
   const keepsTool = typedRows[0].length >= 6;
-  return typedRows.every((row, k) => {
-    const tool = toolAt(row);
-    const isNear = norm(minus(tool.o, path.position(path.times[k]))) <= allowed[k];
-    return isNear && (!keepsTool || rotationBetween(first, tool) <= METHOD_TILT);
-  });
+  for (const { cause, change = keep, correct = keep, path = rightPath } of mistakes) {
+    const toolAt = (row) => chainFrames(change(makeChain(arm, correct(row)))).at(-1);
+    const first = toolAt(typedRows[0]);
+    const isRight = (row, k) => {
+      const tool = toolAt(row);
+      const isNear = norm(minus(tool.o, path.position(path.times[k]))) <= allowed[k];
+      return isNear && (!keepsTool || rotationBetween(first, tool) <= METHOD_TILT);
+    };
+    if (typedRows.every(isRight)) return cause;
+  }
+  return null;
 }
 
 const keep = (x) => x;
@@ -162,8 +163,8 @@ const listVelocityRules = (path) => [
 /** List a wrong velocity with a wrong Jacobian. @returns {Generator<Rule>} */
 function* listPairsOfRules({ path, at }) {
   for (const { cause: first, v } of listVelocityRules(path))
-    for (const [second, K] of listJacobianRecipes(at(0)[0]))
-      yield { cause: combineCauses(first, second), v, K };
+    for (const { cause: second, recipe } of listJacobianRecipes(at(0)[0]))
+      yield { cause: combineCauses(first, second), v, recipe };
 }
 
 /** @param {Trace} trace @returns {Generator<Rule>} */
@@ -171,14 +172,14 @@ function* listMatrixRules({ q, arm, at }) {
   const [here, T] = at(0);
   const millimetres = (c, frames) =>
     flatJacobian(c, frames).map((x, i) => (i < 3 * c.dof ? 1e3 * x : x));
-  yield { cause: makeCause("J.millimetres"), K: millimetres }; // slip 26
+  yield { cause: makeCause("J.millimetres"), recipe: millimetres }; // slip 26
   const first = flatJacobian(here, T);
-  yield { cause: makeCause("trace.jacobian held"), K: () => first }; // handed in
-  for (const [cause, K] of listJacobianRecipes(here)) yield { cause, K };
-  for (const [cause, change] of listTableMistakes(arm))
-    yield { cause, K: (c) => flatJacobian(change(c), chainFrames(change(c))) };
+  yield { cause: makeCause("trace.jacobian held"), recipe: () => first }; // handed in
+  yield* listJacobianRecipes(here);
+  for (const { cause, change } of listTableMistakes(arm))
+    yield { cause, recipe: (c) => flatJacobian(change(c), chainFrames(change(c))) };
   // handed in
-  if (q[0].length >= 6) yield { cause: makeCause("trace.position only"), K: keepPositionOnly };
+  if (q[0].length >= 6) yield { cause: makeCause("trace.position only"), recipe: keepPositionOnly };
 }
 
 // Use the linear rows only, and require the motion that their pseudo-inverse gives.
@@ -206,10 +207,10 @@ function keepPositionOnly(c, T) {
  */
 function measureRuleError(
   { q, units, path, at },
-  { K = flatJacobian, v = path.velocity },
+  { recipe = flatJacobian, v = path.velocity },
   near = null,
 ) {
-  const first = K(...at(0));
+  const first = recipe(...at(0));
   const rows = q[0].length < 6 ? 3 : first.length / q[0].length;
   const sum = new Array(rows).fill(0);
   const bound = sum.map((_, i) => (near ? near[i < 3 ? 0 : 1] : 0));
@@ -218,10 +219,10 @@ function measureRuleError(
     const [t, dt] = [path.times[k], path.times[k + 1] - path.times[k]];
     const step = subtractEach(q[k + 1], q[k]);
     const measureError = (M, time) => computeStepError(M, step, v(time, dt), dt, rows);
-    const next = K(...at(k + 1));
+    const next = recipe(...at(k + 1));
     const change = subtractEach(next, here);
     const start = measureError(here, t);
-    const used = near ? measureError(K(...at(k + 0.5)), t + 0.5 * dt) : start;
+    const used = near ? measureError(recipe(...at(k + 0.5)), t + 0.5 * dt) : start;
     const end = near ? measureError(next, t + dt) : start;
     const roundOff = CONSTANT_ERROR * norm(step);
     for (let i = 0; i < rows; i++) {

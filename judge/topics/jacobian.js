@@ -1,7 +1,6 @@
 // Judges a Jacobian of the tip, whole or some of its rows.
 
 import { listJacobianSteps, makeJacobianMaker } from "../causes/jacobian.js";
-import { listMistakePairs, listSingleMistakes } from "../causes/ranking.js";
 import {
   agrees,
   compareDigits,
@@ -89,9 +88,9 @@ function listFirstParts(question) {
     judge({ typed }) {
       if (`${typed.shape}` !== `${[rows, columns]}`) return null;
       const isTyped = (_, i) => i < rows * dof && i % dof < columns;
-      const makeExpected = (q) => order(makeWhole(q)).filter(isTyped);
+      const maker = () => (q) => order(makeWhole(q)).filter(isTyped);
       const { grade, wrong } = judgeAtConfigurations(typed, question, (at) =>
-        judgeEntries({ typed: at.typed, q: at.typedQ, dof, makeExpected, mistakes: [], tolerance }),
+        judgeEntries({ typed: at.typed, q: at.typedQ, dof, maker, tolerance }),
       );
       return grade === WRONG ? null : { wrong, rowNames: rowNames.slice(0, rows) };
     },
@@ -166,11 +165,7 @@ function compareRows(question, takenBefore) {
     const make = makeWhole(step);
     return (q) => pickRows(make(q), selection);
   };
-  const makeExpected = maker({});
-  const mistakes = listSingleMistakes(steps, maker);
-  const listPairs = () => listMistakePairs(steps, maker);
-  const dof = typedQ.values.length;
-  const entries = { typed, q: typedQ, dof, makeExpected, mistakes, listPairs };
+  const entries = { typed, q: typedQ, dof: typedQ.values.length, maker, steps };
   const judged = judgeEntries({ ...entries, tolerance, isGradeOnly });
   const { grade, wrong } = judged;
   const rowNames = nameRows(selection);
@@ -178,7 +173,7 @@ function compareRows(question, takenBefore) {
   const shared = { grade, taken, wrong, rowNames };
   if (grade !== WRONG) {
     const mayHide = !typed.isEverywhere && selection.rows.length === 6;
-    const hidden = mayHide ? noteHiddenMistakes(steps, mistakes, question, makeExpected) : [];
+    const hidden = mayHide ? noteHiddenMistakes(steps, maker, question) : [];
     const right = describeRight(judged, question, selection.half);
     return { ...shared, ...right, notes: [...right.notes, ...hidden] };
   }
@@ -210,14 +205,14 @@ function askAboutFirstJoint(findings, arm) {
 
 // Note how many mistakes in the recipe give the same Jacobian at this configuration. Name a
 // configuration that shows them, unless the page fixes q.
-function noteHiddenMistakes(steps, mistakes, question, makeExpected) {
+function noteHiddenMistakes(steps, maker, question) {
   const { arm, typedQ, angles, isConfigurationFixed = false } = question;
   const { values: q } = typedQ;
-  const expected = makeExpected(q);
-  const recipe = mistakes.filter((_, k) => !steps[k].change && !("i" in steps[k].cause.fields[0]));
+  const expected = maker()(q);
+  const recipe = steps.filter(({ change, cause }) => !change && !("i" in cause.fields[0]));
   const zeros = expected.map(() => 0);
-  const visible = recipe.filter(({ make }) =>
-    canBeDistinguished({ units: zeros }, expected, make(q)),
+  const visible = recipe.filter((step) =>
+    canBeDistinguished({ units: zeros }, expected, maker(step)(q)),
   );
   const count = recipe.length - visible.length;
   const general = describeConfiguration(listGeneralConfigurations(arm)[0], arm, angles);

@@ -2,7 +2,7 @@
 // the pose of the tip.
 
 import { listJointMistakes } from "../causes/joints.js";
-import { listMistakePairs, listSingleMistakes, makeCause } from "../causes/ranking.js";
+import { makeCause } from "../causes/ranking.js";
 import { listTableMistakes } from "../causes/chain.js";
 import { agrees, FINE_UNIT, RIGHT, ROUNDED, computeSlack, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
@@ -131,17 +131,9 @@ function compareWithTarget(q, T, { arm, tolerance, isGradeOnly }) {
   const makeExpected = maker();
   const isFelt = movesTip(q, makeExpected);
   const steps = listTipSteps(arm, T).filter((step) => isFelt(maker(step)));
-  const judged = judgeEntries({
-    typed,
-    q,
-    dof: q.values.length,
-    makeExpected,
-    mistakes: listSingleMistakes(steps, maker),
-    listPairs: () => listMistakePairs(steps, maker),
-    tolerance,
-    isGradeOnly,
-    areGiven: true,
-  });
+  const dof = q.values.length;
+  const entries = { typed, q, dof, maker, steps, areGiven: true };
+  const judged = judgeEntries({ ...entries, tolerance, isGradeOnly });
   const coarseSlack = computeSlack(q, q.values.length, makeExpected, Infinity);
   const causes = judged.mistakes.map(({ cause }) => cause);
   const isUnexplained = judged.grade === WRONG && tolerance === null && !causes.length;
@@ -199,13 +191,13 @@ function describeTargetMiss(T, wrong, distance, angle) {
 }
 
 // Return a maker of the entries that a target at the tip has. `correct` undoes a mistake in the
-// joint values, `table` puts a mistake into the arm's table, and `write` into the target.
+// joint values, `change` puts a mistake into the arm's table, and `write` into the target.
 /** @returns {import("../causes/ranking.js").Maker} */
 const makeTipMaker =
   (arm, T) =>
-  ({ correct = keep, table = keep, write = keep } = {}) =>
+  ({ correct = keep, change = keep, write = keep } = {}) =>
   (q) => {
-    const tip = chainFrames(table(makeChain(arm, correct(q)))).at(-1);
+    const tip = chainFrames(change(makeChain(arm, correct(q)))).at(-1);
     return write(T.pose ? frameMatrix(tip).slice(0, 3).flat() : tip.o);
   };
 
@@ -218,8 +210,8 @@ function listTipSteps(arm, T) {
     rows.map((x, i) => (isPosition(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
   const inMillimetres = (rows) => rows.map((x, i) => (isPosition(i) ? 1000 * x : x));
   return [
-    ...listJointMistakes(arm).map(([cause, correct]) => ({ cause, correct })),
-    ...listTableMistakes(arm).map(([cause, table]) => ({ cause, table })),
+    ...listJointMistakes(arm),
+    ...listTableMistakes(arm),
     { cause: makeCause("pose.millimetres"), write: inMillimetres }, // slip 26 of the book
     {
       cause: makeCause("pose.transposed"), // slip 4

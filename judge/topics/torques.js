@@ -1,6 +1,6 @@
 // Judges joint torques at a single configuration or along a trajectory.
 
-import { causeName, listMistakePairs, listSingleMistakes } from "../causes/ranking.js";
+import { causeName } from "../causes/ranking.js";
 import { listTorqueSteps, makeLoad, makeTorqueMaker } from "../causes/torques.js";
 import { agrees, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
@@ -120,15 +120,8 @@ function listFirstTorques(question) {
     judge({ typed }) {
       const isList = typed.shape.every((n) => n === 1 || n === count);
       if (!isList || typed.values.length !== count) return null;
-      const makeExpected = (values) => makeTorques(values).slice(0, count);
-      const { grade, wrong } = judgeEntries({
-        typed,
-        q,
-        dof,
-        makeExpected,
-        mistakes: [],
-        tolerance,
-      });
+      const maker = () => (values) => makeTorques(values).slice(0, count);
+      const { grade, wrong } = judgeEntries({ typed, q, dof, maker, tolerance });
       return grade === WRONG ? null : { wrong };
     },
   }));
@@ -274,27 +267,24 @@ function compareArranged(typed, question) {
 function judgeBySample(typed, { arm, q: typedQ, load, tolerance, isGradeOnly }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
-  const steps = listTorqueSteps(arm, load);
   const isEmpty = !typed.values.some(Boolean);
-  const request = { dof, tolerance, isGradeOnly };
-  const judgeWith = (torques, q, maker, mistakes, listPairs = undefined) =>
-    judgeEntries({ ...request, typed: torques, q, makeExpected: maker(), mistakes, listPairs });
-  const judgeWithAllMistakes = (torques, q, loadAtConfigurations) => {
+  const judgeWith = (torques, q, loadAtConfigurations, steps, hasPairs) => {
     const maker = makeTorqueMaker(loadAtConfigurations, dof, q.values);
-    const listPairs = () => (isEmpty ? [] : listMistakePairs(steps, maker));
-    return judgeWith(torques, q, maker, listSingleMistakes(steps, maker), listPairs);
+    const request = { dof, maker, steps, hasPairs, tolerance, isGradeOnly };
+    return judgeEntries({ ...request, typed: torques, q });
   };
-  if (count <= SAMPLE_SIZE) return judgeWithAllMistakes(typed, typedQ, load);
+  const steps = listTorqueSteps(arm, load);
+  if (count <= SAMPLE_SIZE) return judgeWith(typed, typedQ, load, steps, !isEmpty);
   const indices = Array.from({ length: SAMPLE_SIZE }, (_, i) =>
     Math.round((i * (count - 1)) / (SAMPLE_SIZE - 1)),
   );
   const select = (list) => indices.flatMap((i) => list.slice(i * dof, (i + 1) * dof));
   const sample = ({ values, units }) => ({ values: select(values), units: select(units) });
   const wrenches = indices.map((i) => load.wrenches[i]);
-  const first = judgeWithAllMistakes(sample(typed), sample(typedQ), { ...load, wrenches });
-  const maker = makeTorqueMaker(load, dof, typedQ.values);
-  const mistakes = first.mistakes.map(({ cause, steps: wrong }) => ({ cause, make: maker(wrong) }));
-  return judgeWith(typed, typedQ, maker, mistakes);
+  const part = { ...load, wrenches };
+  const { mistakes } = judgeWith(sample(typed), sample(typedQ), part, steps, !isEmpty);
+  const likely = mistakes.map(({ cause, steps: wrong }) => ({ ...wrong, cause }));
+  return judgeWith(typed, typedQ, load, likely, false);
 }
 
 // Return the largest error of a torque, and the number of joints that are right at every
