@@ -8,7 +8,7 @@ lists the names that other libraries have for the functions.
 import importlib
 from typing import Any
 
-__version__ = "6.0.0"  # CITATION.cff and CHANGELOG.md name it too; a test holds them equal
+__version__ = "6.0.0"  # test_tools.py compares it with CITATION.cff and CHANGELOG.md
 
 _PUBLIC = {
     "helpers.arm": ("Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"),
@@ -22,7 +22,7 @@ __all__ = [name for names in _PUBLIC.values() for name in names]
 
 
 def __getattr__(name: str) -> Any:
-    """Import a name of `_PUBLIC` when it is asked for, so that `import helpers` stays fast."""
+    """Import a name of `_PUBLIC` at its first use, so that `import helpers` is fast."""
     for module, names in _PUBLIC.items():
         if name in names:
             return getattr(importlib.import_module(module), name)

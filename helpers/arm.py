@@ -193,7 +193,7 @@ class Arm:
                     f"{self.name}: the mass of link {number} is {body.mass}; expected 0 kg or more"
                 )
 
-    # Facts
+    # Properties
 
     @cached_property
     def joints(self) -> tuple[int, ...]:
@@ -202,7 +202,7 @@ class Arm:
 
     @property
     def locked(self) -> dict[int, float]:
-        """The value (rad or m) of each joint that `lock` holds, by the joint's number."""
+        """The value (rad or m) of each locked joint, by the joint's number."""
         locked_at = {i: row.joint.at for i, row in enumerate(self.rows, 1)}
         return {i: self.number(at) for i, at in locked_at.items() if at is not None}
 
@@ -318,7 +318,7 @@ class Arm:
             numbers = Values(values or {}, name)
             return cls(name, read_rows(source, columns or "theta d a alpha", numbers), numbers)
 
-        # Imported here because the reader of text builds on arms, and starts the judge.
+        # Imported here because this module imports `Arm`, and because it starts the judge.
         from helpers.checks.tables import read_table
 
         table = read_table(
@@ -355,7 +355,7 @@ class Arm:
             tip: Name of the link where it ends.
             tolerances: `tolerance` and `angle_tolerance`.
         """
-        # Imported here because the reader of descriptions builds on arms.
+        # Imported here because this module imports `Arm`.
         from helpers.urdf import from_urdf
 
         return from_urdf(source, base, tip, **tolerances)
@@ -519,7 +519,7 @@ class Arm:
             joint, self.joints, "joint {} cannot be locked; its free joints are"
         )
         at = check_entry(at, "at")
-        evaluate_entry(at, self.values)  # raises ArmError for a symbol without a value
+        evaluate_entry(at, self.values)  # raises ArmError if a symbol has no value
         column = "theta" if row.joint.kind == "revolute" else "d"
         entries = {**_entries_by_name(row), column: _add_entries(getattr(row, column), at)}
         locked = Row(**entries, joint=Joint("fixed", at=at))
@@ -616,7 +616,7 @@ class Arm:
         return values
 
     def _warn_of_degrees_in(self, q: Array, name: str) -> None:
-        """Warn where large angles of turning joints are multiples of half a degree.
+        """Warn if the large joint angles are all multiples of 0.5, and hence probably degrees.
 
         An iteration that diverges passes large angles too, but not round ones.
         """

@@ -68,7 +68,7 @@ def split_pose(pose: ArrayLike, name: str) -> PoseRows:
     else:
         theta = np.arctan2(z[0], -z[1])  # x of the row is z_0 x z
     if abs(theta) > np.pi / 2 + _ROUND_OFF:
-        theta -= np.copysign(np.pi, theta)  # x may point either way: take the smaller turn
+        theta -= np.copysign(np.pi, theta)  # x and -x are both allowed: choose the smaller turn
     c, s = cos_sin(float(theta))
     x, y = np.array([c, s, 0.0]), np.array([-s, c, 0.0])
     alpha = np.arctan2(-(y @ z), z[2])

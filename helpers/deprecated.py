@@ -1,4 +1,4 @@
-"""Names of the edition before that still work, with a DeprecationWarning, for one more.
+"""Keep the old names of renamed objects for one edition, with a DeprecationWarning.
 
 A module of a renamed function ends in
 ``__getattr__ = deprecated_names(__name__, old="new")``.
@@ -30,7 +30,7 @@ def deprecated_names(module: str, **new_names: str) -> Callable[[str], Any]:
 
 
 def warn_renamed(old: str, new: str) -> None:
-    """Warn the caller's caller that a name is going to be removed."""
+    """Warn the user's code, two calls up, that a name will be removed."""
     warnings.warn(
         f"{old} is now {new}; the old name is removed with the next edition",
         DeprecationWarning,

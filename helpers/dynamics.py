@@ -67,8 +67,9 @@ def inverse_dynamics(
     q, q_dot, q_ddot = np.broadcast_arrays(q, q_dot, q_ddot)
     frames = np.moveaxis(link_frames(arm, q), -3, 0)
 
-    # From the base to the tip: angular velocity omega and acceleration alpha of each link, the
-    # acceleration a of its origin, and the force and moment about the base's origin that it takes.
+    # From the base to the tip, compute for each link its angular velocity omega and acceleration
+    # alpha, the acceleration a of its origin, and the force and moment (about the base's origin)
+    # that its motion requires.
     zero = np.zeros((*q.shape[:-1], 3))
     omega, alpha, a, wrenches, joint = zero, zero, zero + up, [], 0
     for k, (row, body) in enumerate(zip(arm.numeric, arm.bodies, strict=True)):
@@ -93,7 +94,7 @@ def inverse_dynamics(
             moment += change + np.cross(omega, momentum)
         wrenches.append((force, moment))
 
-    # From the tip to the base: each joint carries the sum of the wrenches beyond it.
+    # From the tip to the base, sum the wrenches; each joint carries the sum of all links beyond it.
     force = moment = zero
     torques = np.empty(q.shape)
     for k in range(len(arm.rows) - 1, -1, -1):
@@ -135,7 +136,7 @@ def mass_matrix(arm: Arm, q: ArrayLike, *, inertias: ArrayLike | None = None) ->
 
 
 def _relative_acceleration(omega: Array, alpha: Array, r: Array) -> Array:
-    """Compute how much more a point at r accelerates than the origin of the same rigid body."""
+    """Compute the acceleration of a point of a rigid body relative to its origin, at offset r."""
     return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
 
 

@@ -25,13 +25,13 @@ _BINARY: dict[type, Callable[[float, float], float]] = {
 }
 _UNARY: dict[type, Callable[[float], float]] = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
-_EXACT_BELOW = 1e15  # every whole number below is exactly a float
-_MAX_LENGTH = 200  # characters; a longer formula could be nested deeper than Python can follow
-# An entry of these characters alone needs no rewriting.
+_EXACT_BELOW = 1e15  # each integer below it is exact as a float
+_MAX_LENGTH = 200  # characters; longer formulas could exceed Python's recursion limit
+# An entry that consists of these characters can be parsed unchanged.
 _PLAIN_CHARACTERS = re.compile(r"[A-Za-z0-9_+\-*/(). ]+")
-# Python would read these texts as numbers or symbols, and they are neither.
+# Python would parse these texts as numbers or names, but entries must not contain them.
 _NOT_PLAIN = re.compile(r"\b\d+_|\b0[xob]|\b(?:deg|rad)\b", re.IGNORECASE)
-# Greek letters by the names that LaTeX has for them.
+# Names of Greek letters in LaTeX.
 _GREEK = (
     "alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau"
     "|upsilon|phi|chi|psi|omega"
@@ -65,7 +65,7 @@ def check_entry(value: object, name: str) -> Entry:
 
 @cache
 def plain_formula(written: str, name: str = "the entry") -> str:
-    """Return an entry as a plain formula, with a hyphen and ``pi`` for ``−`` and ``π``.
+    """Return an entry as a plain formula, with ``-`` and ``pi`` in place of ``−`` and ``π``.
 
     Args:
         written: The entry as it was typed or printed.
@@ -99,7 +99,7 @@ def _find_formula_names(text: str, name: str) -> frozenset[str]:
 
 
 def evaluate_entry(text: Entry, values: Mapping[str, float]) -> float:
-    """Compute the number that an entry stands for.
+    """Compute the number that an entry has for these values of its symbols.
 
     Args:
         text: The entry.

@@ -24,7 +24,7 @@ Polynomial = dict[Monomial, sp.Expr]
 
 _SHORT_NAME = re.compile(r"([cs])_\{?(\d[\d+-]*)\}?")
 _LENGTH, _ANGLE, _MIXED = range(3)
-_LAST_JOINT = 10**6  # larger than any joint number, so that such atoms are sorted last
+_LAST_JOINT = 10**6  # larger than any joint number, for atoms that are sorted last
 
 
 def abbreviate(expression):
@@ -118,7 +118,7 @@ class _TextbookPrinter(LatexPrinter):
     """SymPy's printer of LaTeX, with terms and factors in the arm's order."""
 
     def __init__(self) -> None:
-        super().__init__({"order": "none"})  # a product is printed in the order of its arguments
+        super().__init__({"order": "none"})  # print a product in the order of its arguments
 
     def _as_ordered_terms(self, expr, order=None):
         return _sort_terms(expr)
@@ -148,7 +148,7 @@ def print_latex(formula) -> str:
 
 @lru_cache(maxsize=4096)
 def formula_latex(formula: sp.Expr) -> str:
-    """Write a formula in LaTeX, with plain parentheses, within which a line may be broken."""
+    """Write a formula in LaTeX with plain parentheses, inside which lines can be broken."""
     text = print_latex(formula).replace(r"\left(", "(").replace(r"\right)", ")")
     return text.replace(" )", ")")
 
@@ -180,7 +180,7 @@ def break_lines(formula: sp.Expr, width: int) -> list[str]:
 
 @cache
 def _make_sort_key(atom: sp.Expr) -> SortKey:
-    """Return the key by which atoms are sorted.
+    """Return the sort key of an atom.
 
     Lengths and masses come first, sorted by the number in their index. Among them, names without
     an index lead and names such as l_pen close. Cosines and sines follow, sorted by their joints,
@@ -198,7 +198,7 @@ def _make_sort_key(atom: sp.Expr) -> SortKey:
 
 @lru_cache(maxsize=4096)
 def _get_sort_key(part: sp.Expr) -> tuple:
-    """Return the key by which a term or factor is sorted: its kind, then its atoms' keys.
+    """Return the sort key of a term or factor: its kind, then the keys of its atoms.
 
     A number has the empty key.
     """
@@ -287,7 +287,7 @@ def _multiply(number: sp.Expr, factors: list[sp.Expr]) -> sp.Expr:
 
 
 def _factor_out(poly: Polynomial) -> tuple[sp.Expr, list[sp.Expr]]:
-    """Return a sum as a number and its factors, none of which begins with a minus."""
+    """Return a sum as a number and its factors, of which no factor begins with a minus sign."""
     number = _get_leading_number(poly)
     powers = [{factor[::2]: factor[1] for factor in monomial} for monomial in poly]
     common = {key: min(p.get(key, 0) for p in powers) for key in powers[0]}
@@ -311,7 +311,7 @@ def _factor_out(poly: Polynomial) -> tuple[sp.Expr, list[sp.Expr]]:
 
 
 def _list_sum_terms(poly: Polynomial) -> tuple[sp.Expr, ...]:
-    """Return a sum as one product if its terms have a common factor, else as its terms."""
+    """Return a sum as a single product if its terms have a common factor, otherwise as terms."""
     number, factors = _factor_out(poly)
     if len(poly) > 1 and len(factors) == 1 and abs(number) == 1:
         return _group_terms(_freeze_polynomial(poly))
@@ -319,7 +319,7 @@ def _list_sum_terms(poly: Polynomial) -> tuple[sp.Expr, ...]:
 
 
 def _get_leading_number(poly: Polynomial) -> sp.Expr:
-    """Return the sign of the first term, times the number before it if all terms share it."""
+    """Return the sign of the first term, times the numeric factor that all terms share."""
     sizes = {abs(number) for number in poly.values()}
     sign = sp.sign(poly[min(poly, key=_list_keys_and_powers)])
     return sign * sizes.pop() if len(sizes) == 1 else sign
@@ -351,7 +351,7 @@ def _group_terms(items: frozenset) -> tuple[sp.Expr, ...]:
 
 @lru_cache(maxsize=4096)
 def _count_symbols(part: sp.Expr) -> int:
-    """Count the symbols that are written in a formula, a square as two."""
+    """Count the symbols in a written formula; a square counts as two."""
     base, power = part.as_base_exp()
     if isinstance(base, sp.Add | sp.Mul):
         return sum(map(_count_symbols, base.args))
@@ -361,7 +361,7 @@ def _count_symbols(part: sp.Expr) -> int:
 
 
 def _list_cuts(poly: Polynomial) -> list[tuple[tuple[int, ...], bool]]:
-    """Return the keys at which monomials are cut in two, and whether to group by the second half.
+    """Return the keys at which monomials are split, and whether to group by the second part.
 
     If there are lengths and angles, the cut parts them. Else it parts the first joints from the
     later joints.

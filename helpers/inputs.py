@@ -19,7 +19,7 @@ Size = int | None
 Array = NDArray[np.float64]
 
 
-LARGEST = 1e100  # the product of three numbers of this size is still a finite float
+LARGEST = 1e100  # the product of three such numbers is a finite float
 
 
 class ArmError(ValueError):
@@ -161,7 +161,7 @@ def broadcast_shape(name: str, *shapes: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def warn_caller(message: str) -> None:
-    """Warn at the line outside this package from which it was called."""
+    """Issue a warning that points at the user's line, outside this package."""
     depth, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "helpers":
         depth, frame = depth + 1, frame.f_back

@@ -242,7 +242,7 @@ def roll_pitch_yaw(T: ArrayLike) -> Array:
     """
     R = _rotations(T)
     level = np.hypot(R[..., 0, 0], R[..., 1, 0])
-    upright = level < 1e-9  # some 1e7 times the round-off of a cosine
+    upright = level < 1e-9  # 1e7 times the round-off of a cosine
     roll = np.where(upright, 0.0, np.arctan2(R[..., 2, 1], R[..., 2, 2]))
     yaw_if_upright = np.arctan2(-R[..., 0, 1], R[..., 1, 1])
     yaw = np.where(upright, yaw_if_upright, np.arctan2(R[..., 1, 0], R[..., 0, 0]))
@@ -265,7 +265,7 @@ def quaternion(T: ArrayLike) -> Array:
         array([0.7071, 0.    , 0.    , 0.7071])
     """
     R = _rotations(T)
-    # Each row is 4 w, 4 x, 4 y or 4 z times the quaternion. The longest loses the fewest digits.
+    # Each row is 4 w, 4 x, 4 y or 4 z times the quaternion. The longest row is the most accurate.
     w = np.trace(R, axis1=-2, axis2=-1)[..., None, None]
     products = np.empty((*R.shape[:-2], 4, 4))
     products[..., 1:, 1:] = R + np.swapaxes(R, -1, -2) + (1 - w) * np.eye(3)
@@ -288,7 +288,7 @@ def _rotations(T: ArrayLike) -> Array:
 
 
 def skeleton(arm: Arm, T: Array) -> Array:
-    """Return the points of the broken line that the table's lengths draw.
+    """Return the points of the broken line given by the table's lengths.
 
     Args:
         arm: The arm.
@@ -303,7 +303,7 @@ def skeleton(arm: Arm, T: Array) -> Array:
     return np.array(points)
 
 
-# Recursions over the links, as `helpers.program` records them
+# Recursions over the links, which `helpers.program` records
 
 
 _BASE_COLUMNS: tuple[Vector, ...] = (

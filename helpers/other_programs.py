@@ -82,7 +82,7 @@ def _write_origin(numbers: tuple[float, float, float, float]) -> str:
     """Write Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) as an element <origin>."""
     a, alpha, d, theta = numbers
     lengths = (float(length) for length in (a * np.cos(theta), a * np.sin(theta), d))
-    x, y, z = (length if abs(length) > 1e-15 else 0.0 for length in lengths)  # no round-off
+    x, y, z = (length if abs(length) > 1e-15 else 0.0 for length in lengths)  # remove round-off
     return f'<origin xyz="{x!r} {y!r} {z!r}" rpy="{alpha!r} 0 {theta!r}"/>'
 
 
@@ -115,7 +115,7 @@ def _write_dh_numbers(arm: Arm, row: Row) -> list[str]:
     return [
         entry
         if isinstance(entry, str) and not entry.replace("pi", "").strip("-+0123456789*/ .")
-        else f"{arm.number(entry):.12g}"  # free of round-off, as in -0.207
+        else f"{arm.number(entry):.12g}"  # 12 digits remove round-off
         for entry in row.entries
     ]
 
@@ -175,7 +175,7 @@ def _write_matlab(arm: Arm) -> str:
 
 
 def _write_array(array: np.ndarray) -> str:
-    """Write a matrix, its numbers rounded to 12 decimals so that round-off does not show."""
+    """Write a matrix with numbers of 12 decimals, which removes round-off."""
     rows = (", ".join(repr(float(x)) for x in row) for row in array.round(12) + 0.0)
     return "[" + ",\n    ".join(f"[{row}]" for row in rows) + "]"
 

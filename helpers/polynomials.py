@@ -48,7 +48,7 @@ class SymbolicFrame(NamedTuple):
 
 
 class GroupAngle(NamedTuple):
-    """The angle by which a group of parallel axes has turned at a row.
+    """The sum of joint angles by which a group of parallel axes has turned at a row.
 
     Attributes:
         angle: The angle as (formula, quarter turns).
@@ -68,8 +68,8 @@ def group_angles(arm: Arm, add_parallel: bool = True) -> list[GroupAngle]:
     """
     angles, since, formula, quarters = [], np.eye(3), sp.S.Zero, 0
     for i, (row, numeric) in enumerate(zip(arm.rows, arm.numeric, strict=True), 1):
-        # `since` is the constant rotation since the last joint. The two joint axes are parallel if
-        # it leaves the z axis parallel.
+        # `since` is the constant rotation since the last joint. The axes of both joints are
+        # parallel if it keeps the z axis parallel.
         is_parallel = add_parallel and abs(since[2, 2]) > 1 - 1e-12
         starts_group = numeric.kind == "revolute" and not is_parallel
         if starts_group:
@@ -87,14 +87,14 @@ def group_angles(arm: Arm, add_parallel: bool = True) -> list[GroupAngle]:
     return angles
 
 
-# Measured on sheets: five joints about skew axes, 2^9 by `expansion_factor`, take 0.8 to 1.6 MB;
-# Kinova's Gen3, of seven joints about axes at right angles, has 2^6 and takes 0.36 MB.
+# Measured sizes of sheets: five joints about skew axes (`expansion_factor` 2^9) need 0.8 to 1.6 MB;
+# Kinova's Gen3, seven joints about perpendicular axes (2^6), needs 0.36 MB.
 _LONGEST_READ = 2**8
-_LONGEST_COMPUTED = 2**14  # seven joints about skew axes, 2^13, take 13 s; eight over 100 s
+_LONGEST_COMPUTED = 2**14  # seven skew joints (2^13) take 13 s, eight over 100 s
 
 
 def expansion_factor(arm: Arm) -> int:
-    """Estimate the factor by which the arm's last frame grows where it is written out.
+    """Estimate the factor by which the arm's last frame grows when it is written out.
 
     Each group of parallel axes doubles the number of terms, and so does each constant angle that is
     no multiple of a quarter turn.
@@ -143,8 +143,8 @@ class Ring:
             sp.Symbol(f"q_{i}") for i in arm.joints if arm.rows[i - 1].joint.kind == "prismatic"
         }
         lengths = sorted(symbols | set(extra), key=sp.default_sort_key)
-        # Sines come first: then sin² is the leading term of sin² + cos² - 1, and division by that
-        # removes it.
+        # Sines come first, so that sin² is the leading term of sin² + cos² - 1, and division by
+        # this polynomial removes it.
         self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + lengths
         self._ring = PolyRing([sp.Dummy() for _ in self._symbols], sp.QQ, sp.lex)
         gens, n = self._ring.gens, len(angles)

@@ -9,13 +9,13 @@ from helpers.inputs import ArmError, finite_array, warn_caller
 
 Array = NDArray[np.float64]
 
-# Largest error of a rotation, or of the last row, that needs no mending: 6 or more decimals.
-# judge/geometry/inverse.js has the same bound; tests/test_poses.py holds the two equal.
+# Poses with larger errors of the rotation or the last row are corrected or refused. Poses with 6 or
+# more decimals are within it. judge/geometry/inverse.js has the same bound (tests/test_poses.py).
 _LARGEST_ROTATION_ERROR = 1e-6
-# Numbers of decimals that a printed rotation may have; fewer leave its direction open by a degree.
+# Decimals that a printed rotation may have; with fewer its direction is uncertain by a degree.
 _DECIMALS = range(3, 8)
-_NEARLY = 0.1  # up to this error the message says how to get the nearest rotation
-_CHUNK = 4096  # poses checked at a time, so that the numbers stay in the cache
+_NEARLY = 0.1  # up to this error the message explains how to get the nearest rotation
+_CHUNK = 4096  # poses checked at a time, whose numbers fit into the cache
 
 
 def rigid_poses(value: ArrayLike, name: str, expected: str, many: bool = False) -> Array:
@@ -54,8 +54,8 @@ def rigid_poses(value: ArrayLike, name: str, expected: str, many: bool = False) 
     mended = flat.reshape(-1, 4, 4).copy()
     mended[bent, :3, :3] = left @ right
     moved = np.linalg.norm((flat.reshape(-1, 4, 4) - mended)[bent, :3, :3], axis=(1, 2))
-    # Rounding moved each of nine entries by at most half a unit. The nearest rotation is at least
-    # as near as the rotation that was rounded.
+    # Rounding changes each of nine entries by at most half a unit, so by at most 1.5 units in
+    # total. The nearest rotation is at most as far away as the rotation that was rounded.
     explained = moved <= [1.5 * 10.0**-n + 1e-9 if n else 0.0 for n in decimals]
     explained &= np.abs(flat[bent, 12:] - (0, 0, 0, 1)).max(axis=1) <= _LARGEST_ROTATION_ERROR
     if not explained.all():
@@ -74,7 +74,7 @@ def rigid_poses(value: ArrayLike, name: str, expected: str, many: bool = False) 
 
 
 def _rigid_errors(flat: Array) -> Array:
-    """Return by how much poses (batch, 16) fail to be rigid: the largest error of each."""
+    """Return the largest error of each pose (batch, 16) as a rigid transform."""
     columns = np.ascontiguousarray(flat.T)
     x, y, z = (columns[i:12:4] for i in range(3))
     square = columns[:12] * columns[:12]

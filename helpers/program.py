@@ -22,12 +22,12 @@ from helpers.arm import Arm
 from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
-Value = Any  # a Term or a float: the same code runs on both
+Value = Any  # a Term or a float; the same code computes with both
 TapeStep = tuple[str, Any, Any]  # operation and operands: positions of earlier steps, or a constant
 RowMotion = tuple[NumericRow, Value, Value, Value]  # row, cosine and sine of its angle, its offset
 Recursion = Callable[..., Sequence[Value]]
 
-# Numbers that a batch works on at a time: 1 MiB, which stays in a level-2 cache.
+# Numbers that are processed at a time: 1 MiB, which fits into a level-2 cache.
 _CHUNK_NUMBERS = 1 << 17
 
 _FLOAT_OPERATIONS = {"+": operator.add, "-": operator.sub, "*": operator.mul}
@@ -135,7 +135,7 @@ class Program(NamedTuple):
         Returns:
             The results, shape (results, batch): the first of `rows`.
         """
-        # NumPy takes arrays of no dimension faster than floats.
+        # NumPy computes faster with 0-dimensional arrays than with floats.
         values = [*inputs, *map(np.array, self.constants), *rows]
         for operation, first, second, target in self.row_steps:
             operation(values[first], values[second], values[target])
@@ -159,7 +159,7 @@ def record_program(compute: Callable[..., Sequence[Value]], inputs: int) -> Prog
 
 
 def _find_result_position(tape: dict[TapeStep, int], result: Value) -> int:
-    """Return where a result stands on the tape, recording its sign as 0 - x.
+    """Return the position of a result on the tape, recording a negative result as 0 - x.
 
     0 - x is never -0.0, which would be printed as "-0.".
     """
@@ -176,7 +176,7 @@ def _assign_rows(inputs: int, tape: list[TapeStep], results: list[int]) -> Progr
 
     A result has a row of its own. Another step takes a row that no later step reads.
     """
-    # Backwards over the tape, each needed step with the operands that no later step reads.
+    # Go backwards, and store each needed step with the operands that no later step reads.
     needed, steps = set(results), []
     for at, (operation, first, second) in reversed(list(enumerate(tape))):
         if at in needed and operation in _ROW_OPERATIONS:
@@ -210,7 +210,7 @@ def _assign_rows(inputs: int, tape: list[TapeStep], results: list[int]) -> Progr
 
 
 class _Workspace(threading.local):
-    """Memory that a thread reuses, since fresh pages would cost more than the arithmetic."""
+    """Memory that a thread reuses, since allocating it would take longer than the arithmetic."""
 
     flat = np.empty(0)
 

@@ -31,7 +31,7 @@ __all__ = [
 #: The Panda with the maker's lengths, limits and the masses of Gaz et al., and the homework's pen.
 PANDA = Arm(
     name="Panda",
-    # The maker's limits in the signs of this table: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7).
+    # The maker's limits, with the signs of this table: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7).
     rows=(
         revolute(alpha="pi/2", d="d_1", limits=(-2.8973, 2.8973), speed=2.175, effort=87),
         revolute(alpha="-pi/2", limits=(-1.7628, 1.7628), speed=2.175, effort=87),
@@ -42,7 +42,7 @@ PANDA = Arm(
         revolute(d="-(d_7 + l_pen)", limits=(-2.8973, 2.8973), speed=2.61, effort=12),
     ),
     values=dict(d_1=0.333, d_3=0.316, a_3=0.0825, d_5=0.384, a_6=0.088, d_7=0.107, l_pen=0.1),
-    # Gaz et al. (2019); their centres of mass are carried over into the frames of this table.
+    # From Gaz et al. (2019), with centres of mass converted to the frames of this table.
     bodies=(
         Body(4.970684, (0.003875, -0.04762, -0.002081)),
         Body(0.646926, (-0.003141, 0.003495, 0.02872)),
@@ -59,17 +59,17 @@ PANDA = Arm(
     circle=CircleTask(normal="x", seconds=5, locked_joint=3),
 )
 
-#: The Panda of the homework's table, which has 88 mm for a_3 too.
+#: The Panda of the homework's table, in which a_3 is 88 mm too.
 PANDA_HOMEWORK = replace(
     PANDA.with_values(a_3=0.088),
     name="Panda (homework)",
     source="The homework's table, which uses 88 mm for both a_3 and a_6; the rest as PANDA",
 )
 
-# The home of the UR10e is singular: J has no inverse there.
+# The UR10e's home is singular, so the plain inverse of J fails there.
 _UR_CIRCLE = CircleTask(normal="y", seconds=20, rates="pseudo")
 
-# Ranges, speeds and torques of the maker's UR10e, for both tables.
+# The maker's ranges, speeds and torques of the UR10e, for both tables.
 _UR_RANGE = (-2 * pi, 2 * pi)
 _UR_BIG: dict[str, Any] = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
 _UR_ELBOW: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=150)

@@ -25,10 +25,10 @@ from helpers.inputs import (
 Kind = Literal["revolute", "prismatic", "fixed"]
 KINDS = ("revolute", "prismatic", "fixed")
 
-# Joint angles (rad) above this give a warning: four turns, far beyond any maker's range and
-# below 30, the smallest angle in degrees that is common.
+# Joint angles (rad) above this give a warning: four turns are far beyond any maker's range, and
+# below 30, the smallest angle that is common in degrees.
 MANY_TURNS = 8 * math.pi
-_LONG = 10.0  # m: lengths from here on give a warning, as the reader of tables takes them as mm
+_LONG = 10.0  # m: lengths from here on give a warning; the judge reads such lengths as mm
 
 
 @dataclass(frozen=True)
@@ -246,7 +246,7 @@ def read_rows(table: Any, columns: str | Sequence[str], values: Mapping[str, flo
 
 
 def _list_items(value: Any, name: str, expected: str) -> tuple:
-    # tolist() makes Python's own numbers of NumPy's, and rows of a SymPy matrix.
+    # tolist() converts numbers of NumPy to Python's, and a SymPy matrix to rows.
     items = value.tolist() if hasattr(value, "tolist") else value
     return tuple_of_items(items, name, expected)
 
@@ -254,7 +254,7 @@ def _list_items(value: Any, name: str, expected: str) -> tuple:
 def _read_row(typed: dict[str, Any], number: int, values: Mapping[str, float]) -> Row:
     """Convert one row's entries, by column, to a row of the joint whose variable they hold."""
     entries: dict[str, Entry] = {}
-    moves: list[tuple[str, str]] = []  # the column of a joint's variable, and its name or ""
+    moves: list[tuple[str, str]] = []  # column and name (or "") of a joint's variable
     for column, entry in typed.items():
         where = f"row {number}: {column}"
         formula = 0 if entry is None else check_entry(entry, where)
@@ -431,5 +431,5 @@ def rotation_from_angles(angles: Iterable[float]) -> NDArray[np.float64]:
 def quarter_turns(angle: float) -> int | None:
     """Return how many right angles an angle (rad) is, or None where it is no multiple of one."""
     turns = angle / (math.pi / 2)
-    # 1e-12: some 1000 times the round-off of an angle such as 3 * pi / 2.
+    # 1e-12 is 1000 times the round-off of an angle such as 3 * pi / 2.
     return round(turns) if abs(turns - round(turns)) < 1e-12 else None

@@ -1,4 +1,4 @@
-"""Show matrices and frames as a page does, to read and to compare with one's own."""
+"""Show matrices and frames in a notebook as on the book's pages."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def _entry_latex(entry: sp.Expr) -> str:
     first, *rest = break_lines(entry, _LINE_WIDTH)
     if not rest:
         return print_latex(entry)
-    # Each line is a group, because Temml would join a line break with a bracket that follows it.
+    # Each line is a group, because Temml reads a bracket after a line break as its argument.
     below = "".join(rf" \\ {{\quad {line}}}" for line in rest)
     return rf"\begin{{array}}{{l}}{{{first}}}{below}\end{{array}}"
 

@@ -148,14 +148,14 @@ def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm
     centre = (masses[-1] * np.array(coms[-1]) + mass * payload_centre) / total
     inertia = np.array(arm.bodies[-1].inertia)
     for part, point in ((masses[-1], np.array(coms[-1])), (mass, payload_centre)):
-        r = point - centre  # parallel axes (Steiner)
+        r = point - centre  # parallel axis theorem
         inertia = inertia + part * ((r @ r) * np.eye(3) - np.outer(r, r))
     body = Body(float(total), tuple(map(float, centre)), inertia.tolist())
     return replace(arm, bodies=(*arm.bodies[:-1], body))
 
 
 def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike) -> Array:
-    """Carry one point per link over from one set of link frames into another.
+    """Convert one point per link from one set of link frames to another.
 
     Use it for centres of mass from a paper whose frames are not those of the table.
 
@@ -195,7 +195,7 @@ def require_bodies(arm: Arm) -> None:
         )
 
 
-# Recursions over the links, as `helpers.program` records them; `up` is -gravity in base axes
+# Recursions over the links, which `helpers.program` records; `up` is -gravity in base axes
 
 
 def _compute_energy(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
@@ -210,7 +210,7 @@ def _compute_energy(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Seque
 
 
 def _compute_torques(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
-    """Carry mass and first moment (x, y, z) from the tip to the base, and take each torque."""
+    """Sum mass and first moment (x, y, z) from the tip to the base, and compute each torque."""
     mass, (x, y, z), torques = 0.0, (0.0, 0.0, 0.0), []
     links = zip(motions, _upward_in_rows(motions, up), *_masses_and_centres(arm), strict=True)
     for (row, c, s, d), row_up, m, com in reversed(list(links)):

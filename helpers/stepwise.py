@@ -1,4 +1,4 @@
-"""Compute an arm's formulas in named steps, for arms whose written-out formulas are too long.
+"""Compute formulas in named steps, for arms whose written-out formulas are too long.
 
 A written-out pose grows by a factor with each joint. In steps, an entry of frame i is a sum of at
 most three entries of frame i - 1, each of which has a name, so that all formulas of an arm of n
@@ -28,7 +28,7 @@ __all__ = ["StepwiseFormulas", "stepwise_formulas"]
 
 
 class StepwiseFormulas(NamedTuple):
-    """Formulas of an arm in names that stand for entries of its frames.
+    """Formulas of an arm in which names abbreviate entries of its frames.
 
     Attributes:
         definitions: Each name's formula in names before it: x_3y is entry y of x_3.

@@ -187,7 +187,7 @@ def determinant(arm: Arm) -> sp.Expr:
     middle = frames[len(frames) // 2 if arm.dof == 6 else -1]
     columns = [_column_in(middle, arm, ring, frames[i - 1], i)[: arm.dof] for i in arm.joints]
     matrix = DomainMatrix(transpose(columns), (arm.dof, arm.dof), ring.zero.ring.to_domain())
-    # Factored before sin² is replaced, which would hide factors.
+    # Factor before sin² is replaced by 1 - cos², which would hide factors.
     content, factors = matrix.det().factor_list()
     sums = Ring(arm)
     choices = [(ring.expression(f), sums.expression(sums.convert(f, ring)), n) for f, n in factors]

@@ -88,7 +88,7 @@ def from_urdf(
     pose, chain = tree.chain(base, tip)
     bodies = tree.bodies_with_branches(chain)
 
-    # Follow the chain at q = 0, in base axes. A joint carries what the next one does not move.
+    # Follow the chain at q = 0, in base axes. A joint carries the masses up to the next joint.
     axes, carried = [], []
     for joint in chain:
         pose = pose @ joint.origin
@@ -108,7 +108,7 @@ def from_urdf(
         squares = masses[:, None, None] * centres[:, :, None] * centres[:, None, :]
         spread = moments[:, :3, :3] - squares
         inertias = np.trace(spread, axis1=1, axis2=2)[:, None, None] * np.eye(3) - spread
-        # 1e-14: the round-off of the products that the differences above cancel
+        # 1e-14 is the relative round-off of the products in the differences above
         largest = np.abs(moments).max(axis=(1, 2), keepdims=True)
         inertias = np.where(np.abs(inertias) < 1e-14 * largest, 0.0, inertias)
         arm = derivation.with_bodies(masses, centres, inertias)
@@ -172,7 +172,7 @@ class _FileJoint:
             )
         if not self.direction.any():
             raise ArmError(f"the axis of {self.name} is 0 0 0; expected a direction")
-        # Range, speed and effort are infinite where they are missing or 0.
+        # A missing or zero range, speed or effort means that it is unlimited.
         limit = self.element.find("limit")
         lower, upper, speed, effort = (
             float(_read_numbers(limit, key, f"{self.name}: {key}", _MISSING_NUMBER)[0])
@@ -282,7 +282,7 @@ class _Tree:
         return starts[link], joints[::-1]
 
     def bodies_with_branches(self, chain: Sequence[_FileJoint]) -> dict[str, Array]:
-        """Return the body of each link with all that hangs on it beside the chain."""
+        """Return the body of each link, including the side branches that it carries."""
         bodies, on_chain = dict(self.bodies), set(chain)
         for joint in reversed(self.joints):
             if joint not in on_chain:
@@ -323,7 +323,7 @@ def _read_robot(source: str | os.PathLike[str]) -> ET.Element:
     if b"<!DOCTYPE" in text:
         raise ArmError(f"{name} has a document type, which a robot description does not need")
     try:
-        # A blank first line is no XML, but common in text that was copied.
+        # XML forbids a blank first line, but copied text often has one.
         root = ET.fromstring(text.lstrip(), parser)
     except (ET.ParseError, LookupError, ValueError) as error:
         raise ArmError(f"{name} is no XML ({error}); expected a robot description") from None
@@ -365,7 +365,7 @@ def _read_tree(robot: ET.Element, angle_tolerance: float) -> _Tree:
             if link not in bodies:
                 raise ArmError(f"{name}: joint {joint.name} names a link {link!r}; there is none")
         below[joint.parent].append(joint)
-    # The loop extends `reached` by the children of each link, so joints come after their carriers.
+    # The loop extends `reached` by the children of each link, so parents come before children.
     reached, ordered = _Tree(name, bodies, point_masses, joints).roots, []
     for link in reached:
         ordered += below[link]
@@ -392,7 +392,7 @@ def _read_joint(element: ET.Element, tolerance: float) -> _FileJoint:
         for end in ("parent", "child")
     )
     axis = _read_numbers(element.find("axis"), "xyz", f"the axis of {name}", (1, 0, 0))
-    along = np.where(np.arange(3) == np.abs(axis).argmax(), axis, 0.0)  # its largest component
+    along = np.where(np.arange(3) == np.abs(axis).argmax(), axis, 0.0)  # largest component only
     is_near = np.linalg.norm(axis - along) <= tolerance * np.linalg.norm(along)
     direction = along if is_near else axis
     tilt = np.linalg.norm(direction - axis) / (np.linalg.norm(axis) or 1)
@@ -458,7 +458,7 @@ def _read_numbers(
     if text is None:
         return np.array(default, float)
     try:
-        # float() would read 1_000, which is no number in XML.
+        # float() would accept 1_000, which is not a number in XML.
         numbers = np.array([float(part) for part in text.replace("_", "x").split()])
     except ValueError:
         numbers = np.empty(0)

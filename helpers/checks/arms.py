@@ -1,4 +1,4 @@
-"""Describe an arm to the judge as plain data, with the tables that usual mistakes give."""
+"""Convert an arm to plain data for the judge, with the tables that usual mistakes give."""
 
 import json
 import math
@@ -24,7 +24,7 @@ def arm_data(arm: Arm) -> Data:
 
 
 def _format_lengths(arm: Arm) -> str:
-    """Return the arm's different lengths in mm without the pen's, to distinguish namesakes."""
+    """Return the arm's distinct lengths in mm without the pen, to distinguish arms of one name."""
     penless = arm.with_values(l_pen=0) if "l_pen" in arm.values else arm
     lengths = (abs(1000 * penless.number(x)) for row in penless.rows for x in (row.d, row.a))
     return ", ".join(dict.fromkeys(f"{x:g}" for x in lengths if x))
@@ -46,7 +46,7 @@ def _describe_row(arm: Arm, row: Row, body: Body | None) -> Data:
 
 
 def _evaluate_entry(arm: Arm, entry: str | float) -> float:
-    return arm.number(entry) + 0.0  # no minus before a zero
+    return arm.number(entry) + 0.0  # turns -0.0 into 0.0
 
 
 def _convert_limit(value: float) -> float | None:

@@ -39,10 +39,10 @@ from helpers.statics import GRAVITY, check_wrench, static_torque
 Array = NDArray[Any]
 
 _NO_WRENCH = (0.0,) * 6
-_FEWEST_SAMPLES = 400  # of a path: a cubic between them is off by 1e-9 of a circle's radius
+_FEWEST_SAMPLES = 400  # of a path: cubics between them are within 1e-9 of a circle's radius
 
 
-# Shared by all comparisons
+# Options of all comparisons
 
 
 def _check_options(
@@ -136,7 +136,7 @@ def compare_tables(
     """
     require_type(reference, Arm, "the reference")
     options = _check_options("rad", tolerance, values)
-    del options["angles"]  # the angles of a table may be guessed
+    del options["angles"]  # in a table, the judge guesses the unit of angles
     if not reference.dof or (isinstance(answer, Arm) and not answer.dof):
         raise ArmError(
             f"cannot compare {shorten(answer)} with {reference!r};"
@@ -240,7 +240,7 @@ def _check_frame(frame: int, arm: Arm) -> int:
 
 
 def _generic_configuration(arm: Arm) -> Array:
-    """Return joint values, shape (dof,), within 1.5 of zero and away from limits and symmetry."""
+    """Return joint values (dof,) within 1.5 rad or m of 0, away from limits and special angles."""
     lower, upper = arm.limits
     lower, upper = np.maximum(lower, -1.5), np.minimum(upper, 1.5)
     return lower + (upper - lower) * np.random.default_rng(19).uniform(0.55, 0.95, arm.dof)
@@ -289,7 +289,7 @@ def compare_torques(
         ask_judge("configurations", q=at, arm=data, angles=angles)["values"]
     ).reshape(-1, arm.dof)
     loaded = arm if arm.bodies else arm.with_bodies([Body(0.0, (0.0, 0.0, 0.0))] * len(arm.rows))
-    static_torque(loaded, configurations, F, gravity)  # says what is wrong with the load
+    static_torque(loaded, configurations, F, gravity)  # raises ArmError for an invalid load
     options |= {"wrench": F.tolist(), "gravity": np.asarray(gravity, float).tolist()}
     given = dict(arm=data, q=at)
     if callable(answer):

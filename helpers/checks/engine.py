@@ -59,7 +59,7 @@ def _start_quickjs(script: str) -> Callable[[str], str]:
             # An interrupted engine may be inconsistent. The next question starts a new engine.
             del _engines.ask
             first = str(problem).partition("\n")[0]
-            # QuickJS reports its limits of time and memory as InternalError, or as null where no
+            # Beyond its limits of time and memory, QuickJS raises InternalError, or null if no
             # memory is left for an error.
             is_limit = first.startswith(("InternalError", "null"))
             if not is_limit and not isinstance(problem, quickjs.StackOverflow):

@@ -1,4 +1,4 @@
-"""Show a typed answer with its numbers marked by owner."""
+"""Show a typed answer with each number marked by its use."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -7,12 +7,12 @@ from typing import Any
 
 from helpers.inputs import ArmError
 
-_MOST_MARKS = 200  # numbers that are shown; stored outputs of notebooks stay below 30 kB
-_MOST_UNREAD_LINES = 5  # lines of a text that a message quotes
-_MOST_CHARACTERS = 100  # of a quoted line
+_MOST_MARKS = 200  # at most this many numbers are shown, so that a notebook's output is below 30 kB
+_MOST_UNREAD_LINES = 5  # at most this many lines are quoted in a message
+_MOST_CHARACTERS = 100  # at most this many characters of a line are quoted
 
-# The element and style of each kind. The colours are legible on white and on black; without colour,
-# and where a viewer removes styles, the elements still differ.
+# HTML element and style of each mark. The colours are legible on white and on black. The elements
+# differ too, for viewers that remove styles.
 _ELEMENTS = {
     "entry": ("u", "text-decoration:underline 2px #2e9d72"),
     "wrong": ("b", "outline:2px solid #e0443e"),

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from helpers.inputs import shorten
 
-# str, or nested lists of float, str, None (no finite number), {"tree"}, {"odd"} and {"named"}
+# str, or nested lists of float, str, None (number not finite), {"tree"}, {"odd"} and {"named"}
 Data = Any
 _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan")
 
@@ -60,7 +60,7 @@ def _convert_entry(x: Any) -> Data:
 def _convert_number(x: Any) -> float | None:
     try:
         value = float(x)
-    except OverflowError:  # a whole number of more than 308 digits
+    except OverflowError:  # an integer of more than 308 digits
         return None
     return value if math.isfinite(value) else None
 

@@ -1,4 +1,4 @@
-"""Read how a student's table counts its joints, from the judge's answer."""
+"""Convert between the joint angles of a student's table and those of the reference."""
 
 import math
 from collections.abc import Mapping

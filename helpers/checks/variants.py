@@ -1,4 +1,4 @@
-"""Define other published numbers of the homework's arms, which students take by mistake.
+"""Define other published numbers of the homework's arms, which students use by mistake.
 
 A maker may count a joint the other way, a report may simplify the masses, and robots of nearly the
 same name have other lengths. The judge names such a mistake; its own code knows no arm.
@@ -16,7 +16,7 @@ __all__ = ["find_variants"]
 
 @dataclass(frozen=True)
 class Namesake:
-    """A robot of nearly the same name, whose numbers students take by mistake.
+    """A robot with a similar name, whose numbers students use by mistake.
 
     Args:
         name: Its name.
@@ -65,7 +65,7 @@ class Variants:
 
 _PANDA_VARIANTS = Variants(
     maker_signs=(1, -1, 1, -1, 1, 1, -1),
-    # Gaz et al. (2019), in the Craig frames of the maker.
+    # Centres of Gaz et al. (2019), in the frames of the maker's modified table.
     published_centres=(
         (0.003875, 0.002081, -0.04762),
         (-0.003141, -0.02872, 0.003495),
@@ -75,7 +75,7 @@ _PANDA_VARIANTS = Variants(
         (0.060149, -0.014117, -0.010517),
         (0.010517, -0.004252, 0.061597),
     ),
-    # The homework's report on the Panda: links 2 and 3 are one uniform bar up the upper arm.
+    # In the homework's report on the Panda, links 2 and 3 are a single uniform bar.
     lumped=LumpedModel(
         "the Panda report",
         (2, 3),
@@ -93,7 +93,7 @@ _LENGTHS = ("d_1", "a_2", "a_3", "d_4", "d_5", "d_6")
 # Universal Robots' table of DH parameters: lengths (m) and masses (kg) of the UR10.
 _UR10 = dict(zip(_LENGTHS, (0.1273, 0.612, 0.5723, 0.163941, 0.1157, 0.0922), strict=True))
 _UR10_MASSES = (7.1, 12.7, 4.27, 2.0, 2.0, 0.365)
-_UR10_DRAWN = {name: UR10E_HOMEWORK.values[name] for name in _LENGTHS}  # its manual's drawing
+_UR10_DRAWN = {name: UR10E_HOMEWORK.values[name] for name in _LENGTHS}  # as drawn in its manual
 _UR10E_LENGTHS = {name: UR10E.values[name] for name in _LENGTHS}
 
 _VARIANTS = (

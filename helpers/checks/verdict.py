@@ -1,4 +1,4 @@
-"""The verdict that every comparison returns, and its findings."""
+"""Define the verdict that every comparison returns, and its findings."""
 
 import json
 import re
@@ -41,7 +41,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class NumberRead:
-    """A number of a pasted text with its owner.
+    """A number of a pasted text and how it was used.
 
     Attributes:
         text: the number as typed, without its unit.

@@ -1,4 +1,4 @@
-"""Derive a Denavit-Hartenberg table from joint axes, row by row, as one does by hand.
+"""Derive a Denavit-Hartenberg table from joint axes, row by row, as by hand.
 
 Draw the arm in some configuration, and give each joint's axis, the base and the tip. `derive` then
 places the frames: z_{i-1} on axis i, x_i along the common normal from z_{i-1} to z_i, o_i where

@@ -1,4 +1,4 @@
-"""Place frames on joint axes row by row; a row's four numbers take frame i-1 to frame i."""
+"""Place frames on joint axes row by row; a row's four numbers move frame i-1 to frame i."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ from helpers.poses import rigid_poses
 from helpers.rows import angle_entry, cos_sin
 
 _POSE = "a rigid motion, 4x4, in m"
-_NEARLY_PARALLEL = 1e-3  # largest sine of the angle between axes that a warning calls nearly so
-_FAR = 10  # a normal this many times farther from the base than all else gives a warning
+_NEARLY_PARALLEL = 1e-3  # below this sine of their angle, axes give a warning
+_FAR = 10  # a common normal this many times farther away than the arm gives a warning
 
 
 def derive(
@@ -81,7 +81,7 @@ def derive(
         require_type(axis, Axis, "an item of axes")
     expected = f"{_POSE}, or {POINT}"
     tip_array = float_array(tip, "tip", expected)
-    x_is_free = tip_array.ndim == 1  # whether the tip may be turned about its z axis
+    x_is_free = tip_array.ndim == 1  # the tip is a point, so its frame may turn about z
     if x_is_free:
         pose = np.eye(4)
         pose[:3, 2] = items[-1].direction
@@ -91,7 +91,8 @@ def derive(
     tolerance = finite_number(tolerance, "tolerance", "a number above 0, as 1e-9", above=0)
     choices = _Choices(bool(negative), tolerance)
 
-    # A slide without a point runs through the next turning axis or the tip.
+    # The axis of a prismatic joint has no position of its own, so without a point it is placed
+    # through the next revolute axis or the tip.
     lines, next_point = [Line(pose[:3, 3], pose[:3, 2])], pose[:3, 3]
     for axis in reversed(items):
         point = next_point if axis.point is None else np.array(axis.point)
@@ -113,7 +114,7 @@ def derive(
         steps.append(_derive_step(i, frame, joint, line, wish=wish, level=level, choices=choices))
         frame = steps[-1].frame
     if np.abs(frame - pose)[:, [3] if x_is_free else [0, 3]].max() >= tolerance:
-        # A fixed row shifts and turns the frame along the tip's z axis into the tip.
+        # The tip may be shifted and turned along its z axis; a fixed row adds this motion.
         x, _, z, o = frame[:3].T
         wish = x if x_is_free else pose[:3, 0]
         d = clean_length((pose[:3, 3] - o) @ z)
@@ -166,7 +167,7 @@ def _derive_step(
     case: Case
     if crossed := bool(np.linalg.norm(np.cross(z, line.z)) >= choices.tolerance):
         along = np.cross(z, line.z)
-        along = along - (along @ z) * z  # removes round-off, large for nearly parallel lines
+        along = along - (along @ z) * z  # removes round-off of nearly parallel lines
         along = along / np.linalg.norm(along)
         gap = out @ along
         case = "intersecting" if abs(gap) < choices.tolerance else "skew"
@@ -186,8 +187,8 @@ def _derive_step(
     alpha = math.pi if z @ line.z < 0 else 0.0
     if crossed:
         alpha = _compute_angle(float(np.cross(z, line.z) @ along), float(z @ line.z), choices)
-    # a and d are measured in the axes that the rounded angles give, so that they make up for the
-    # rounding.
+    # Measure a and d in the axes given by the rounded angles, so that the frame reaches the line
+    # in spite of the rounding.
     x_i, y_i, z_i, _ = (frame @ _make_link_transform(0, alpha, 0, theta))[:3].T
     if crossed:
         a, d = out @ x_i, out @ y_i / math.sin(alpha)

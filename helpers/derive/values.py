@@ -48,7 +48,7 @@ class Axis:
         if joint.kind == "fixed":
             raise ArmError("an axis's joint is fixed; expected revolute or prismatic")
         object.__setattr__(self, "joint", joint)
-        # Scaled by its largest component first, so that large numbers do not overflow.
+        # The vector is first divided by its largest component, so that its norm cannot overflow.
         expected = "a vector of three finite numbers, not all 0"
         vector = finite_array(self.direction, "an axis's direction", expected, (3,))
         largest = np.abs(vector).max()
@@ -103,7 +103,7 @@ class DerivationStep:
 
 @dataclass(frozen=True, eq=False)
 class Derivation:
-    """The table that `derive` found, and how.
+    """The table that `derive` found, and the steps of its derivation.
 
     Attributes:
         arm: The arm, with its table in the standard convention.
@@ -157,7 +157,7 @@ class Derivation:
 
 
 def clean_length(value: float, tolerance: float = 1e-12) -> float:
-    """Remove round-off from a length, as in 0.1639 for 0.16390000000000005.
+    """Remove round-off from a length: 0.16390000000000005 becomes 0.1639.
 
     A length (m) within 2e-11 of one with seven decimals, or within `tolerance` of 0, becomes that.
     """

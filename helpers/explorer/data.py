@@ -14,12 +14,12 @@ from helpers.checks.arms import Data, arm_data
 from helpers.inputs import ArmError, tuple_of_items
 from helpers.inverse import Solutions
 
-_PATH_POINTS = 181  # points kept of a path: one for every 2 degrees of a circle
-_DECIMALS = 5  # of joint values, so that round-off of a processor does not show
+_PATH_POINTS = 181  # most points sent of a path: one for every 2 degrees of a circle
+_DECIMALS = 5  # of joint values, so that stored data do not depend on the processor's round-off
 
 
 def circle_arm_data(arm: Arm) -> Data:
-    """Return the data of an arm, with the homework's circle if there is one for it."""
+    """Return the data of an arm, with the homework's circle if the homework has one for it."""
     if arm.circle is None:
         return arm_data(arm)
     task = arm.circle
@@ -30,7 +30,7 @@ def circle_arm_data(arm: Arm) -> Data:
 
 
 def arm_from(name: str, rows: Sequence[Mapping[str, Any]]) -> Arm:
-    """Return the arm of the rows that a browser sends.
+    """Return the arm given by the rows that a browser sends.
 
     Raises ArmError for invalid rows.
     """

@@ -27,15 +27,15 @@ ANY_ARM = {
     "row": UR10E_HOMEWORK,
     "ways": STANFORD,
 }
-#: Figures that show a single arm, whose lengths may differ.
+#: Figures that show only this arm, possibly with other lengths.
 ONE_ARM = {"swing": PANDA, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
 
-#: Names of the further settings of figures, of which each kind uses some.
+#: Names of all other settings of figures; each kind of figure uses some of them.
 SETTINGS = ("angle", "column", "fixed", "frames", "lit", "push", "row", "words", "wrench")
 
 
 class ArmFigure(LiveWidget):
-    """A small live figure, as the chapters show them beside a sentence.
+    """A small live figure, which the chapters show beside a sentence.
 
     Args:
         kind: The figure: columns, ellipsoid, hand, loads, matrix, row or ways, which show any arm;

@@ -1,4 +1,4 @@
-"""Write the form in which a page checks an answer, with the data of the arms it may ask about."""
+"""Write the form in which a page checks an answer, with the data of the arms to choose from."""
 
 import json
 from collections.abc import Mapping
@@ -8,10 +8,10 @@ from helpers.arm import Arm
 from helpers.checks.arms import Data, judge_data
 from helpers.inputs import ArmError
 
-# Calls that make the arms of the form's list: names in helpers.robots, some with a joint locked.
+# Calls that create the arms of the form's list: names in helpers.robots, and locked joints.
 _NAMES = (name for name, arm in vars(robots).items() if arm in robots.ARMS)
 CALLS = ("PANDA.lock(3)", "PANDA_HOMEWORK.lock(3)", *_NAMES)
-# Answers with a known mistake, one to each question, that fill the form before a reader types.
+# For each question an answer with a known mistake, which is in the form before a reader types.
 EXAMPLES = (
     {
         "ask": "jacobian",
@@ -65,7 +65,7 @@ tool   0        0.207  0      0""",
 
 
 def trace_example() -> dict[str, str]:
-    """Return the example of a trajectory: a circle, which can be drawn in two directions."""
+    """Return the example of a trajectory: a circle traced in the wrong direction."""
     q = (0.3, -0.6, 1.4, -0.8, 0.9, 0.2)
     path = motion.circle_below(robots.UR10E_HOMEWORK, q, 0.1, "yz", 5.0, 24)
     trajectory = motion.trace(robots.UR10E_HOMEWORK, q, path, method="exact")
@@ -84,7 +84,7 @@ def catalogue_arm(call: str) -> Arm:
 
 
 def form_html(question: Mapping[str, str] | None = None) -> tuple[str, str]:
-    """Return the HTML before and after the text that the form shows without a script.
+    """Return the HTML before and after the text that readers without scripts see.
 
     Args:
         question: The question of a chapter's form: `ask`, `arm` (a call such as ``PANDA.lock(3)``,
@@ -110,6 +110,6 @@ def list_entry(call: str) -> Data:
     """Return the data of an arm in the page's list."""
     arm = catalogue_arm(call)
     data = {**judge_data(arm), "key": call, "title": arm.name, "explorer": arm.name}
-    for joint in arm.locked:  # at 0; the explorer's arm moves it
+    for joint in arm.locked:  # locked at 0; the explorer's arm can move this joint
         data |= {"locked": joint, "title": f"{arm.name}, joint {joint} locked"}
     return data

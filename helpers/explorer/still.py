@@ -1,4 +1,4 @@
-"""Draw still pictures of arms, which notebooks show where no kernel runs."""
+"""Draw still pictures of arms, which notebooks show if no kernel runs."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm
 from helpers.explorer.data import Data
 
-RUN_HINT = " Run the cell to move it."  # shown where a notebook is opened without a kernel
+RUN_HINT = " Run the cell to move it."  # shown if no kernel runs
 
 
 def live_html(text: str, spec: Data, class_name: str = "arm-explorer", figure: str = "") -> str:

@@ -1,4 +1,4 @@
-"""The explorer as a notebook widget, which shares its joint vector with the page."""
+"""Define the explorer as a notebook widget, whose joint vector Python and the page share."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from helpers.inverse import Solutions
 VIEWS = ("table", "pose", "jacobian", "homework", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
 
-TYPED_ARM_NAME = "Your arm"  # judge/geometry/arm.js gives arms of typed tables the same name
+TYPED_ARM_NAME = "Your arm"  # the same name as in judge/geometry/arm.js
 
 BUNDLE = Path(__file__).parent / "static" / "explorer.js"
 
@@ -77,7 +77,7 @@ class LiveWidget(anywidget.AnyWidget):
         raise NotImplementedError
 
     def _ipython_display_(self) -> None:
-        from IPython.display import display  # a notebook has it, the page's build need not
+        from IPython.display import display  # not needed to build pages
 
         still = {"image/svg+xml": self._still(), "text/plain": f"<still picture of {self!r}>"}
         display(still, raw=True)
@@ -131,7 +131,7 @@ class ArmExplorer(LiveWidget):
         unit: str = "deg",
         link: bool = False,
     ) -> None:
-        # While a whole state is being set, a new arm must not drop the results set with it.
+        # False while a whole state is set, so that a new arm keeps the results set with it.
         self._is_settled = False
         self._arms: dict[str, Arm] = {}
         for shown_arm in (arm, *tuple_of_items(arms, "arms", "arms to choose from")):
@@ -171,7 +171,7 @@ class ArmExplorer(LiveWidget):
 
     @traitlets.observe("arm_name", "rows")
     def _on_another_arm(self, change: Mapping[str, Any]) -> None:
-        """Put a new arm at its home and drop results of the previous arm."""
+        """Set a new arm to its home and remove the results of the previous arm."""
         if not self._is_settled:
             return
         with self.hold_sync():
@@ -181,7 +181,7 @@ class ArmExplorer(LiveWidget):
             self.q = self.arm.home if len(self.arm.home) == self.arm.dof else [0] * self.arm.dof
 
     def set_state(self, sync_data: dict[str, Any]) -> None:
-        """Take a state from the page, which is complete if it names another arm."""
+        """Set the traits to a state from the page. A state with another arm must be complete."""
         self._is_settled = False
         try:
             super().set_state(sync_data)

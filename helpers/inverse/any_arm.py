@@ -1,4 +1,4 @@
-"""All solutions of any arm whose structure has a closed form."""
+"""Find all solutions of any arm whose structure has a closed form."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ from helpers.kinematics import forward_kinematics, jacobian
 
 Array = NDArray[np.float64]
 
-# A branch is listed if it takes the tip to the target within this, in m and rad.
+# Largest error, in m and rad, with which a branch may miss its target.
 VALID = 1e-9
-# Newton's method begins at branches this near their target, in m and rad. The first bound holds for
-# an exact structure, whose branches are rough only next to a boundary. The second holds for axes
-# that miss the structure by about as much.
+# Newton's method improves branches whose error is below these bounds, in m and rad. The first
+# bound is for arms with the exact structure, whose branches are inaccurate only close to a
+# boundary. The second is for arms that have the structure only nearly.
 FINISHED_FROM, NEARLY_FINISHED_FROM = 1e-6, 1e-2
-# Values tried for a free joint, in rad, if its given value leaves the other joints no solution.
+# Values for a free joint, in rad, that are tried if its start value gives no solution.
 TRIED = 0.55 * np.arange(1, 12)
 
 
@@ -89,7 +89,7 @@ def _solve_by_axes(arm: Arm, targets: ArrayLike, start: ArrayLike | None) -> Sol
     structure = find_structure(arm)
     is_position = structure.kind in (POSITION, PLANAR_2R)
     columns = check_positions(arm, targets) if is_position else check_poses(arm, targets)
-    # Any target shows which choices the structure leaves.
+    # The names of the choices are the same for every target; this one is the tip at rest.
     target = structure.tip[:3, 3] if is_position else structure.tip
     at_rest = np.zeros((len(structure.axes), 1))
     names = find_candidates(structure, target[..., None], at_rest).choices
@@ -112,8 +112,8 @@ def _solve_by_axes(arm: Arm, targets: ArrayLike, start: ArrayLike | None) -> Sol
     return replace(found, structure=structure.description)
 
 
-# Solvers in the order in which they are tried: the closed forms of the chapters, which are faster
-# and know distances and free families, and for all other arms their axes.
+# Solvers in the order of trial. The closed forms of the chapters come first, since they are faster
+# and also return distances and free joints; all other arms are solved by their axes.
 _SOLVERS = (
     (is_elbow_arm, elbow, "elbow arm"),
     (has_rod, rod, "rod through the shoulder"),
@@ -190,7 +190,7 @@ def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) ->
 def _refine_branches(
     arm: Arm, structure: Structure, targets: Array, q: Array
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Finish branches q (batch, branches, dof) by Newton's method.
+    """Improve branches q (batch, branches, dof) by Newton's method.
 
     Returns them and which are valid.
 

@@ -45,12 +45,12 @@ def norm(u: Array) -> Array:
 
 
 def across_axis(direction: Array, x: Array) -> Array:
-    """Return the part of x square to a unit direction."""
+    """Return the component of x perpendicular to a unit direction."""
     return x - dot(direction, x) * direction
 
 
 def unit_across(direction: Array) -> Array:
-    """Return a unit vector square to a constant direction (3, 1, 1)."""
+    """Return a unit vector perpendicular to a constant direction (3, 1, 1)."""
     least = np.eye(3)[np.abs(direction[:, 0, 0]).argmin()][:, None, None]
     e = cross(direction, least)
     return e / norm(e)

@@ -1,4 +1,4 @@
-"""All solutions of an arm from its structure, see `helpers.inverse.structure`.
+"""Find all solutions of an arm from its structure (`helpers.inverse.structure`).
 
 A target T is a motion G = T T_ref^-1 of the tip away from its pose at the reference. It is the
 product of the joints' motions, G = E_1 E_2 ... E_n, in which E_i turns about (or slides along)
@@ -86,7 +86,8 @@ def find_candidates(structure: Structure, targets: Array, start: Array) -> Candi
     if structure.kind == POSITION:
         return _place_point(axes, tip, targets[:, None], size, start)
     if structure.kind == PLANAR_2R:
-        # The tip is the third of three parallel axes, whose turn is left out.
+        # A third parallel axis through the tip makes it an arm of three parallel joints. Their last
+        # angle is not used.
         three = (*axes, JointAxis(axes[0].direction, tip, True))
         goal, start = targets[:, None], np.concatenate([start, start[:1]])
         found = _find_triangle_candidates(three, lambda x: goal + 0 * x, size, start)
@@ -95,7 +96,7 @@ def find_candidates(structure: Structure, targets: Array, start: Array) -> Candi
     if structure.kind == WRIST:
         return _find_wrist_candidates(structure, axes, G, start)
     if structure.kind == FIRST_THREE_MEET:
-        # A wrist, counted from the tip.
+        # An arm whose first three axes meet is a wrist if it is counted from the tip.
         found = _find_wrist_candidates(structure, axes[::-1], invert_transform(G), -start[::-1])
         free = {5 - joint: where for joint, where in found.free.items()}
         return replace(found, motions=[-motion for motion in found.motions[::-1]], free=free)
@@ -133,7 +134,7 @@ def _place_point(
     """
     first, second, third = axes
     flat_1, flat_3 = find_flatness(first, second, size), find_flatness(third, second, size)
-    A_1, b_1 = compute_invariants(second, joint_curve(first, p), size)  # of joint 1 undone, by -q_1
+    A_1, b_1 = compute_invariants(second, joint_curve(first, p), size)  # of -q_1
     A_3, b_3 = compute_invariants(second, joint_curve(third, w), size)
     if flat_3.width < NEARLY:
         shoulder, elbow = _cross_segment(
@@ -180,7 +181,7 @@ def _cross_segment(
     size: float,
     start: tuple[Array, Array],
 ) -> tuple[Roots, Roots]:
-    """Return where a conic crosses a segment: the conic's joint first, then the segment's.
+    """Return the joint values at which a conic crosses a segment: the conic's, then the segment's.
 
     Args:
         flat: the directions along and across the segment.
@@ -201,7 +202,7 @@ def _cross_segment(
 def _cross_alike(
     one: tuple[Array, Array], other: tuple[Array, Array], turns: bool, chosen: Array
 ) -> tuple[Roots, Array]:
-    """Return where two circles, or two parabolas, cross: the roots of joint 1, then joint 3.
+    """Return the values of joints 1 and 3 at which two circles, or two parabolas, cross.
 
     Their difference is a line, so that no quartic is left.
     """
@@ -228,13 +229,16 @@ def _multiply_by_normal(n: Array, b: Array) -> Array:
 def _find_wrist_candidates(
     structure: Structure, axes: tuple[JointAxis, ...], G: Array, start: Array
 ) -> Candidates:
-    """Return the motions of an arm whose last three axes meet: first three place their point."""
+    """Return the motions of an arm whose last three axes meet in a point.
+
+    The first three joints place this point, the last three the orientation.
+    """
     w = structure.centre
     assert w is not None
     placed = _place_point(axes[:3], w, transform_point(G, w), structure.size, start[:3])
 
     def before(x: Array) -> Array:
-        """Return directions as they were before joints 1 to 3 moved."""
+        """Undo the motion of joints 1 to 3 on directions."""
         for axis, q in zip(axes[:3], placed.motions, strict=True):
             x = move_direction(axis, -q, x)
         return x
@@ -244,7 +248,8 @@ def _find_wrist_candidates(
     roots = turns_to_angle(fifth, sixth + 0 * wanted, fourth, wanted)
     q_5, wanted = roots.values, double(wanted)
     q_4, singular = angle_between(fourth, rotate(fifth, q_5, sixth), wanted, 1.0, start[3])
-    # Joint 6 follows joint 4: near a straight wrist each is uncertain, and only their sum is right.
+    # Compute joint 6 from joint 4: near a straight wrist each angle is uncertain, and only their
+    # sum is accurate.
     mark = cross(sixth, fifth)
     turned = double(before(transform_direction(G, mark)))
     turned = rotate(fifth, -q_5, rotate(fourth, -q_4, turned))
@@ -281,15 +286,15 @@ def _find_parallel_candidates(structure: Structure, G: Array, start: Array) -> C
         met = meeting_point((structure.axes[others[0]], structure.axes[others[1]]), loop.size)
     if met is not None:
         point = transform_point(back, met[0]) if others[0] < first else met[0]
-        rest = _last_of_loop_first(loop, axes, point)
+        rest = _solve_last_joint_first(loop, axes, point)
     else:
         met = meeting_point((structure.axes[others[1]], structure.axes[others[2]]), loop.size)
         assert met is not None
         point = transform_point(back, met[0]) if others[1] < first else met[0]
-        rest = _first_of_loop_first(loop, axes, point)
+        rest = _solve_first_joint_first(loop, axes, point)
 
     def planar(x: Array) -> Array:
-        """Return points as the three parallel joints must move them."""
+        """Return the points to which the three parallel joints must move the points x."""
         for axis, q in zip(axes, rest.motions, strict=True):
             x = move_point(axis, -q, x)
         return transform_point(G, x)
@@ -317,10 +322,10 @@ class _Loop(NamedTuple):
     start: Array
 
 
-def _last_of_loop_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Candidates:
-    """Return the motions of joints a, b, c, of which a and b meet in a point: c comes first.
+def _solve_last_joint_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Candidates:
+    """Return the motions of joints a, b, c, if axes a and b meet in a point: c is solved first.
 
-    The parallel joints leave the height of the point alone, which only joint c changes.
+    Only joint c changes the height of the point along the parallel axes.
     """
     a, b, c = axes
     h, h_back = loop.parallel, transform_direction(invert_transform(loop.G), loop.parallel)
@@ -343,8 +348,8 @@ def _last_of_loop_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Can
     )
 
 
-def _first_of_loop_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Candidates:
-    """Return the motions of joints a, b, c, of which b and c meet in a point: a comes first."""
+def _solve_first_joint_first(loop: _Loop, axes: list[JointAxis], point: Array) -> Candidates:
+    """Return the motions of joints a, b, c, if axes b and c meet in a point: a is solved first."""
     a, b, c = axes
     h, h_back = loop.parallel, transform_direction(invert_transform(loop.G), loop.parallel)
     curve = joint_curve(a, point)

@@ -1,8 +1,8 @@
-"""The curve on which a joint moves a point, as the next joint sees it.
+"""Describe the curve on which a joint moves a point by invariants of the next joint.
 
-Joint 2 leaves two numbers of a point alone: for a revolute joint the height along its axis and the
-squared distance from a point of it. In the plane of these two numbers the circle of a neighbouring
-joint is an ellipse. It is flattened to a segment where the two axes meet or are parallel.
+Two numbers of a point stay the same when joint 2 moves it: for a revolute joint the height along
+its axis, and the squared distance from a point of the axis. In the plane of these two numbers the
+circle of a neighbouring joint is an ellipse, or a segment if the two axes meet or are parallel.
 """
 
 from typing import NamedTuple
@@ -33,7 +33,7 @@ def joint_curve(axis: JointAxis, x: Array) -> Curve:
 
 
 def compute_invariants(second: JointAxis, curve: Curve, size: float) -> tuple[Array, Array]:
-    """Return the two numbers that joint 2 leaves alone along a curve: A (x, y) + b, in m.
+    """Return the two invariants of joint 2 along a curve as A (x, y) + b, in m.
 
     For a revolute joint 2 they are the height along its axis and the squared distance from a point
     of it, over twice the size; for a prismatic one, two coordinates across it.
@@ -64,10 +64,11 @@ class Flatness(NamedTuple):
 
 
 def find_flatness(axis: JointAxis, second: JointAxis, size: float) -> Flatness:
-    """Return how flat the curve of a joint is beside a second joint."""
+    """Return how flat the curve of a joint is, in the invariants of a second joint."""
     x = axis.point + size * np.array([0.3, -0.7, 0.5])[:, None, None]
     A, _ = compute_invariants(second, joint_curve(axis, x), size)
     U, sizes, _ = np.linalg.svd(A[:, :, 0, 0])
-    # Roots are named by their sign, so a direction must not depend on the library that found it.
+    # The names of roots depend on these signs, so the signs must not depend on the linear algebra
+    # library.
     U = U * np.where(np.where(np.abs(U[0]) > 1e-6, U[0], U[1]) < 0, -1.0, 1.0)
     return Flatness(U, float(sizes[1] / sizes[0]) if sizes[0] > 0 else 0.0)

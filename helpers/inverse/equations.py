@@ -1,4 +1,4 @@
-"""The three equations that every structured arm comes down to.
+"""Solve the three equations to which every structured arm is reduced.
 
 1. a cos q + b sin q = c: two roots.
 2. The turn about an axis that takes one point to another: one root.
@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from helpers.inverse.axes import Array, across_axis, cross, dot, norm
 
-# A target this close to the boundary of what a joint reaches (relative to the arm's size, or in
-# rad) counts as on it: a thousand times the round-off of a pose.
+# A target this close to the boundary of a joint's range of points (relative to the arm's size, or
+# in rad) counts as on it: a thousand times the round-off of a pose.
 BOUNDARY = 1e-12
-# A point this close to an axis (relative to the arm's size) counts as on it: turns about the axis
-# move it by less than the round-off that a pose of the arm collects.
+# A point this close to an axis (relative to the arm's size) counts as on it, since turns about the
+# axis move it by less than the round-off of a pose of the arm.
 ON_AXIS = 1e-11
 
 Mask = NDArray[np.bool_]
@@ -37,7 +37,7 @@ class Roots(NamedTuple):
 
 
 def double(x: NDArray) -> NDArray:
-    """Repeat each branch, (..., branches, batch), for the two roots that follow from it."""
+    """Repeat each branch, (..., branches, batch), once for each of its two roots."""
     return np.repeat(x, 2, axis=-2)
 
 
@@ -63,7 +63,7 @@ def solve_cosine_sine(a: Array, b: Array, c: Array, scale: float, chosen: Array)
     gap = amplitude - np.abs(c)
     gap = np.where(np.abs(gap) < BOUNDARY * scale, 0.0, gap)
     free = amplitude < ON_AXIS * scale
-    # Half angles keep full precision where both roots meet; arccos would lose half the digits.
+    # Half angles are accurate even if both roots coincide, while arccos would lose half the digits.
     half = np.arctan2(np.sqrt(np.maximum(gap, 0.0)), np.sqrt(amplitude + np.abs(c)))
     half = np.where(free, 0.0, 2 * np.where(c < 0, np.pi / 2 - half, half))
     middle = np.where(free, chosen, np.arctan2(b, a))
@@ -91,7 +91,7 @@ def solve_quadratic(a: Array, b: Array, c: Array, scale: float) -> Roots:
 def angle_between(
     direction: Array, x: Array, y: Array, scale: float, chosen: Array
 ) -> tuple[Array, Mask]:
-    """Return the turn about a direction from x to y, and where any turn will do.
+    """Return the turn about a direction from x to y, and where the turn is arbitrary.
 
     Args:
         direction: unit vector, (3, 1, 1 or batch).
@@ -99,14 +99,14 @@ def angle_between(
         scale: the length that x and y are compared with.
         chosen: the angle where x or y lies along the direction, (batch,).
     """
-    # Projecting first keeps the digits that the product of long vectors would lose.
+    # Project first, because the product of long vectors would lose digits.
     x, y = across_axis(direction, x), across_axis(direction, y)
     free = np.minimum(dot(x, x), dot(y, y)) < (ON_AXIS * scale) ** 2
     return np.where(free, chosen, np.arctan2(dot(direction, cross(x, y)), dot(x, y))), free
 
 
 def turns_to_angle(direction: Array, x: Array, y: Array, target: Array) -> Roots:
-    """Return the two turns about a direction after which x has a given angle to y.
+    """Return the two turns about a direction that bring x to a given angle with y.
 
     The direction, x and y are corners of a spherical triangle whose sides are known: the angles
     of x and y to the direction, and the angle of x to y, which must become that of `target` to y.
@@ -128,7 +128,7 @@ def turns_to_angle(direction: Array, x: Array, y: Array, target: Array) -> Roots
 
 
 def _compute_angle(u: Array, v: Array) -> Array:
-    """Return the angle between vectors, precise near 0 and pi too."""
+    """Return the angle between vectors, which is accurate near 0 and pi too."""
     return np.arctan2(norm(cross(u, v)), dot(u, v))
 
 

@@ -10,18 +10,18 @@ from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
 
-# m: targets this close to the workspace boundary are treated as on it (1000 x round-off). Two
-# branches meet on the boundary and differ beside it by the square root of the distance, so that
-# rounding a pose in its last digit would otherwise move them by 1e-8 rad.
+# m: targets this close to the workspace boundary are treated as on it (1000 x round-off). On the
+# boundary two branches coincide; next to it they differ by the square root of the distance, so
+# that a pose rounded in its last digit would otherwise move them by 1e-8 rad.
 REACH = 1e-12
-# A sine this small counts as 0, which moves the tool by no more than as many radians.
+# A sine this small counts as 0, which turns the tool by at most this angle in rad.
 SINGULAR = 1e-11
-# Largest effect of rounding on an axis that is computed from a pose.
+# Largest round-off of an axis that is computed from a pose.
 NOISE = 4e-15
 
 
 class Plane(NamedTuple):
-    """The arm's plane in its two positions, front and back.
+    """The arm's plane in its two directions, front and back.
 
     Attributes:
         phi: Joint 1's angle with its offset, shape (2, batch), rad.

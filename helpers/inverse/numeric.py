@@ -25,7 +25,7 @@ from helpers.program import RowMotion, Value, get_program, run_batch
 
 Array = NDArray[np.float64]
 
-_CHUNK = 4096  # so many descents at a time keep the recursion over the links inside the caches
+_CHUNK = 4096  # number of descents at a time whose data fit into the processor's caches
 
 
 @dataclass(frozen=True, repr=False)
@@ -140,7 +140,7 @@ def solve(
     best = _descend(arm, goal, start, rule)
     starts, random = np.ones(len(goal), int), np.random.default_rng(0)
     lower, upper = arm.limits
-    far = np.where(arm.turning, np.pi, 1.0)  # random starts of a joint without limits, rad or m
+    far = np.where(arm.turning, np.pi, 1.0)  # range of random starts without limits, rad or m
     ends = np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)
     for _ in range(restarts):
         missed = np.flatnonzero(best.worst > tolerance)
@@ -148,8 +148,8 @@ def solve(
             break
         begin = random.uniform(*ends, (missed.size, arm.dof))
         if limits:
-            # A descent often ends at a limit. This one passes it, and whole turns bring the joints
-            # back between their limits, from where the second descent begins.
+            # A descent often ends at a joint limit. So ignore the limits first, then add whole
+            # turns that bring the joints within their limits, and descend again.
             passed = _descend(arm, goal[missed], begin, unbounded).q
             outside = arm.turning & ((passed < lower) | (passed > upper))
             turns = np.ceil((np.where(outside, lower, passed) - passed) / (2 * np.pi))
@@ -208,7 +208,7 @@ def _descend(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
 
 
 def _descend_batch(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
-    """Step a batch.
+    """Step a batch of descents until each has converged or used up its steps.
 
     Vectors that have arrived or cannot improve any more leave it.
     """
@@ -229,8 +229,8 @@ def _descend_batch(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent
         tried = np.clip(q + _compute_step(J, q, error, caution, bounds), *bounds)
         there, left = _jacobian_and_error(arm, tried, goal)
         better = _squared_norms(left) < _squared_norms(error)
-        # The damping factor falls after a step that removed 90 % of the squared error, stays after
-        # any other improvement, and grows after a failure, more after a long step.
+        # The damping factor is reduced after a step that removed 90 % of the squared error, kept
+        # after any other improvement, and raised after a failure, more so after a long step.
         strides = _squared_norms(tried - q)
         failed = np.maximum(10.0 * caution, 0.3 / np.maximum(strides, 1e-18))
         is_large = _squared_norms(left) < 0.1 * _squared_norms(error)
@@ -268,7 +268,7 @@ def _solve_damped(J: Array, error: Array, damping: Array) -> Array:
 def _jacobian_and_error(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     """Return Jacobians (batch, rows, dof) and errors to the goal (batch, rows), m and then rad."""
     rows = run_batch(get_program(arm, _tip_and_jacobian), q.T)
-    # J is a copy: the program reuses its rows, and a failed step is repeated from this J.
+    # Copy J, because the program overwrites its rows, and a failed step is repeated with this J.
     pose, J = rows[:16].reshape(4, 4, -1), rows[16:].T.copy().reshape(-1, 6, arm.dof)
     tip = pose[:3, 3]
     if goal.shape[-2] == 1:
@@ -298,7 +298,7 @@ def rotation_vectors(frames: Sequence[Array], target_frames: Sequence[Array]) ->
     angle = np.arctan2(sine, cosine)
     vector = axis * np.where(sine > 1e-8, angle / np.maximum(sine, 1e-300), 1.0)
     for k in np.flatnonzero((sine <= 1e-8) & (cosine < 0)):
-        # After a half turn R + I = 2 n n^T, whose largest column gives the axis n.
+        # For a half turn R + I = 2 n n^T, so its largest column gives the axis n.
         columns = np.sum([np.outer(v[:, k], u[:, k]) for u, v in pairs], axis=0) + np.eye(3)
         largest = columns[:, np.argmax(np.diag(columns))]
         vector[:, k] = np.pi * largest / np.linalg.norm(largest)

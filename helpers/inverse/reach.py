@@ -1,4 +1,4 @@
-"""Compute how far a target is out of reach of three joints that place a point."""
+"""Compute how far a target is out of reach of three joints that move a point."""
 
 import numpy as np
 
@@ -24,8 +24,8 @@ from helpers.inverse.structure import (
     Structure,
 )
 
-# Motions (rad, or shares of the arm's size) of each joint from which the search begins, and steps
-# of each search. tests/test_any_arm.py holds the result against a search from ten times as many.
+# Start values of each joint (rad, or fractions of the arm's size) and steps of each search.
+# tests/test_any_arm.py compares the result with a search from ten times as many starts.
 _STARTS = np.array([-1.6, 1.6])
 _STEPS = 25
 
@@ -94,7 +94,7 @@ def distance_of_targets(structure: Structure, targets: Array) -> Array:
 def _distance_to_ring(
     first: JointAxis, second: JointAxis, w: Array, p: Array, is_lifted: bool = False
 ) -> Array:
-    """Return how far p is from the ring that two parallel joints let the point w reach.
+    """Return the distance of p from the ring of points to which two parallel joints can move w.
 
     `is_lifted` says whether a sliding joint brings w to any height. NaN where p is in reach: then
     the target asks for an orientation that the arm does not have.
@@ -111,7 +111,7 @@ def _distance_to_ring(
 def _gap_and_step(
     axes: tuple[JointAxis, ...], q: Array, w: Array, p: Array, damping: Array
 ) -> tuple[Array, Array]:
-    """Return the gap p - E_1 E_2 E_3 w and the damped Newton step that makes it smaller.
+    """Return the gap p - E_1 E_2 E_3 w and the damped Newton step that reduces it.
 
     The second derivatives of the point count, since the gap stays large at the nearest one:
     d2x / dq_i dq_j = z_i x (dx / dq_j) for i <= j, where joint i turns about z_i.
@@ -133,7 +133,7 @@ def _gap_and_step(
     for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
         curvature = dot(gap, cross(directions[i], velocities[j])) if axes[i].turns else 0.0
         hessian[..., i, j] = hessian[..., j, i] = dot(velocities[i], velocities[j]) - curvature
-    # Negative eigenvalues of the Hessian count by their size, so that the step leads downhill.
+    # Use absolute values of the Hessian's eigenvalues, so that the step reduces the distance.
     values, vectors = np.linalg.eigh(hessian)
     along = (vectors.swapaxes(-1, -2) @ gradient[..., None])[..., 0]
     step = (vectors @ (along / (np.abs(values) + damping[..., None]))[..., None])[..., 0]

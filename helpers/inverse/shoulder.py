@@ -31,33 +31,41 @@ ROD_BRANCHES = (("front", "back"), ("rod out", "rod through"))
 
 
 def elbow(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an elbow arm that put its tip at `targets`, shape (..., 3) in m: four
-    branches.
+    """Return the four branches of an elbow arm for positions of its tip, in closed form.
 
-    "front" turns the arm's plane towards the target, "back" away from it; the elbow is above or
-    below the line from shoulder to tip. The table is alpha = (+-90, 0 or 180, any) degrees with a_1
-    = 0, with or without offsets along the axes; a fourth, fixed row may carry the tip along z_3.
-    Straight above the shoulder of an arm without offset joint 1 is free and keeps its value of
-    `start`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
+    In "front" branches the arm's plane turns towards the target, in "back" branches away from it.
+    "elbow up" means that the elbow is above the line from the shoulder to the tip.
+
+    Args:
+        arm: An arm with alpha = (+-90, 0 or 180, any) degrees and a_1 = 0, and any d. A fourth,
+            fixed row may move the tip along z_3.
+        targets: Positions of the tip, shape (..., 3), in m.
+        start: Values of free joints, shape (..., 3); zeros by default. Joint 1 of an arm without
+            offset is free straight above the shoulder.
+
+    Raises:
+        ArmError: The arm has another table, or the targets have another shape.
     """
     require_elbow_arm(arm)
     return each_branch(arm, check_positions(arm, targets), start, ELBOW_BRANCHES, elbow_kernel)
 
 
 def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an RRP arm that put its tip at `targets`, shape (..., 3) in m: four
-    branches.
+    """Return the four branches of an RRP arm for positions of its tip, in closed form.
 
-    As `elbow`, with a rod that slides through the shoulder: "out" where q_3 plus its offset is
-    positive, "through" where it is negative, which few real rods can be. The table is alpha =
-    (+-90, +-90, 0) degrees with a = 0. Raises ArmError for another table or shape.
+    Its rod slides through the shoulder. "rod out" means that q_3 plus its offset is positive, "rod
+    through" that it is negative, which few real rods can do. Otherwise as `elbow`.
+
+    Raises:
+        ArmError: The table is not alpha = (+-90, +-90, 0) degrees with a = 0, or the targets have
+            another shape.
     """
     require_rod(arm)
     return each_branch(arm, check_positions(arm, targets), start, ROD_BRANCHES, rod_kernel)
 
 
 def elbow_kernel(arm: Arm, p: Array, start: Array) -> BranchArrays:
-    """Both shoulders with both elbows, for positions (3, batch)."""
+    """Compute both shoulder branches with both elbow branches, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
     shape = _read_shape(second, third, tool[0].d if tool else 0.0)
     plane = turn_plane_to_target(first, shape.offset, p, start[0] + first.theta)
@@ -77,7 +85,7 @@ def elbow_kernel(arm: Arm, p: Array, start: Array) -> BranchArrays:
 
 
 def rod_kernel(arm: Arm, p: Array, start: Array) -> BranchArrays:
-    """Both shoulders with the rod out and through, for positions (3, batch)."""
+    """Compute both shoulder branches with the rod out and through, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
     plane = turn_plane_to_target(first, second.d, p, start[0] + first.theta)
     out = np.array([1.0, -1.0])[:, None]
@@ -96,8 +104,7 @@ def rod_kernel(arm: Arm, p: Array, start: Array) -> BranchArrays:
 
 
 class Shape(NamedTuple):
-    """An elbow arm in its plane: two links, the bend built into the second, the plane's offset
-    along z_1."""
+    """An elbow arm in its plane: links, constant bend of the second, offset along z_1."""
 
     links: Links
     beta: float
@@ -112,7 +119,7 @@ def _read_shape(second, third, tool: float) -> Shape:
 
 
 def _elbow_distance(shape: Shape, first: NumericRow, p: Array) -> Array:
-    """To the nearest point within reach.
+    """Return the distance of positions (3, batch) from the nearest point within reach.
 
     Seen beside the axis at (rho, s), s up from the shoulder, the arm reaches what lies at least
     `offset` from the axis and has inner^2 <= rho^2 - offset^2 + s^2 <= outer^2: a ring, cut off

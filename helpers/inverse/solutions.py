@@ -1,4 +1,4 @@
-"""Hold all solution branches of a batch of targets, and choose among them."""
+"""Store all solution branches of a batch of targets, and choose branches by name or distance."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from helpers.poses import rigid_poses
 
 Array = NDArray[np.float64]
 
-# Targets solved at a time: enough to make the interpreter's share small, few enough for the cache.
+# Targets solved at a time: enough that NumPy does most of the work, few enough for the cache.
 _CHUNK = 4096
 
 
-# rad: a planar arm's target that is tilted by more has no solution. Poses have six decimals.
+# rad: a planar arm cannot reach a target tilted by more. Typed poses have six decimals.
 TILTED = 1e-6
 
 
@@ -148,7 +148,7 @@ class Solutions:
         return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
     def _list_cells(self) -> list[tuple[str, ...]]:
-        """Return a table row for each branch, with its name and joint values or "any"."""
+        """Return a table row for each branch: name, and joint values or "any" for a free joint."""
         shown = [[f"{x:.4f}" for x in q.round(4) + 0.0] for q in self.by_name.values()]
         loose = self.free[self.valid]
         rows = zip(self.by_name, loose, shown, strict=True)
@@ -163,7 +163,7 @@ class Solutions:
         return _is_within_limits(self.arm, _turn_towards(self.arm, self.q, np.zeros(self.arm.dof)))
 
     def nearest(self, q: ArrayLike) -> Array:
-        """Return the branch whose largest joint change from q is smallest.
+        """Return the branch whose largest joint change from q is the smallest.
 
         Args:
             q: Joint values, shape (..., dof), rad or m. Each revolute joint is counted in the turn
@@ -270,7 +270,7 @@ def each_branch(
         merged[part] = np.stack([np.broadcast_to(x, valid[part].shape) for x in found.merged], -2)
         valid[part] = found.valid
         for choice, is_one in enumerate(found.merged):
-            if is_one.any():  # of merged branches the first is listed
+            if is_one.any():  # list the first of coinciding branches
                 second = (slice(None),) * choice + (1,)
                 valid[part][second] &= ~merged[part][..., choice, :][second]
         distance[part] = found.distance
@@ -298,7 +298,7 @@ def _arrange_columns(values: Array, shape: tuple[int, ...]) -> Array:
 
 
 def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
-    """View an array (..., batch) as the batch's shape, followed by `axes`."""
+    """Return a view of an array (..., batch) with the batch's shape first, then `axes`."""
     return columns.reshape(math.prod(axes), -1).T.reshape((*shape, *axes))
 
 
@@ -329,7 +329,7 @@ def check_poses(arm: Arm, targets: ArrayLike) -> Array:
 def _warn_of_millimetres(arm: Arm, points: Array) -> None:
     """Warn if a target is farther from the base than ten times the arm's reach."""
     ends = np.abs(arm.limits).max(axis=0)[~arm.turning]
-    slides = np.where(np.isfinite(ends), ends, 1.0).sum()  # one without limits counts as 1 m
+    slides = np.where(np.isfinite(ends), ends, 1.0).sum()  # a slide without limits counts as 1 m
     reach = sum(math.hypot(row.a, row.d) for row in arm.numeric) + float(slides)
     far = float(np.linalg.norm(points, axis=-1).max(initial=0.0))
     if far > 10 * reach:
@@ -363,7 +363,7 @@ def _turn_towards(arm: Arm, q: Array, start: Array) -> Array:
     return q + whole * np.ceil(np.maximum(lower - q - _SLACK, 0) / turn)
 
 
-_SLACK = 1e-9  # rad or m: a joint this far beyond its limit counts as at it
+_SLACK = 1e-9  # rad or m: a joint this little beyond its limit is within it
 
 
 def _is_within_limits(arm: Arm, q: Array) -> NDArray[np.bool_]:

@@ -18,11 +18,11 @@ from helpers.inverse.axes import Array, JointAxis, cross, norm
 from helpers.inverse.curves import find_flatness
 from helpers.kinematics import link_frames
 
-# Axes this close (in rad, or in lengths over the arm's size) count as meeting or as parallel. Files
-# round angles to four digits and calibrated arms are off by about as much; Newton's method then
-# finishes each branch on the true arm.
+# Axes this close (in rad, or in lengths over the arm's size) count as meeting or parallel. Files
+# round angles to four digits, and calibrated arms deviate by about as much. Newton's method then
+# corrects each branch for the actual arm.
 NEARLY = 1e-4
-# Axes this close meet or are parallel up to round-off, so that the closed form needs no finishing.
+# Axes this close meet or are parallel up to round-off, so the closed form needs no correction.
 EXACT = 1e-10
 
 FIRST_THREE_MEET, WRIST, PARALLEL = "first three axes meet", "spherical wrist", "parallel axes"
@@ -113,7 +113,7 @@ def find_structure(arm: Arm) -> Structure:
 
 
 def axes_at_generic_configuration(arm: Arm) -> tuple[tuple[JointAxis, ...], float, Array, Array]:
-    """Return the axes as lines at a configuration, which is returned too.
+    """Return the axes as lines at a generic configuration, and this configuration.
 
     The configuration is a generic one: at q = 0 axes that differ are often one line. Each axis has
     the foot of the perpendicular from the point before as its point, since the common normals of
@@ -135,7 +135,7 @@ def axes_at_generic_configuration(arm: Arm) -> tuple[tuple[JointAxis, ...], floa
 
 
 def meeting_point(axes: tuple[JointAxis, ...], size: float) -> tuple[Array, float] | None:
-    """Return the point (3, 1, 1) where revolute axes meet and by how much they miss it.
+    """Return the point (3, 1, 1) where revolute axes meet, and their largest distance from it.
 
     None where an axis slides, two neighbours are parallel, or the axes miss each other by more
     than NEARLY times the arm's size.
@@ -153,7 +153,7 @@ def meeting_point(axes: tuple[JointAxis, ...], size: float) -> tuple[Array, floa
 
 
 def crossing_gap(axes: tuple[JointAxis, ...], size: float) -> float:
-    """Return how far the curves of joints 1 and 3 are from crossing in closed form.
+    """Return how far the curves of joints 1 and 3 are from a crossing with a closed form.
 
     They do where one of them is a segment, where both are parabolas (slides beside a turning joint)
     or both are circles (turns about the direction of a slide). Otherwise the crossings are the
@@ -169,7 +169,7 @@ def crossing_gap(axes: tuple[JointAxis, ...], size: float) -> float:
 
 
 def parallel_gap(axes: tuple[JointAxis, ...]) -> float:
-    """Return the largest angle between neighbouring axes, of parallel or antiparallel ones 0."""
+    """Return the largest angle between neighbouring axes, 0 for parallel or antiparallel ones."""
     return max(
         float(norm(cross(one.direction, other.direction))[0, 0]) for one, other in pairwise(axes)
     )

@@ -59,22 +59,28 @@ from helpers.program import cosines_and_sines
 
 Array = NDArray[np.float64]
 
-# If the sine of joint 5 is below this, rounding joint 6 may put links that just reach out of reach.
+# Below this sine of joint 5, round-off of joint 6 can move a target on the boundary out of reach.
 UNCERTAIN = 1e-3
 BRANCHES = (("front", "back"), ("q_5 > 0", "q_5 < 0"), ("elbow +", "elbow -"))
 
 
 def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an arm of the UR family for poses `targets`, shape (..., 4, 4): eight
-    branches.
+    """Return the eight branches of an arm of the UR family in closed form.
 
-    "front" and "back" are the two ways joint 1 can turn the arm's plane to the wrist, then comes
-    the sign of the angle in joint 5's row, then that of the elbow's bend about z_1. Where q_5 makes
-    axes 4 and 6 parallel, joint 6 is free: it keeps its value of `start`, shape (..., 6), zeros
-    unless given, or takes one that brings the wrist within reach. Where only one value does, the
-    elbow being stretched or folded, joint 6 is not free: the solution is an isolated one. Raises
-    ArmError for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any)
-    degrees and a_1 = a_4 = a_5 = 0, or for a target that is no pose.
+    Branches are named by the two directions in which joint 1 can turn the arm's plane to the wrist
+    ("front", "back"), the sign of the angle in joint 5's row, and the sign of the elbow's bend
+    about z_1.
+
+    Args:
+        arm: An arm of six revolute joints with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any)
+            degrees and a_1 = a_4 = a_5 = 0.
+        targets: Poses of the tip, shape (..., 4, 4).
+        start: Values of free joints, shape (..., 6); zeros by default. Joint 6 is free if q_5 makes
+            axes 4 and 6 parallel: it keeps this value, or gets one that brings the wrist within
+            reach. If a single value does, with the elbow stretched or folded, joint 6 is not free.
+
+    Raises:
+        ArmError: The arm has another table, or a target is no pose.
     """
     require_type(arm, Arm, "arm")
     if not is_ur_arm(arm):
@@ -106,7 +112,7 @@ def _solve_columns(arm: Arm, columns: Array, start: Array) -> BranchArrays:
         subtract_offset(wrist.phi_6, rows[5].theta)[:, :, None],
     )
     valid = plane.exists & bend.exists
-    # Out of reach across the plane, and for the links within it.
+    # Distances out of reach: perpendicular to the arm's plane, and for the links in the plane.
     x, y, _ = wrist_centre(arm, tool)
     aside, length = np.maximum(abs(shape.offset) - np.hypot(x, y), 0.0), np.hypot(*end)
     short = length - np.clip(length, shape.links.inner, shape.links.outer)
@@ -128,7 +134,7 @@ _SIGNS = np.array([1.0, -1.0])[:, None]
 
 
 class Shape(NamedTuple):
-    """Signs and lengths that the table gives.
+    """Signs and lengths of the arm's table.
 
     Attributes:
         turn_3: Sign of axis 3 against z_1.
@@ -154,7 +160,7 @@ def _read_shape(arm: Arm) -> Shape:
 
 
 class Wrist(NamedTuple):
-    """Both wrists of each shoulder, in arrays (2 shoulders, 2 wrists, batch).
+    """Both wrist branches of each shoulder branch, in arrays (2 shoulders, 2 wrists, batch).
 
     Attributes:
         phi_5: Joint 5's angle with its offset, rad.
@@ -218,17 +224,16 @@ def _solve_wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array)
 def _end_of_links(
     shape: Shape, centre: tuple[Array, Array], x_4: tuple[Array, Array]
 ) -> tuple[Array, Array]:
-    """Return the end of the two links in the plane: the wrist's centre less d_5 along z_4."""
+    """Return the end of the two links in the plane: the wrist's centre minus d_5 z_4."""
     return centre[0] + shape.step * x_4[1], centre[1] - shape.step * x_4[0]
 
 
 def _is_isolated(shape: Shape, plane: Plane) -> NDArray[np.bool_]:
-    """Return where a single angle about the wrist's centre lets the links reach, (2 shoulders,
-    batch).
+    """Return where only a single joint 6 lets the links reach, (2 shoulders, batch).
 
-    The links end on a circle of radius |d_5| about the wrist's centre (x, y). It touches what they
-    reach, r_min to r_max from the shoulder, in a single point where its nearest point is r_max
-    away, or its farthest r_min.
+    The links must end on a circle of radius |d_5| about the wrist's centre (x, y), at a distance of
+    r_min to r_max from the shoulder. A single point of the circle is within reach if its nearest
+    point is r_max away, or its farthest point r_min.
     """
     far, arc = np.hypot(plane.x, plane.y), abs(shape.step)
     stretched = np.abs(far - arc) >= shape.links.outer - 2 * REACH
@@ -239,10 +244,10 @@ def _is_isolated(shape: Shape, plane: Plane) -> NDArray[np.bool_]:
 def _bring_within_reach(
     arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, loose: tuple[NDArray[Any], ...]
 ) -> None:
-    """Turn joint 6 in place so that the links reach, if this does not move the tool.
+    """Change joint 6 so that the links reach the wrist, if this does not move the tool.
 
-    Where axes 4 and 6 are parallel, or nearly, x_4 turns against joint 6 while the tool turns only
-    by sin(phi_5) times as much. An isolated solution takes the only possible angle.
+    If axes 4 and 6 are nearly parallel, turning x_4 against joint 6 turns the tool only by
+    sin(phi_5) times as much. An isolated solution gets the only possible angle.
 
     Args:
         arm, shape, plane: The arm, its signs and lengths, and its plane.

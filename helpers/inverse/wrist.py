@@ -41,25 +41,37 @@ Array = NDArray[np.float64]
 
 
 def stanford(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of a Stanford arm (RRP and a spherical wrist) for poses `targets`, shape
-    (..., 4, 4): eight branches.
+    """Return the eight branches of a Stanford arm (RRP and a spherical wrist) in closed form.
 
-    Four place the wrist's centre, as `rod` names them, each with the wrist as it is and flipped
-    (q_5 > 0, q_5 < 0). A rod has its limits, so ask `within_limits` which are real. Where q_5 = 0,
-    joints 4 and 6 turn about one axis: joint 4 keeps its value of `start`, shape (..., 6), and
-    joint 6 follows. Raises ArmError for another table or targets that are no poses.
+    Each branch of `rod` for the wrist's centre is combined with q_5 > 0 and with q_5 < 0. The
+    result's `within_limits` tells which branches are within the range of the rod.
+
+    Args:
+        arm: The arm.
+        targets: Poses of the tip, shape (..., 4, 4).
+        start: Values of free joints, shape (..., 6); zeros by default. If q_5 = 0, axes 4 and 6
+            coincide: joint 4 keeps this value, and joint 6 is computed from it.
+
+    Raises:
+        ArmError: The arm has another table, or the targets are no poses.
     """
     return _solve_decoupled(arm, targets, start, Shoulder(rod_kernel, require_rod, ROD_BRANCHES))
 
 
 def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an elbow arm with a spherical wrist for poses `targets`, shape (..., 4,
-    4): eight branches.
+    """Return the eight branches of an elbow arm with a spherical wrist in closed form.
 
-    Four place the wrist's centre, as `elbow` names them, each with q_5 > 0 and with q_5 < 0. Rows 4
-    to 6 have alpha = (+-90, +-90, any) degrees, a_4 = a_5 = d_5 = 0: their axes meet in one point.
-    Free joints as in `stanford` and `elbow`. Raises ArmError for another table or targets that are
-    no poses.
+    Each branch of `elbow` for the wrist's centre is combined with q_5 > 0 and with q_5 < 0. Free
+    joints are those of `stanford` and `elbow`.
+
+    Args:
+        arm: An arm whose rows 4 to 6 have alpha = (+-90, +-90, any) degrees and
+            a_4 = a_5 = d_5 = 0, so that their axes meet in a point.
+        targets: Poses of the tip, shape (..., 4, 4).
+        start: Values of free joints, shape (..., 6); zeros by default.
+
+    Raises:
+        ArmError: The arm has another table, or the targets are no poses.
     """
     return _solve_decoupled(
         arm, targets, start, Shoulder(elbow_kernel, require_elbow_arm, ELBOW_BRANCHES)
@@ -111,7 +123,7 @@ def _solve_decoupled(
 
 
 def _repeat_for_both_wrists(values: NDArray[Any]) -> NDArray[Any]:
-    """Insert an axis before the last, for both wrists."""
+    """Insert an axis of length 2 before the last, for both wrist branches."""
     return values[..., None, :]
 
 

@@ -26,14 +26,14 @@ Array = NDArray[np.floating]
 
 _LONG_STEPS = 20
 _SWEEPS = 20
-_SMALL_MOVE = 1e-3  # in rad or m: J changes by about as much, so that its inverse is reused
-_BRANCH_TOLERANCE = 0.25  # largest share of a step that the Jacobian may fail to predict
+_SMALL_MOVE = 1e-3  # in rad or m: after so small a move the inverse of J is reused
+_BRANCH_TOLERANCE = 0.25  # largest error of the Jacobian's prediction, relative to the step
 
 
 def all_steps(
     arm: Arm, start: Array, samples: PathSamples, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
-    """Compute q (steps + 1, dof) and rates (steps, dof), or None where the loop must decide."""
+    """Compute q (steps + 1, dof) and rates (steps, dof), or None if only the loop can decide."""
     if arm.dof != 6 or len(samples.h) <= _LONG_STEPS:
         return None
     solve = _solve_exact if method == "exact" else _solve_rule
@@ -72,7 +72,7 @@ def _solve_rule(
         J = jacobian(arm, q[:-1])
         if moved > _SMALL_MOVE:
             inverted, inverse = J, rates.inverses(J)
-        for _ in range(2):  # with a kept inverse, each pass only reduces the rates' error
+        for _ in range(2):  # with a reused inverse, a pass reduces the rates' error but leaves some
             rate = rate + _multiply_each(inverse, twists - _multiply_each(J, rate))
         residual = RULES[method](slope, samples.h, q[:-1], rate) - q[1:]
         size = np.abs(residual).max()
@@ -80,7 +80,7 @@ def _solve_rule(
             return None
         correction = _multiply_each(inverse, np.cumsum(_multiply_each(J, residual), axis=0))
         q[1:] += correction
-        # The next residual, if this sweep reduces it by the same factor as the last one did.
+        # Expect that the next sweep reduces the residual by the same factor as the last sweep.
         expected = size * size / before
         if sweep and min(size, 10 * expected) < round_off:
             rates.require_regular_near(J, inverted, inverse)
@@ -92,7 +92,7 @@ def _solve_rule(
 def _solve_exact(
     arm: Arm, q: Array, samples: PathSamples, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
-    """Apply Newton's method at every step, and check that it stays on the loop's branch."""
+    """Apply Newton's method at every step, and check that the solution branch is the loop's."""
     before = np.inf
     for sweep in range(_SWEEPS):
         error = tip_error(forward_kinematics(arm, q[1:]), samples.positions[1.0], samples.rotation)

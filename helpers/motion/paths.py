@@ -132,7 +132,7 @@ def line(start: ArrayLike, end: ArrayLike, period: float, steps: int) -> Path:
     step = last - first
     if not np.linalg.norm(step):
         raise ArmError(f"start and end are both {first}; expected two different points")
-    # The axis most nearly at right angles to the line gives the normal.
+    # The normal is computed with the base axis that is closest to perpendicular to the line.
     normal = np.cross(step, np.eye(3)[np.abs(step).argmin()])
 
     def position(t: ArrayLike) -> Array:

@@ -59,7 +59,7 @@ class PlainInverse:
         return X
 
     def require_regular_near(self, J: Array, inverted: Array, inverse: Array) -> None:
-        """Require Jacobians that are regular, as Jacobians near them prove.
+        """Raise SingularError unless inverses of nearby Jacobians prove that J is regular.
 
         No singular value of J is further from that of `inverted` than the norm of their difference.
 
@@ -77,7 +77,7 @@ class PlainInverse:
 
     @property
     def _least_ratio(self) -> float:
-        """Ratio of singular values that the norms must prove."""
+        """The ratio of singular values that the norms must exceed."""
         return 2 * max(self.cutoff, _TRUSTED)
 
     def _is_regular(self, J: Array, inverse: Array) -> bool:
@@ -85,7 +85,7 @@ class PlainInverse:
         return bool((self._least_ratio**2 * _squared_norm(J) * _squared_norm(inverse) < 1.0).all())
 
 
-_TRUSTED = 1e-12  # below this ratio of singular values, round-off spoils the inverse's norm
+_TRUSTED = 1e-12  # below this ratio of singular values, round-off makes the inverse's norm useless
 _DOUBT = "a Jacobian is so nearly singular that its singular values must be seen"
 
 
@@ -142,7 +142,7 @@ def pseudo_inverse(cutoff: float = 1e-9) -> Rates:
     _require_nonnegative(cutoff=cutoff)
 
     def rates(J: Array, twist: Array, q: Array) -> Array:
-        # From the singular values, without the matrix J^+ itself.
+        # Apply J^+ by the singular values, without computing the matrix.
         U, sizes, V = np.linalg.svd(J, full_matrices=False)
         is_nonzero = sizes > cutoff * sizes[0]
         return (np.divide(twist @ U, sizes, out=np.zeros_like(sizes), where=is_nonzero)) @ V

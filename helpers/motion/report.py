@@ -1,4 +1,4 @@
-"""Report how well a trace follows its path, in numbers that a picture hides."""
+"""Report how well a trace follows its path, in numbers too small for a picture."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from helpers.motion.rates import format_size
 
 Array = NDArray[np.floating]
 
-_LARGE_ERROR = 1e-3  # m: from here on the report looks whether the path is within reach
+_LARGE_ERROR = 1e-3  # m: above this error the report checks whether the path is within reach
 
 
 @dataclass(frozen=True)
@@ -134,9 +134,9 @@ def report_trace(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> 
     sizes = np.linalg.svd(jacobian(arm, q), compute_uv=False)
     axis, axes = poses[0, :3, 2], poses[:, :3, 2]
     tilts = np.arctan2(np.linalg.norm(np.cross(axes, axis), axis=-1), axes @ axis)
-    # The last rate repeats the rate before.
+    # Leave out the last rate, which is a copy of the previous one.
     accelerations = np.abs(np.diff(q_dot[:-1], axis=0)) / np.diff(path.times)[:-1, None]
-    # Limits do not count for what is within reach, since a trace exceeds them too.
+    # Joint limits are ignored when the reach is computed, because a trace may exceed them.
     distances, reach = np.linalg.norm(error, axis=1), 0.0
     worst = int(distances.argmax())
     if distances[worst] >= _LARGE_ERROR:

@@ -1,4 +1,4 @@
-"""Compute self-motions, in which the joints move and the tip stands still."""
+"""Compute self-motions, in which the joints move and the tip's pose stays fixed."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def self_motion(
             break
         ahead = _find_tangent(arm, moved, ahead)
         q.append(moved)
-    if len(q) == 1:  # no room: it stands still
+    if len(q) == 1:  # the limits leave no room for a motion
         q.append(start)
 
     seconds = length / steps / speed
@@ -123,7 +123,7 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
             "expected one null direction, or two at a configuration of lost rank"
         )
     if len(null) == 2:
-        # A unit vector x in the plane of both solves x . F x = 0, F being the largest form.
+        # Find unit vectors x in the plane of both with x . F x = 0, where F is the largest form.
         forms = [
             [lost @ (_compute_acceleration(J, u + v) - _compute_acceleration(J, u - v)) / 4
              for u in null]

@@ -39,7 +39,7 @@ METHODS = tuple(FRACTIONS)
 
 
 def sample_path(path: Path, method: str, rotation: Array) -> PathSamples:
-    """Sample a path for all steps, so that its functions are called once and not at every step."""
+    """Sample a path for all steps with a single call of its functions."""
     h = np.diff(path.times)
     at = {f: path.times[:-1] + f * h for f in FRACTIONS[method]}
     velocities = {f: _sample_at_times(path.velocity, times) for f, times in at.items()}

@@ -30,7 +30,7 @@ Array = NDArray[np.floating]
 
 
 _ITERATIONS = 30
-_TOLERANCE = 1e-9  # in m and rad: damped rates cannot reach the last digits
+_TOLERANCE = 1e-9  # in m and rad; damped rates do not converge further
 _REASONS = (
     "the path leads out of reach or through a singular configuration, or its steps are too long"
 )
@@ -190,7 +190,7 @@ def _rule_step(
 
     Returns the rates at its start and the next q.
     """
-    assert steering.rule  # without a rule, _newton_step is called
+    assert steering.rule  # the exact method, without a rule, uses _newton_step
 
     def slope(fraction: float, q: Array) -> Array:
         twist = samples.twists[fraction][k]

@@ -174,7 +174,7 @@ def plot_regions(
     half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
     codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
     for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
-        # A rectangle for each unbroken row of grid points inside the region.
+        # Draw a rectangle for each run of neighbouring grid points in a row of the region.
         edge = np.diff(np.pad((which == value).astype(int), ((0, 0), (1, 1))), axis=1)
         rows, first = np.nonzero(edge == 1)
         last = np.nonzero(edge == -1)[1] - 1
@@ -206,7 +206,7 @@ def draw_wrist_triangles(ax: Axes, twists: tuple[float, float], apart: float) ->
     sides = finite_array(twists, "twists", "two angles in degrees", (2,))
     apart = finite_number(apart, "apart", "an angle in degrees between 0 and 180", above=0)
     first, second, across = np.radians([*sides, apart])
-    # Cosine rule of the sphere for the angle at axis 4.
+    # Spherical law of cosines for the angle at axis 4.
     cosine = (np.cos(second) - np.cos(first) * np.cos(across)) / (np.sin(first) * np.sin(across))
     if not abs(cosine) < 1:
         raise ArmError(f"twists are {twists}, apart is {apart:g}; expected sides of a triangle")

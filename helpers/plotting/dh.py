@@ -21,7 +21,7 @@ from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED
 
 _COLOURS = {"theta": ORANGE, "d": BLUE, "a": RED, "alpha": PURPLE}
 _VIEW = (-27.0, 22.0)
-_A, _ALPHA, _D, _THETA = 1.2, 0.7, 0.9, 0.75  # m and rad; no angle looks like 90°
+_A, _ALPHA, _D, _THETA = 1.2, 0.7, 0.9, 0.75  # m and rad; angles that cannot be taken for 90°
 
 
 def draw_dh_numbers(ax: Axes) -> None:
@@ -53,7 +53,7 @@ def _draw_line(ax: Axes, points: ArrayLike, **look: Any) -> None:
 
 def _write_symbol(ax: Axes, position: NDArray[np.float64], name: str) -> None:
     x, y = project_points(position, _VIEW)[:2]
-    # Orange text is too pale to read.
+    # Orange text would be too pale.
     text_colour = "black" if name == "theta" else _COLOURS[name]
     symbol = name if len(name) == 1 else f"\\{name}"
     ax.text(x, y, f"${symbol}_i$", color=text_colour, fontsize=14, ha="center", va="center")

@@ -117,9 +117,9 @@ def draw_joint(ax: Axes, frame: Array, eye: Array, radius: float, is_revolute: b
     along = 1.3 * radius * frame[:3, 2:3] * (1 if eye[2] @ frame[:3, 2] >= -1e-9 else -1)
     near, far = (eye[:2] @ (ring + end * along) for end in (1, -1))
     both = np.hstack([near, far])
-    # Rounding makes every processor choose the same corner of several at equal distance.
+    # Of corners at equal distance, rounding makes every processor choose the same.
     outline = both[:, np.unique(np.argmax(np.round(_DIRECTIONS @ both, 9), axis=1))]
-    # Rounding, and 0.0 for -0.0, give a corner left of the middle the angle 180°, never -180°.
+    # Rounding, and + 0.0 for -0.0, give a corner to the left the angle 180°, never -180°.
     from_middle = np.round(outline - outline.mean(axis=1, keepdims=True), 9) + 0.0
     order = np.argsort(np.arctan2(*from_middle[::-1]))
     look: dict[str, Any] = dict(edgecolor=SLATE, lw=0.8, zorder=3)
@@ -236,7 +236,7 @@ def draw_joint_axes(ax: Axes, derivation: Derivation, view: View, length: float)
         ax.plot(*np.stack([start, end], axis=1), color=BLUE, lw=1, ls=_DASHED, zorder=4)
         name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
         outwards = 16 if end[0] < middle else -16
-        side = outwards if len(group) > 1 else 0  # a long name goes beside its arrow
+        side = outwards if len(group) > 1 else 0  # a long name is placed beside its arrow
         draw_named_arrow(ax, (end - 0.01 * (end - start), end), BLUE, name, side)
     hide_axes(ax)
 
@@ -250,7 +250,7 @@ def draw_named_arrow(
     ax.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look, zorder=6)
     step = end - start
     direction = step / max(float(np.linalg.norm(step)), 1e-12)
-    ahead = 8 if "," in text else 2  # keeps a wide name off the arrow's tip
+    ahead = 8 if "," in text else 2  # distance of a wide name from the arrow's tip
     left = np.array([-direction[1], direction[0]])
     offset = ahead * direction + side * left if side else 9 * direction
     ax.annotate(
@@ -317,7 +317,7 @@ def draw_row(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
         raise ArmError(f"row is {row}; expected one of 1 to {len(derivation.steps)}")
     step = derivation.steps[row - 1]
     before, foot, origin = step.before[:3, 3], *step.normal
-    # The window is a square around the row; arrows reach no farther than its rim.
+    # The window is a square around the row, and arrows end at its edge.
     corners = skeleton(derivation.arm, derivation.frames)
     points = project_points([before, foot, origin], view)[:, :2]
     low, high = points.min(axis=0), points.max(axis=0)
@@ -350,7 +350,7 @@ def draw_row(ax: Axes, derivation: Derivation, row: int, view: View) -> None:
 
 
 def _choose_label_side(axis: Array, other_axis: Array, view: View, side: float) -> float:
-    """Return the offset that keeps the name of an axis off `other_axis`, in pt to the left."""
+    """Return the offset, in pt to the left, that keeps an axis's name away from `other_axis`."""
     (x, y), (other_x, other_y) = project_points([axis, other_axis], view)[:, :2]
     return -side if x * other_y > y * other_x else side
 
@@ -416,7 +416,7 @@ def draw_postures(
         )
         middle = (line[:, 0].min() + line[:, 0].max()) / 2
         ax.set(xlim=(middle - half, middle + half), ylim=(low[1] - rim, high[1] + rim))
-        if tool:  # a star would hide an arrow that points towards the viewer
+        if tool:  # a star would cover an arrow that points towards the viewer
             draw_frames(ax, arm, q, view, tool, which=[len(arm.rows)])
         else:
             ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)

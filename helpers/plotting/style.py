@@ -27,9 +27,9 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
 )
 GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
-OUTLINED = "outlined"  # gid of a text that lies on lines: white round its letters
-# The width is in units of the letters, of which the size has 6400. Matplotlib's own outlines write
-# each letter twice, in full.
+OUTLINED = "outlined"  # gid of a text on top of lines, which needs a white outline
+# The stroke width is in glyph units, 6400 per font size. Matplotlib's own outlines would double
+# the size of the text.
 OUTLINE = "stroke:#fff;stroke-width:1200;stroke-linejoin:round;paint-order:stroke"
 PANEL_PADDING = 3  # pt around a panel that a phone shows alone
 INLINE_BACKEND_NAMES = ("inline", "module://matplotlib_inline.backend_inline")  # Jupyter's
@@ -43,10 +43,10 @@ STYLE: dict[Any, Any] = {
     "savefig.transparent": True,
     "savefig.dpi": 90,
     "svg.hashsalt": "helpers",
-    "font.size": 11,  # labels in a drawing are mostly formulas, whose face is small
+    "font.size": 11,  # larger, because labels are mostly formulas with small letters
     **dict.fromkeys(("xtick.labelsize", "ytick.labelsize", "axes.labelsize"), 10),
     "legend.fontsize": 10,
-    "mathtext.fontset": "stix",  # the face of the pages' formulas
+    "mathtext.fontset": "stix",  # the font of formulas on pages
     "axes.titlesize": 11,
     "axes.titleweight": "normal",
     "axes.spines.top": False,
@@ -68,13 +68,13 @@ def use_book_style() -> None:
     mpl.rcParams.update(STYLE)
     ipython = sys.modules.get(
         "IPython"
-    )  # loaded in every notebook; elsewhere there is no display to set
+    )  # already imported in every notebook; elsewhere no display exists
     if ipython and (shell := ipython.get_ipython()):
         import matplotlib.pyplot as plt
-        from matplotlib_inline.backend_inline import set_matplotlib_formats  # comes with IPython
+        from matplotlib_inline.backend_inline import set_matplotlib_formats  # part of IPython
 
         set_matplotlib_formats("svg")
-        # After each cell, pyplot would also draw every figure in pixels, which Jupyter never shows.
+        # Otherwise pyplot would also draw every figure in pixels after each cell, in vain.
         if mpl.get_backend() in INLINE_BACKEND_NAMES:
             plt.uninstall_repl_displayhook()
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, format_svg)
@@ -94,7 +94,7 @@ def format_svg(figure: Figure) -> str:
     Numbers are rounded to 0.01 pt and ids are numbered. Each of several panels gets a view of its
     own: `panel-1`, `panel-2` and so on.
     """
-    figure.dpi = 72  # the resolution at which an SVG's points are pixels
+    figure.dpi = 72  # at this resolution a pixel is a point of the SVG
     file = BytesIO()
     figure.canvas.print_figure(
         file,
@@ -111,18 +111,18 @@ def format_svg(figure: Figure) -> str:
         file.getvalue().decode(),
     )
     text = re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)
-    # Line ends cost most, since a notebook stores each line as a string. Figure and axes keep their
-    # ids for the tests.
+    # Few lines make a notebook small, since it stores each line as a string. Figure and axes keep
+    # their ids, which the tests read.
     text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->|<\?xml.*?\?>|<!DOCTYPE.*?>", "", text)
     text = text.replace(f'<g id="{OUTLINED}"', f'<g style="{OUTLINE}"')
     text = re.sub(r'(<g) id="(?!figure_|axes_)[^"]*"', r"\1", re.sub(r"\s*\n\s*", "", text))
     text = re.sub(r' xmlns:xlink="[^"]*"|\bxlink:(?=href=)|(?<=[MLQC]) (?=[-\d])', "", text)
-    # Matplotlib's ids are hashes of unrounded numbers. They become numbers, unique on a page.
+    # Matplotlib's ids are hashes of numbers with round-off; replace them by consecutive numbers.
     ids = {name: str(k) for k, name in enumerate(dict.fromkeys(_HASHED_ID.findall(text)))}
     figure_name = sha256(_replace_ids(text, ids, "").encode()).hexdigest()[:8]
     text = _replace_ids(text, ids, f"f{figure_name}-")
     text = text.replace('<g id="figure_1">', f'{_format_panel_views(figure)}<g id="figure_1">', 1)
-    return text.replace("<path", "\n<path")  # lines short enough for a diff of two notebooks
+    return text.replace("<path", "\n<path")  # short lines make diffs of notebooks readable
 
 
 def _format_panel_views(figure: Figure) -> str:
@@ -132,7 +132,7 @@ def _format_panel_views(figure: Figure) -> str:
         for ax in figure.axes
         if ax.get_visible()
     }
-    # A legend of the figure is a panel, and so are axes with their colour bar.
+    # A panel is a legend of the figure, or axes with their colour bar.
     groups: list[list[Artist]] = [[legend] for legend in figure.legends]
     groups += [[ax, *bars[ax]] for ax in bars if not any(ax in others for others in bars.values())]
     boxes = ([part.get_tightbbox() for part in group] for group in groups)

@@ -35,12 +35,12 @@ def plot_torques(
     own_scale, *between_limits = np.reshape(axes, (len(axes), -1)).T
     joints = zip(own_scale, arm.joints, arm.effort_limits, strict=False)
     for k, (ax, i, limit) in enumerate(joints):
-        # Round-off of 1e-17 N m in an unloaded joint must not set the scale, and neither must a
-        # range below a thousandth of the motor's limit.
+        # An unloaded joint must not be scaled to its round-off of 1e-17 N m, nor a joint to a range
+        # below a thousandth of the motor's limit.
         curve = t[shown_steps], tau[shown_steps, k].round(9) + 0.0
         ax.plot(*curve, **{"color": BLUE, **line})
         ax.set_ylabel(f"joint {i}\n(N m)", rotation=0, ha="right", va="center")
-        ax.yaxis.set_label_coords(-0.16 * (1 + len(between_limits)), 0.5)  # in widths of a panel
+        ax.yaxis.set_label_coords(-0.16 * (1 + len(between_limits)), 0.5)  # in panel widths
         ax.yaxis.set_major_locator(MaxNLocator(3))
         low, high = ax.get_ylim()
         if np.isfinite(limit) and high - low < 1e-3 * limit:
@@ -48,7 +48,7 @@ def plot_torques(
         for column in between_limits:
             column[k].plot(*curve, **{"color": BLUE, **line})
             column[k].yaxis.set_major_locator(MaxNLocator(3))
-            if np.isfinite(limit) and not column[k].texts:  # a second curve repeats no limits
+            if np.isfinite(limit) and not column[k].texts:  # the first curve has drawn them
                 column[k].set_ylim(-1.2 * limit, 1.2 * limit)
                 words = f"joint {i}: limits ±{limit:g} N m"
                 column[k].text(
@@ -80,7 +80,7 @@ def plot_torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> Non
         low, high = share.min(axis=0), share.max(axis=0)
         positions = np.array(arm.joints) + (k - (len(runs) - 1) / 2) * width
         colour, hatch = (BLUE, ORANGE, PURPLE)[k % 3], ("", "//", "..")[k % 3]
-        # At least 2 %, so that the bar of a constant torque is visible.
+        # At least 2 % high, so that the bar of a constant torque is visible.
         height = np.maximum(high - low, 2)
         ax.bar(
             positions, height, width, low, label=name, color=colour, hatch=hatch, ec="white", lw=0
