@@ -2,9 +2,11 @@
 
 Sphinx's own search fetches each page for the text around a hit, which a browser forbids on pages
 opened from a file (sphinx-doc/sphinx#10407). Here the text comes with the index. A section, an
-exercise, a slip, a term of the glossary, a function of the package and a row of the table of
-symptoms are one entry each: its page, its anchor, its title, its text. `book/assets/search.js`
-ranks them.
+exercise, a slip, a term or symbol of the glossary, a function of the package, a work of the
+bibliography and a row of the table of symptoms are one entry each: its page, its anchor, its title,
+its text. `book/assets/search.js` ranks them.
+
+Readers have other words for a page or a section than its title: `book/search_names.yml` lists them.
 """
 
 import json
@@ -14,16 +16,23 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
+import yaml
 from docutils import nodes
 from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.builders.html import StandaloneHTMLBuilder
 from sphinx.environment import BuildEnvironment
+from sphinx.errors import ExtensionError
+
+from tools.citations import make_label, read_works
 
 SCRIPT = "search-entries.js"
+NAMES = Path(__file__).parents[1] / "book/search_names.yml"
+BIBLIOGRAPHY_PAGE = "references"
 SYMPTOMS = "symptoms"  # id of the table whose rows are entries
+SYMBOLS_SECTION = "symbols"  # of the glossary; each row of its table is an entry
 SHEETS = "answers/"
-LIST_PAGES = ("api", "references")
+LIST_PAGES = ("api",)
 BOXES = ("exercise", "slip")  # classes of the boxes that are entries
 OTHER_NAMES = re.compile(r"Also: ([^.]+)\.$")  # of a term, in the glossary
 REFERENCE = re.compile(r"\0(.+?)\0")  # a reference that is resolved when all pages have been read
@@ -81,6 +90,13 @@ def is_description(node: nodes.Node) -> bool:
     return isinstance(node, nodes.meta) and node.get("name") == "description"
 
 
+def is_term(node: nodes.Node) -> bool:
+    """Return whether a node is a term of the glossary with its definition."""
+    return isinstance(node, nodes.definition_list_item) and any(
+        term["ids"] for term in node.findall(nodes.term)
+    )
+
+
 def is_solution(node: nodes.Node) -> bool:
     return isinstance(node, nodes.admonition) and "solution" in node["classes"]
 
@@ -99,6 +115,7 @@ def iterate_text(node: nodes.Node) -> Iterator[str]:
     elif not (
         isinstance(node, SKIPPED)
         or is_entry_box(node)
+        or is_term(node)
         or is_solution(node)
         or "cell_output" in node.get("classes", ())
     ):
@@ -138,29 +155,30 @@ def iterate_entries(doctree: nodes.document) -> Iterator[Entry]:
         if box["ids"]:
             yield make_entry(box.children[0], box["ids"][0], box.children[1:])
     yield from iterate_terms(doctree)
-    yield from iterate_symptoms(doctree)
+    yield from iterate_rows(doctree)
     yield from iterate_functions(doctree)
 
 
 def iterate_terms(doctree: nodes.document) -> Iterator[Entry]:
     """Yield an entry for each term of the glossary."""
-    for item in doctree.findall(nodes.definition_list_item):
-        term = next((term for term in item.findall(nodes.term) if term["ids"]), None)
-        if term:
-            entry = make_entry(term, term["ids"][0], [item.children[-1]])
-            also = OTHER_NAMES.search(entry["text"])
-            yield {**entry, "also": also[1]} if also else entry
+    for item in doctree.findall(is_term):
+        term = next(term for term in item.findall(nodes.term) if term["ids"])
+        entry = make_entry(term, term["ids"][0], [item.children[-1]])
+        also = OTHER_NAMES.search(entry["text"])
+        yield {**entry, "also": also[1]} if also else entry
 
 
-def iterate_symptoms(doctree: nodes.document) -> Iterator[Entry]:
-    """Yield an entry for each row of the table of symptoms."""
+def iterate_rows(doctree: nodes.document) -> Iterator[Entry]:
+    """Yield an entry for each row of the tables of symptoms and of symbols."""
     for table in doctree.findall(nodes.table):
-        if SYMPTOMS not in table["ids"]:
+        anchor = next(iter(table.parent["ids"]), "")
+        is_symptoms = SYMPTOMS in table["ids"]
+        if not is_symptoms and anchor != SYMBOLS_SECTION:
             continue
         for body in table.findall(nodes.tbody):
-            for symptom, *rest in (row.children for row in body.children):
-                entry = make_entry(symptom, table.parent["ids"][0], rest)
-                yield {**entry, "symptom": "yes"}
+            for first, *rest in (row.children for row in body.children):
+                entry = make_entry(first, anchor, rest)
+                yield {**entry, **({"symptom": "yes"} if is_symptoms else {"also": entry["title"]})}
 
 
 def iterate_functions(doctree: nodes.document) -> Iterator[Entry]:
@@ -198,6 +216,33 @@ def get_kind(env: BuildEnvironment, page: str) -> str:
     return "list" if page in LIST_PAGES else "side"
 
 
+def read_names(entries: list[Entry]) -> dict[tuple[str, str], str]:
+    """Return what readers call each entry, by its page and anchor."""
+    first_anchors = {entry["page"]: entry["anchor"] for entry in reversed(entries)}
+    names = {}
+    for place, other_names in yaml.safe_load(NAMES.read_text("utf-8")).items():
+        page, _, anchor = place.partition("#")
+        names[page, anchor or first_anchors.get(page, "")] = other_names
+    places = {(entry["page"], entry["anchor"]) for entry in entries}
+    if unknown := [f"{page}#{anchor}" for page, anchor in names if (page, anchor) not in places]:
+        message = f"{NAMES.name} names {', '.join(unknown)}; the search has no such page or section"
+        raise ExtensionError(message)
+    return names
+
+
+def list_works() -> list[Entry]:
+    """Return an entry for each work of the bibliography."""
+    return [
+        {
+            "anchor": nodes.make_id(key),
+            "title": make_label(key),
+            "also": ", ".join(" ".join(person.last_names) for person in work.persons["author"]),
+            "text": re.sub(r"[{}]", "", work.fields["title"]),
+        }
+        for key, work in read_works().items()
+    ]
+
+
 def write_index(app: Sphinx, problem: Exception | None) -> None:
     """Write the entries of all pages into the script, with references resolved."""
     if problem or not isinstance(app.builder, StandaloneHTMLBuilder):
@@ -208,12 +253,18 @@ def write_index(app: Sphinx, problem: Exception | None) -> None:
     def get_title(reference: re.Match) -> str:
         return labels[reference[1]][2] if reference[1] in labels else ""
 
+    stored = stored_entries(env)
+    stored = {**stored, BIBLIOGRAPHY_PAGE: [*stored[BIBLIOGRAPHY_PAGE], *list_works()]}
     entries = [
         {"page": page, "kind": get_kind(env, page), "of": env.titles[page].astext(), **entry}
         | {"text": REFERENCE.sub(get_title, entry["text"])}
-        for page, page_entries in sorted(stored_entries(env).items())
+        for page, page_entries in sorted(stored.items())
         for entry in page_entries
     ]
+    names = read_names(entries)
+    for entry in entries:
+        if also := names.pop((entry["page"], entry["anchor"]), ""):
+            entry["also"] = also
     script = Path(app.outdir, "_static", SCRIPT)
     script.write_text(f"const ENTRIES = {json.dumps(entries, ensure_ascii=False)};\n", "utf-8")
 

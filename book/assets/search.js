@@ -36,14 +36,9 @@ const SYNONYMS = [
   ["speed", "velocity", "rate"],
   ["limit", "bound", "range"],
 ];
-// Words that lead to another one, and not the other way round.
-const HINTS = { prismatic: ["stanford"] };
-// Expansions of a term that is the whole query.
-const FORWARD = "forward transform matrices";
-const EXPANSIONS = { ik: "inverse kinematics", fk: FORWARD, "forward kinematics": FORWARD };
 const STOP_WORDS = new Set(
   `a an and are as at be between by calculate can compute could do does find for from get give has have help homework how i if in
-   is it its many me much my need no not of on or out please question should so the there this to use using versus vs want was way what
+   is it its many me mean meaning means much my need no not of on or out please question should so the there this to use using versus vs want was way what
    when where which who why will with without you your`.split(/\s+/),
 );
 const GREEK = { α: "alpha", β: "beta", γ: "gamma", δ: "delta", θ: "theta", ϑ: "theta", λ: "lambda", ξ: "xi", π: "pi", σ: "sigma", τ: "tau", φ: "phi", ϕ: "phi", ψ: "psi", ω: "omega", "∂": "d" };
@@ -53,7 +48,7 @@ const OTHER_ROBOTS = /^(ur(3|5|7|8|12|15|16|18|20|30)e?|kuka|iiwa|lbr|kr\d+|puma
 const OWN_ARM_PAGE = "own_arm";
 
 const IRREGULAR_STEMS = { axes: "axis", matrices: "matrix", radii: "radius", indices: "index" };
-const ENDINGS = /(?<=^.{3,})(?:ations?|ating|ated|ates?|ings?|ies|ity|ed|es|e|y|s)$/;
+const ENDINGS = /(?<=^.{3,})(?:ations?|ances?|ences?|ating|ated|ates?|ings?|ies|ity|ed|es|e|y|s)$/;
 
 // Return a word without its ending: "closing" finds "close", and "singularities" finds "singular".
 function stem(word) {
@@ -79,18 +74,17 @@ function splitName(word) {
   return /^\p{L}+_\w{1,2}$/u.test(word) ? joined : [word, ...word.split("_")].filter(Boolean);
 }
 
-const BOOST = 3;
-const PHRASE_BOOST = 1.6; // where the words stand together in the text
-
 // Chapters explain; other pages apply or list what they explain.
 const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.03, list: 0.03 };
+const PAGE_WEIGHTS = { where: 0.3, intro: 0.4, glossary: 0.2 };
 const EXERCISE_WEIGHT = 0.4; // an exercise applies what a section explains
+const SYMPTOM_WEIGHT = 3; // of the table of symptoms, for a complaint
 const COVERAGE_POWER = 3; // an entry with all words comes before one with some
 const SCORE_POWER = 0.7; // how often a word stands in a text says less than where it stands
-const UNNAMED = 0.3; // weight of an entry whose titles have no word of the query; with all words it is 1.3
+const NAME_BOOST = 20; // for an entry whose name is the query
+const SYNONYM_WEIGHT = 1 / 3;
 const DEFINITION_BOOST = 1000; // a term that is the whole query leads to its definition
 const GLOSSARY = "glossary";
-const PAGE_WEIGHTS = { where: 0.2, intro: 0.4, glossary: 0.2 };
 
 // Words of a complaint, which leads to the table of symptoms.
 const COMPLAINTS = /^(why|my|not|no|wrong|fail\w*|miss\w*|cannot|can.t|doesn.t|bug|jump\w*|tilt\w*|exceed\w*)$/;
@@ -113,13 +107,13 @@ function omitWords(text, others) {
 
 function findSynonyms(word) {
   const groups = SYNONYMS.map((group) => group.map(stem)).filter((group) => group.includes(word));
-  return [...new Set([...groups.flat(), ...(HINTS[word] ?? [])])].filter((other) => other !== word);
+  return [...new Set(groups.flat())].filter((other) => other !== word);
 }
 
 // Return the stems of what was typed. A query of stop words alone keeps them, and a name with
 // underscores stands for itself alone.
 function readQuery(typed) {
-  const all = split(EXPANSIONS[typed.trim().toLowerCase()] ?? typed);
+  const all = split(typed);
   const names = all.filter((word) => word.includes("_"));
   const words = names.length ? names : all;
   const asked = words.filter((word) => !STOP_WORDS.has(word));
@@ -134,25 +128,36 @@ function findEntries(typed) {
     combineWith: "OR",
     queries: [
       { queries: [word], prefix: k === words.length - 1 && word.length > 1, fuzzy: word.length > 4 ? 0.2 : false },
-      ...synonyms.get(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 1 / BOOST })),
+      ...synonyms.get(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => SYNONYM_WEIGHT })),
     ],
   }));
   const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 2, of: 4, about: 2 } });
-  const phrase = joinStems(words);
+  const asked = joinStems(words);
   const isComplaint = typed.toLowerCase().split(/[^\p{L}’']+/u).some((word) => COMPLAINTS.test(word));
-  const share = (terms) => words.filter((word) => [word, ...synonyms.get(word)].some((term) => terms.includes(term))).length / words.length;
-  const rate = ({ id, score, queryTerms }) => {
-    const { title, of, also = "", text, page, kind, symptom } = ENTRIES[id];
+  const getWeight = ({ title, page, kind, symptom }) => {
+    if (symptom && isComplaint) return SYMPTOM_WEIGHT;
+    return KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1);
+  };
+  const rate = ({ id, score, queryTerms, terms }) => {
+    const entry = ENTRIES[id], { title, of, page, kind } = entry;
     if (kind === "list" && words.some((word) => word.includes("_"))) return score; // a function by its name
-    const together = joinStems(stemsOf(title)).includes(phrase) ? BOOST : words.length > 1 && joinStems(stemsOf(text)).includes(phrase) ? PHRASE_BOOST : 1;
-    const weight = symptom ? (isComplaint ? BOOST : KIND_WEIGHTS[kind]) : KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1);
-    const isDefinition = page === GLOSSARY && !isChapterName(phrase) && [title, ...also.split(",")].some((name) => joinStems(stemsOf(name)) === phrase);
-    const named = UNNAMED + share(stemsOf(`${title} ${of} ${also}`));
-    return score ** SCORE_POWER * share(queryTerms) ** COVERAGE_POWER * named * together * weight * (isDefinition ? DEFINITION_BOOST : 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1);
+    const names = [title, ...(entry.also?.split(", ") ?? [])];
+    if (page === GLOSSARY && !isChapterName(asked) && names.some((name) => joinStems(stemsOf(name)) === asked)) return DEFINITION_BOOST * score;
+    const covered = words.filter((word) => [word, ...synonyms.get(word)].some((term) => queryTerms.includes(term)));
+    const likeness = Math.max(...[...names, `${of} ${title}`].map((name) => compareName(name, words.length, terms)));
+    return score ** SCORE_POWER * (covered.length / words.length) ** COVERAGE_POWER * (1 + NAME_BOOST * likeness ** 2) * getWeight(entry);
   };
   return hits
     .map((hit) => ({ ...ENTRIES[hit.id], terms: hit.terms, score: rate(hit) }))
     .sort((one, other) => other.score - one.score);
+}
+
+// Return how much of the query is in a name and of the name in the query, 1 if they are the same.
+// `terms` are the words of the entry that the query found, synonyms and misspelt ones too.
+function compareName(name, queryLength, terms) {
+  const stems = [...new Set(split(name).map(stem))];
+  const shared = stems.filter((word) => terms.includes(word)).length;
+  return Math.min(1, shared / Math.sqrt(queryLength * stems.length));
 }
 
 // Return whether a chapter's title begins with the words; the chapter then comes before a definition.
