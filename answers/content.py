@@ -18,7 +18,7 @@ from helpers.stepwise import StepwiseFormulas, stepwise_formulas
 
 Array = NDArray[np.float64]
 
-# Names that already have a meaning in the programs of the sheet or in their languages.
+# Names that have a meaning in a program of the sheet or in a programming language.
 _RESERVED = frozenset(
     (
         "np", "sp", "pi", "break", "case", "catch", "classdef", "continue", "else",
@@ -78,7 +78,7 @@ class AnswerSheet:
         self.arm = arm
         self.home_values = compute_home_values(arm)
 
-    # The answers
+    # Answers
 
     @cached_property
     def link_matrices(self) -> list[Answer]:
@@ -118,7 +118,7 @@ class AnswerSheet:
 
     @cached_property
     def determinant(self) -> Answer | None:
-        """det J for six joints, or that of the first three rows of J for three joints.
+        """det J for six joints, or the determinant of the first three rows of J for three joints.
 
         It is None for other numbers of joints, and for formulas in named steps.
         """
@@ -152,7 +152,7 @@ class AnswerSheet:
         return [*kinematics, *determinant, *self.energy_and_torques]
 
     def _make_answer(self, name: str, value: sp.ImmutableMatrix) -> Answer:
-        """Return an answer in short symbols.
+        """Return an answer with abbreviated symbols.
 
         Decimal fractions become decimals. Coordinates of a centre of mass are called x_c1, since
         z_1 is an axis on the sheet.
@@ -168,7 +168,7 @@ class AnswerSheet:
         return Answer(name, abbreviate(value), self.home_values[name], definitions)
 
     def _use_decimals(self, formula):
-        """Replace decimal fractions by decimals, and z_1 of a centre of mass by z_c1."""
+        """Replace fractions by decimals, and z_1 of a centre of mass by z_c1."""
         fractions = (number for number in formula.atoms(sp.Rational) if number.q > 1)
         decimals = {number: sp.Float(number) for number in fractions if 10**9 % number.q == 0}
         return formula.xreplace({**self._centre_symbols, **decimals})
@@ -196,7 +196,7 @@ class AnswerSheet:
         if not self.arm.bodies:
             return lengths
         bodies = symbolic.body_numbers(self.arm)
-        # Twelve digits free a centre of mass from rounding: 0.02933 rather than
+        # Twelve digits remove round-off from centres of mass: 0.02933, not
         # 0.029330000000000002.
         return lengths | {
             self._centre_symbols.get(symbol, symbol).name: float(f"{value:.12g}")

@@ -50,8 +50,8 @@ def format_symbols(sheet: AnswerSheet, answer: Answer, complete: bool = False) -
 
 
 def _name_shared_entries(sheet: AnswerSheet, answer: Answer) -> dict[int, str]:
-    """Return names for the entries that a frame or J shares with axes and origins, by index."""
-    columns, first = answer.value.cols, {}  # index of a vector's first entry
+    """Return by index the names of a matrix's entries that are entries of axes and origins."""
+    columns, first = answer.value.cols, {}  # matrix index of each vector's first entry
     if answer.name[0] == "T":
         i = int(answer.name[2:])
         first = {2: sheet.axes[i], 3: sheet.origins[i]}

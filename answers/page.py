@@ -1,4 +1,4 @@
-"""Write an arm's answer sheet in Markdown or HTML, each answer folded below its question.
+"""Write an arm's answer sheet in Markdown or HTML, with each answer folded below its question.
 
 The programs that its buttons copy (``answers.js``) are data in one <script> element.
 """
@@ -77,7 +77,7 @@ def make_html_sheet(arm: Arm) -> str:
 
 
 def _format_sections(arm: Arm, other_arms: tuple[Arm, ...] = ()) -> str:
-    """Write style, sections (heading, question, answers) and script of a sheet."""
+    """Write the style, the sections (heading, question, answers) and the script of a sheet."""
     arms = (arm, *tuple_of_items(other_arms, "other_arms", "arms with the same rows"))
     for other in other_arms:
         if other.rows != arm.rows:
@@ -122,7 +122,7 @@ def _format_program_data(sheet: AnswerSheet) -> str:
 
 
 def _format_answer(sheet: AnswerSheet, answer: Answer, other_sheets: list[AnswerSheet]) -> str:
-    """Write an answer that a click unfolds: its formula, and its numbers at home of each arm."""
+    """Write a folded answer with its formula, and with its numbers at each arm's home."""
     formulas = [f"$$\n{display}\n$$" for display in displays.format_symbols(sheet, answer)]
     for caption, values in _list_home_values(sheet, answer, other_sheets):
         formulas.append(
@@ -181,7 +181,7 @@ def _format_introduction(sheet: AnswerSheet, other_sheets: list[AnswerSheet]) ->
 
 
 def _ask_frames(sheet: AnswerSheet) -> str:
-    """Ask for the frames; only formulas that are written out have sums of angles."""
+    """Write the question about frames. Only written-out formulas contain sums of angles."""
     return _ASK_FRAMES % ("" if sheet.steps else " Angles about parallel axes add up.")
 
 
@@ -213,7 +213,7 @@ def _format_mass_table(sheet: AnswerSheet) -> str:
 
 
 def _format_joint_note(arm: Arm) -> str:
-    """Name the joints of the columns of J and the entries of g, if some rows have no joint."""
+    """Name the joints of J's columns and g's entries, if some rows have no joint."""
     if arm.dof == len(arm.rows):
         return ""
     return f" Joints that move, in this order: {', '.join(map(str, arm.joints))}."
@@ -240,7 +240,7 @@ _STEPS_NOTE = (
     " configurations in numbers."
 )
 _STATIC = Path(__file__).parent / "static"
-# Disabled buttons keep the space for those of the script, so that the page does not move.
+# Disabled buttons reserve the space until the script runs, so that the page does not move.
 _BUTTON = '<button type="button" disabled'
 _COPY = "".join(f'{_BUTTON} data-language="{to}">Copy all as {to}</button>' for to in LANGUAGES)
 _TOOLS = f'<p class="answer-tools">{_BUTTON}>Open all answers</button>{_COPY}</p>'

@@ -41,7 +41,7 @@ class _Language(NamedTuple):
     row_end: str
     matrix_end: str
     statement_end: str = ""
-    continuation: str = ""  # end of a line that goes on in the next line
+    continuation: str = ""  # end of a line that continues in the next line
 
     def format_formula(self, formula: sp.Expr) -> str:
         text = self.printer({"full_prec": False}).doprint(formula)

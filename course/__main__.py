@@ -1,4 +1,4 @@
-"""Make a course, print a key, sort and mark hand-ins, make an autograder."""
+"""Make a course, print an answer key, sort and mark hand-ins, make an autograder."""
 
 import argparse
 import json
@@ -18,7 +18,7 @@ from helpers.inputs import ArmError
 
 
 class _AddTopic(argparse.Action):
-    """Add a topic to the arm that was named last."""
+    """Add a topic to the last arm of the command line."""
 
     def __call__(self, parser: Any, namespace: Any, values: Any, _: Any = None) -> None:
         if not namespace.arm:
@@ -167,7 +167,7 @@ def _count_marks(options: argparse.Namespace) -> None:
 
 
 def _show_progress(line: str) -> None:
-    """Show a line in place of the last line, if stderr is a terminal."""
+    """Overwrite the last line of stderr, if it is a terminal."""
     if sys.stderr.isatty():
         print(f"\r{line}", end="", file=sys.stderr, flush=True)
 

@@ -11,13 +11,13 @@ from typing import Any
 
 ANSWERS_FILE = "answers.json"
 NOTEBOOK_FILE = "homework.ipynb"
-ANSWER_PREFIX = "answer_"  # Variables that hold answers begin so.
+ANSWER_PREFIX = "answer_"  # prefix of variables that contain answers
 SHEET_ANSWER = "sheet"  # the answer that names the sheet, as "course/student"
 MARKED_LINE = "Answers of this sheet: "
 
 
 def to_json_value(value: Any) -> Any:
-    """Convert a value to numbers, texts and lists, and anything else to its text."""
+    """Convert a value to numbers, texts and lists; other objects become their text."""
     if hasattr(value, "tolist"):
         value = value.tolist()  # arrays of NumPy and matrices of SymPy
     if isinstance(value, dict):
@@ -28,7 +28,7 @@ def to_json_value(value: Any) -> Any:
 
 
 def collect_answers(variables: Mapping[str, Any]) -> dict[str, Any]:
-    """Collect the answers among a notebook's variables, without those that have no value."""
+    """Collect the answers among a notebook's variables, except those without a value."""
     return {
         name[len("answer_") :]: to_json_value(value)
         for name, value in variables.items()
@@ -37,7 +37,7 @@ def collect_answers(variables: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def write_last_cell() -> str:
-    """Return the code of a sheet's last cell, which needs nothing but Python."""
+    """Return the code of a sheet's last cell, which needs only Python."""
     functions = (to_json_value, collect_answers)
     sources = "\n\n\n".join(inspect.getsource(function).rstrip() for function in functions)
     return f"""import json
@@ -88,7 +88,7 @@ def list_code_cells(notebook: Any) -> list[Mapping[str, Any]]:
 
 
 def read_source(cell: Mapping[str, Any]) -> str:
-    """Return the source of a cell, which notebooks keep as text or as lines."""
+    """Return the source of a cell, which notebooks store as a text or as a list of lines."""
     return _join_lines(cell.get("source"))
 
 

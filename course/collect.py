@@ -28,7 +28,7 @@ from helpers.inputs import ArmError
 HAND_IN_FOLDER, LATE_FILE = "handed_in", ".late"  # in a student's folder
 NOT_READ_FILE = ".not_read.json"  # in a student's folder: reasons by name
 PLACED_FILE = "placed.csv"  # in the folder of the course: hand-ins that the instructor placed
-# The first underscore with a number behind it ends the student's name.
+# The student's name ends before the first underscore that is followed by a number.
 _PLATFORM_NAME = re.compile(
     r"(?P<prefix>(?P<name>.+?)(?P<late>_late)?_(?P<key>\d+)_(?:assignsubmission_[a-z]+_?|\d+_)).*",
     re.I | re.S,
@@ -67,12 +67,12 @@ class Collection(NamedTuple):
 
     @property
     def handed_in(self) -> list[str]:
-        """The students of whom at least one file was read."""
+        """The students with at least one readable file."""
         return [s for s, files in self.files.items() if any(not f.trouble for f in files)]
 
 
 def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> Collection:
-    """Put the files of a class into the students' folders, in place of an earlier collection.
+    """Sort the files of a class into the students' folders, replacing an earlier collection.
 
     Where two students share a name, or nobody has it, the instructor says in placed.csv whose the
     hand-in is. An earlier collection stays where no file of the new one can be read.
@@ -92,7 +92,7 @@ def collect_hand_ins(download: Path, names: Mapping[str, str], course: Path) -> 
 
 
 def _store_files(folder: Path, files: Sequence[HandedFile], is_late: bool) -> str:
-    """Store what was read and what was not; return a message if an earlier collection stays."""
+    """Store the files of a student; return a message if the earlier collection is kept."""
     troubles = {file.name: file.trouble for file in files if file.trouble}
     write_text(folder / NOT_READ_FILE, json.dumps(troubles) + "\n")
     target, new_folder = folder / HAND_IN_FOLDER, folder / f".{HAND_IN_FOLDER}"
@@ -120,7 +120,7 @@ def read_unread_files(folder: Path) -> list[HandedFile]:
 
 
 def read_placed(course: Path, names: Mapping[str, str]) -> dict[str, str]:
-    """Read whose the hand-ins are that an instructor placed, by their keys.
+    """Read which student an instructor assigned to each hand-in, by the hand-in's key.
 
     Raises ArmError with every line that names no student.
     """
@@ -139,7 +139,7 @@ def read_placed(course: Path, names: Mapping[str, str]) -> dict[str, str]:
 def sort_by_student(
     members: Iterable[Member], names: Mapping[str, str], placed: Mapping[str, str] | None = None
 ) -> Collection:
-    """Read each hand-in with a budget of its own and find its student.
+    """Read each hand-in, with a size limit for each, and find its student.
 
     Args:
         members: The files of a download.
@@ -188,7 +188,7 @@ def group_members(
 def _read_outer_name(
     path: PurePosixPath, index: StudentIndex, submitters: Mapping[str, Labels]
 ) -> HandInName:
-    """Return what the first part of a path says of its student."""
+    """Return what the first part of a path reveals about its student."""
     outer = path.parts[0] if path.parts else ""
     if outer in submitters:
         return HandInName(outer, submitters[outer])
@@ -204,7 +204,7 @@ def _read_outer_name(
 def find_owners(
     hand_ins: Iterable[HandInName], index: StudentIndex, placed: Mapping[str, str]
 ) -> tuple[dict[HandInName, str], dict[HandInName, str]]:
-    """Return the student of each hand-in, and for each doubtful hand-in the reason."""
+    """Return the student of each hand-in, or the reason why it cannot be assigned."""
     owners, doubts = dict[HandInName, str](), dict[HandInName, str]()
     for name in hand_ins:
         candidates = {placed[name.key]} if name.key in placed else index.find_students(name.labels)
@@ -240,7 +240,7 @@ def _describe_unplaced(key: str, reason: str, files: Sequence[HandedFile]) -> st
 
 
 def _describe_doubt(file: HandedFile, student: str) -> str:
-    """Return a message about a placed file that needs a look, or ""."""
+    """Return a message about an assigned file that the instructor should check, or ""."""
     if file.trouble:
         return f"not read: {student}: {file}"
     other = compare_sheet_names(_find_sheet_owner(file) or None, student)
@@ -253,11 +253,11 @@ def _find_sheet_owner(file: HandedFile) -> str:
 
 
 def _read_submitters(file: HandedFile) -> dict[str, Labels]:
-    """Read the labels of who submitted each folder of an export of Gradescope.
+    """Read from an export of Gradescope which students submitted each folder.
 
     Every value is read as text, so that an id such as 007 keeps its zeros.
     """
-    import yaml  # of the extra [course]
+    import yaml  # installed with the extra [course]
 
     class TextLoader(yaml.BaseLoader):
         def compose_node(self, parent: Any, index: Any) -> Any:

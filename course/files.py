@@ -1,4 +1,4 @@
-"""Read files of strangers so that none of them can stop the reader.
+"""Read files of students so that no file can stop the program.
 
 Links are not followed, devices and pipes are not opened. A file that is too large is reported
 instead of read. A zip counts as a folder, a zip inside a zip as well, and no deeper.
@@ -16,9 +16,9 @@ from pathlib import Path
 
 from helpers.inputs import ArmError
 
-MAX_BYTES = 20_000_000  # of one file: a long scan. A sheet with all its outputs has 100 000.
+MAX_BYTES = 20_000_000  # of one file, such as a long scan; a sheet with its outputs has 100 000
 MAX_HAND_IN_FILES, MAX_HAND_IN_BYTES = 200, 50_000_000
-_MAX_DEPTH = 2  # zips in each other that are opened
+_MAX_DEPTH = 2  # depth to which zips within zips are opened
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class HandedFile:
 
     @property
     def kind(self) -> str:
-        """Ending in small letters, such as ".ipynb", or "" for a file that was not read.
+        """Extension in lower case, such as ".ipynb", or "" for a file that was not read.
 
         Windows hides endings, so `answers.json.txt` is a JSON file too.
         """
@@ -47,7 +47,7 @@ class HandedFile:
 
     def __str__(self) -> str:
         text = f"{self.name} ({self.trouble})" if self.trouble else self.name
-        return text.encode(errors="backslashreplace").decode()  # a name need not be text
+        return text.encode(errors="backslashreplace").decode()  # names may be invalid Unicode
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,7 @@ def _read_file(path: Path, name: str) -> HandedFile:
 
 
 def _list_zip(file: HandedFile) -> list[Member]:
-    """List the files in a zip of a hand-in, or one that says that the zip is broken."""
+    """List the files in a zip of a hand-in; a broken zip gives one file with this message."""
     try:
         archive = zipfile.ZipFile(io.BytesIO(file.content))
         return _list_archive(archive, f"{file.name}/")
@@ -165,7 +165,7 @@ def _read_zipped(archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> 
         return _refuse_size(name, info.file_size)
     try:
         return HandedFile(name, archive.read(info))
-    except Exception as error:  # broken data raises many kinds, too
+    except Exception as error:  # broken data raise many kinds of exceptions too
         return HandedFile(name, trouble=str(error))
 
 

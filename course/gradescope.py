@@ -18,8 +18,8 @@ from course.roster import StudentIndex
 from course.store import Course
 
 _SETTINGS = "settings.json"  # number of submissions for which a student gets hints
-# Gradescope (docs/specs.md of gradescope/autograder_samples) runs setup.sh and run_autograder from
-# the zip's root; the latter must write /autograder/results/results.json.
+# Gradescope runs setup.sh and run_autograder in the zip's root. run_autograder must write
+# /autograder/results/results.json (docs/specs.md of gradescope/autograder_samples).
 _FILES = {
     "setup.sh": """#!/usr/bin/env bash
 set -euo pipefail
@@ -69,7 +69,7 @@ def run_autograder(root: Path) -> dict[str, Any]:
     """Mark the submission in a folder such as /autograder, and always write results.json."""
     try:
         results = _mark_submission(root)
-    except Exception as error:  # Gradescope would show a crash as a failure of its own
+    except Exception as error:  # Gradescope would report a crash as its own failure
         message = f"Marking stopped ({type(error).__name__}); please tell your instructor."
         results = {"score": 0, "output": message, "tests": []}
     store.write_text(root / "results" / "results.json", store.format_json(results))
@@ -89,7 +89,7 @@ def _mark_submission(root: Path) -> dict[str, Any]:
     hand_in = read_hand_in(read_files(root / "submission"), course.sheet(student).parts)
     record = make_record(course, student, hand_in)
     marks = record["marks"]
-    # Gradescope hides the score while a test is hidden.
+    # Gradescope hides the total score as long as a single test is hidden.
     tests = [
         {
             "name": mark["part"],

@@ -1,4 +1,4 @@
-"""Grade every hand-in of a course, so that a grade lasts, can be given again and says why.
+"""Grade every hand-in of a course, with reasons, so that grading again gives the same marks.
 
 `mark.json` in a student's folder of results keeps the marks, a digest of what they depend on (the
 contents of the files and the sheet), and every mark that was given for it with its reason.
@@ -32,8 +32,8 @@ _STOPPED = "marking it stopped; please look at it by hand"
 # Files in the folder of the course.
 _MARKS, _LATE = "marks.csv", "late.csv"
 _NOT_MARKED = "Not marked yet."
-# A spreadsheet runs a cell that begins with such a character (OWASP, CSV injection). One that
-# separates by semicolons or tabs begins a cell behind each of them.
+# A spreadsheet executes a cell that begins with such a character (OWASP, CSV injection). Some
+# spreadsheets separate cells by semicolons or tabs, so a cell may also begin after these.
 _FORMULA_START = re.compile(r"(^|[;\t\r\n]\s*)(?=[=+\-@|%\t\r\n])")
 
 Record = dict[str, Any]  # the contents of mark.json
@@ -43,7 +43,7 @@ MarksByHand = dict[str, tuple[float, str]]  # credits and remarks by part
 
 
 class GradingResult(NamedTuple):
-    """The rows of grades.csv and the changes by a second marking."""
+    """The rows of grades.csv, and the changes since the last marking."""
 
     rows: list[dict[str, Any]]
     changes: list[dict[str, Any]]
@@ -154,7 +154,7 @@ def mark_student(folder: Path, out: Path, course: Course, again: bool = False) -
         hand_in = read_hand_in(files, course.sheet(student).parts)
         is_handed_in = bool(hand_in.answers) or any(file.name != NOTEBOOK_FILE for file in files)
         record = make_record(course, student, hand_in, digest)
-    except Exception as error:  # a hand-in may break its reader in ways nobody thought of
+    except Exception as error:  # a hand-in may raise exceptions that nobody expected
         trouble = f"{_STOPPED} ({type(error).__name__})"
         record = make_record(course, student, HandIn(trouble=trouble), digest)
     return _save_record(out, student, record, stored, is_handed_in)
@@ -173,7 +173,7 @@ def make_record(course: Course, student: str, hand_in: HandIn, digest: str = "")
 def _save_record(
     out: Path, student: str, record: Record, stored: Record | None, is_handed_in: bool
 ) -> Record:
-    """Save a record, which counts every hand-in that differs from the last, readable or not."""
+    """Save a record, which counts each hand-in that differs from the previous one."""
     is_same = stored is not None and stored["digest"] == record["digest"]
     record["hand_ins"] = (stored or {}).get("hand_ins", 0) + (is_handed_in and not is_same)
     record["given"] = stored.get("given", {}) if stored and is_same else {}
@@ -182,7 +182,7 @@ def _save_record(
 
 
 def _remember_marks(out: Path, student: str, record: Record, marks: Marks) -> None:
-    """Add each part's mark to those given for this hand-in, if it differs from the last."""
+    """Append each part's mark to the earlier marks of this hand-in, if it differs from the last."""
     changed = False
     for mark in marks:
         given = record.setdefault("given", {}).setdefault(mark["part"], [])
@@ -206,7 +206,7 @@ def _read_record(out: Path, student: str) -> Record | None:
 
 
 def _make_digest(files: Iterable[HandedFile], sheet: Mapping[str, Any]) -> str:
-    """Return a digest of a sheet and of the contents of files, whatever the files' dates."""
+    """Return a digest of a sheet and of the contents of files, but not of the files' dates."""
     digest = hashlib.sha256(json.dumps(sheet, sort_keys=True).encode())
     for file in files:
         text = f"{file.name}\n{file.trouble}\n{len(file.content)}\n"
@@ -254,7 +254,7 @@ def read_marks_by_hand(folder: Path, course: Course) -> dict[str, MarksByHand]:
 
 
 def _list_marks_by_hand(folder: Path, course: Course, by_hand: Mapping[str, MarksByHand]) -> Rows:
-    """List each student's parts by hand with points, remark and files, to fill in."""
+    """List for each student the parts marked by hand, with points, remark and files, to fill in."""
     rows = []
     for student in course.sheets:
         names = [file.name for file in read_files(folder / student) if file.name[0] != "."]
@@ -267,7 +267,7 @@ def _list_marks_by_hand(folder: Path, course: Course, by_hand: Mapping[str, Mark
 
 
 def read_marks(folder: Path, out: Path, course: Course) -> dict[str, list[dict[str, Any]]]:
-    """Read the marks that `grade` stored or an instructor set by hand, by student."""
+    """Read the marks that `grade` stored or an instructor entered by hand, by student."""
     by_hand = read_marks_by_hand(folder, course)
     records = {student: _read_record(out, student) for student in course.sheets}
     return {
@@ -278,7 +278,7 @@ def read_marks(folder: Path, out: Path, course: Course) -> dict[str, list[dict[s
 
 
 def read_late(folder: Path, course: Course) -> dict[str, str]:
-    """Read the remark on each student's lateness, "" for a hand-in that counts as in time.
+    """Read the remark on each student's lateness; it is "" if the hand-in counts as in time.
 
     A line of late.csv counts before the platform's mark, so that an empty cell is an extension.
     Raises ArmError with every line that names no student.
@@ -293,7 +293,7 @@ def read_late(folder: Path, course: Course) -> dict[str, str]:
 
 
 def _apply_marks_by_hand(course: Course, marks: Marks, by_hand: MarksByHand) -> list[dict]:
-    """Add the parts marked by hand, and put credits given by hand in place of the judge's."""
+    """Add the parts marked by hand, and replace the judge's credit by credit given by hand."""
     parts = [{"part": part, "credit": 0.0, "message": _NOT_MARKED} for part in course.by_hand]
     result = [dict(mark) for mark in (*marks, *parts)]
     for mark in result:
@@ -340,7 +340,7 @@ def make_exports(course: Course, rows: Rows) -> dict[str, list[dict[str, Any]]]:
 
 
 def _format_feedback(course: Course, student: str, marks: Marks, record: Record) -> str:
-    """Return the reasons for each mark, without the solution, and the marks given before."""
+    """Return the reasons for each mark, without the solution, and the earlier marks."""
     parts = course.sheet(student).parts
     total, max_total = compute_total(course, marks), sum(map(course.weight, course.part_names))
     lines = [f"{course.title}, {course.names[student]} ({student}): {total:.4g} of {max_total:g}"]
@@ -359,7 +359,7 @@ def _format_feedback(course: Course, student: str, marks: Marks, record: Record)
 def _format_hints(
     course: Course, student: str, marks: Marks, record: Record, max_hints: int
 ) -> str:
-    """Return the hints for before the deadline, for the first hand-ins of a student."""
+    """Return the hints that a student gets for the first hand-ins before the deadline."""
     lines = [f"{course.title}, {course.names[student]} ({student}): before the deadline"]
     lines += [f"Note: {record['note']}."] if record["note"] else []
     lines += list_hints(marks, record["hand_ins"], max_hints)
@@ -387,7 +387,7 @@ def _list_changes(student: str, old: Record | None, new: Record) -> list[dict[st
 
 
 def format_csv(rows: Rows) -> str:
-    """Format rows as CSV by RFC 4180, with no text that a spreadsheet reads as a formula."""
+    """Format rows as CSV (RFC 4180), so that spreadsheets read no text as a formula."""
     file = io.StringIO()
     names = list(dict.fromkeys(name for row in rows for name in row))
     writer = csv.DictWriter(file, names, restval="")

@@ -27,7 +27,7 @@ _MAX_NAMES = 5  # file names in a message
 
 @dataclass(frozen=True)
 class HandIn:
-    """The answers by name, and the trouble with reading them."""
+    """The answers by name, and the problems with reading them."""
 
     answers: Mapping[str, Any] = field(default_factory=dict)
     trouble: str = ""
@@ -35,7 +35,7 @@ class HandIn:
 
 def read_hand_in(files: Sequence[HandedFile], parts: Collection[str]) -> HandIn:
     """Return the answers in a student's files, from answers.json or else from printed lines."""
-    # Messages name first the files that could not be read, then files that are no JSON.
+    # In this order messages first name files that could not be read, then files that are no JSON.
     files = [_check_json(file) for file in sorted(files, key=_is_readable)]
     files.sort(key=_is_readable)
     json_files = [file for file in files if file.kind in (".json", ".ipynb")]
@@ -58,7 +58,7 @@ def read_hand_in(files: Sequence[HandedFile], parts: Collection[str]) -> HandIn:
 
 
 def find_sheet_name(file: HandedFile) -> str:
-    """Return the name of the sheet that a file answers, or "" if the file does not say."""
+    """Return the name of the sheet that a file answers, or "" if the file does not name it."""
     data = _load_json(file)
     cells = list_code_cells(data)
     if cells:
@@ -69,7 +69,7 @@ def find_sheet_name(file: HandedFile) -> str:
 
 
 def compare_sheet_names(sheet_name: object, expected: str) -> str:
-    """Return a message if answers belong to another sheet, else ""."""
+    """Return a message if answers belong to another sheet, otherwise ""."""
     if sheet_name is None or str(sheet_name) == expected:
         return ""
     sheet_name = str(sheet_name)[:64]
@@ -89,7 +89,7 @@ def _is_readable(file: HandedFile) -> bool:
 
 
 def _choose_answers(kind: str, candidates: Mapping[str, Mapping[str, Any]]) -> HandIn:
-    """Return the answers that all candidates give, or none and the names if they differ."""
+    """Return the answers of the candidates if they agree, otherwise the candidates' names."""
     first, *others = candidates.values()
     if any(other != first for other in others):
         names = ", ".join(candidates)
@@ -120,7 +120,7 @@ def _explain_no_answers(files: Sequence[HandedFile], notebooks: Mapping[str, Any
 
 
 def _is_untouched(notebook: Any) -> bool:
-    """Return whether every answer cell still has the dots that the sheet came with."""
+    """Return whether every answer cell still contains the dots of the empty sheet."""
     sources = "\n".join(map(read_source, list_code_cells(notebook)))
     lines = _ANSWER_LINE.findall(sources)
     return {rest.replace(" ", "") for name, rest in lines if name != SHEET_ANSWER} == {"=..."}
@@ -134,7 +134,7 @@ def _load_json(file: HandedFile) -> Any:
 
 
 def _check_json(file: HandedFile) -> HandedFile:
-    """Add the reason to a file that should be JSON and is not."""
+    """Add a reason to a file that should be JSON but is not."""
     if file.trouble or file.kind not in (".json", ".ipynb"):
         return file
     try:

@@ -1,4 +1,4 @@
-"""Make a course from a roster, with a proved sheet for each student as a notebook.
+"""Make a course from a roster, with a notebook for each student whose answer key was tested.
 
 The notebook holds nothing of the key: only what the questions print, and whose sheet it is.
 """
@@ -34,7 +34,7 @@ from helpers.arm import Arm, Row
 from helpers.inputs import ArmError
 
 _MAX_TRIES = 20
-_MAX_SHEETS_ALONE = 4  # a single process draws so many sheets before further processes start
+_MAX_SHEETS_ALONE = 4  # up to this many sheets, a single process is faster
 _INSTRUCTIONS = (
     "Answer by the names that each question gives: put each answer in place of the dots. **Write"
     ' numbers as text, with the decimals that are asked**: `"0.350, -1.204, 0.077"`, or rows on'
@@ -66,8 +66,8 @@ _INSTALLATION = (
     " needs nothing but Python."
 )
 _UNKNOWN_LIMIT = re.compile(r", \w+=(?:-?inf|None)")  # a limit in the text of a row
-_BOOK_FOLDER = "./companion"  # the source of the helpers if no address is known
-# Only `arm` needs the helpers: a student without them can read, answer and hand in.
+_BOOK_FOLDER = "./companion"  # source of the helpers if the book has no address
+# Only `arm` needs the helpers, so a student without them can still answer and hand in.
 _SETUP = """{prefix}{sheet} = {name!r}  # whose sheet this is
 
 try:
@@ -86,7 +86,7 @@ def make_course(
     title: str = "Homework", secret: str = "", by_hand: Mapping[str, float] | None = None,
     jobs: int = 0, report: Callable[[str], None] = lambda _: None,
 ) -> Course:  # fmt: skip
-    """Draw a sheet for each student, prove it, and write the notebooks and course.json.
+    """Draw a sheet for each student, test its key, and write the notebooks and course.json.
 
     The secret is saved before any sheet, and each sheet as soon as it is drawn, so that an
     interrupted command can be typed again and draws the same numbers. A course that is in the
@@ -130,7 +130,7 @@ def make_course(
 
 
 def _load_same_course(course: Course, folder: Path, secret: str) -> Course:
-    """Load the course in a folder, which must ask the same as `course`."""
+    """Load the course in a folder, which must have the same questions as `course`."""
     old = store.load_course(folder)
     expected = (course.title, course.exercises, secret or old.secret, course.by_hand)
     if (old.title, old.exercises, old.secret, old.by_hand) != expected:
@@ -164,7 +164,7 @@ def _read_sheet_name(path: Path) -> str:
 
 
 def _require_same_numbers(path: Path, course: Course, student: str) -> None:
-    """Raise ArmError if a notebook does not hold the numbers that the course keeps."""
+    """Raise ArmError if a notebook does not contain the numbers that the course stores."""
     found, expected = _read_sheet_name(path), store.name_sheet(course, student)
     if found != expected:
         raise ArmError(
@@ -175,7 +175,7 @@ def _require_same_numbers(path: Path, course: Course, student: str) -> None:
 
 
 def _draw_entries(course: Course, students: list[str], jobs: int) -> Iterator[dict[str, Any]]:
-    """Draw proved sheets in the order of the students, many of them by several processes."""
+    """Draw tested sheets in the order of the students, with several processes for many sheets."""
     draw = partial(draw_entry, replace(course, sheets={}))
     if len(students) <= _MAX_SHEETS_ALONE or jobs == 1:
         yield from map(draw, students)
@@ -185,7 +185,7 @@ def _draw_entries(course: Course, students: list[str], jobs: int) -> Iterator[di
 
 
 def draw_entry(course: Course, student: str, issue: int = 0) -> dict[str, Any]:
-    """Draw a student's proved sheet.
+    """Draw a student's sheet and test that its answer key earns full marks.
 
     Returns its issue, and the lengths and numbers for each arm.
     """
@@ -195,7 +195,7 @@ def draw_entry(course: Course, student: str, issue: int = 0) -> dict[str, Any]:
 
 
 def _draw_proved_section(course: Course, student: str, index: int, issue: int) -> dict[str, Any]:
-    """Draw the lengths and numbers of a section until its key gets full marks.
+    """Draw the lengths and numbers of a section until its answer key earns full marks.
 
     Raises ArmError after twenty tries.
     """
@@ -212,7 +212,7 @@ def _draw_proved_section(course: Course, student: str, index: int, issue: int) -
 
 
 def reissue_sheet(folder: Path, student: str) -> Course:
-    """Draw new numbers for a student and keep the old notebook beside the new notebook."""
+    """Draw new numbers for a student, and keep the old notebook."""
     course = store.load_course(folder)
     old = course.require_entry(student)
     with store.lock_folder(folder):
@@ -237,7 +237,7 @@ def drop_student(folder: Path, student: str) -> Course:
 
 
 def make_right_answers(sheet: Sheet) -> dict[str, Any]:
-    """Make the key in the form that a student would hand in."""
+    """Return the right answers in the form in which a student would hand them in."""
     values = {name: part.formulas or part.value for name, part in sheet.parts.items()}
     return {name: to_json_value(_as_typed(value)) for name, value in values.items()}
 
@@ -290,7 +290,7 @@ def make_notebook(course: Course, student: str) -> dict[str, Any]:
 
 
 def _escape_markup(text: str) -> str:
-    """Write a text so that Markdown shows it as it is, on one line."""
+    """Escape a text so that Markdown shows it unchanged, on one line."""
     return _MARKUP.sub(r"\\\1", " ".join(text.split()))
 
 
@@ -306,7 +306,7 @@ def _write_arm(arm: Arm) -> str:
 
 
 def _describe_installation() -> str:
-    """Describe the installation from the address in pyproject.toml or the book's folder."""
+    """Describe the installation of the helpers from the project's address or the book's folder."""
     urls = metadata("manipulator-homework-helpers").get_all("Project-URL") or []
     addresses = [line.partition(", ")[2] for line in urls if line.startswith("Repository, ")]
     if addresses:

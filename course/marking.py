@@ -35,11 +35,11 @@ Array = NDArray[np.float64]
 MISTAKE_SHARE = 0.5  # credit for work with one mistake
 _MAX_CHARACTERS = 8000  # the longest right column has 3473
 _ROUND_OFF = 1 + 1e-9
-_MAX_NAMED_MISTAKES = 3  # mistakes that give the same numbers; nobody reads more
+_MAX_NAMED_MISTAKES = 3  # at most this many mistakes that give the same numbers are named
 NOT_ANSWERED = "Not answered."
 _RIGHT = "Right."
 _NO_MISTAKE_SEEN = "It was read; no usual mistake explains all of it."
-# Advice of the checkers about their options, which nobody can set on a sheet.
+# The checkers' advice to set an option, which a sheet does not offer.
 _OPTION_ADVICE = re.compile(r"(\n- | )If that is what you mean, say .*")
 _BLANK = (None, "", "...", ".", "-")
 
@@ -86,7 +86,7 @@ def mark_part(sheet: Sheet, name: str, answer: Any) -> Mark:
         return mark_kind(question, part, answer)
     except ArmError as error:
         return _make_refusal(name, _OPTION_ADVICE.sub("", f"Not read: {error}"))
-    except Exception as error:  # an answer that breaks a reader costs only its part
+    except Exception as error:  # an answer that raises any error costs only its own part
         message = f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
         return _make_refusal(name, message)
 
@@ -103,7 +103,7 @@ def _replace_mappings(answer: Any) -> Any:
 
 
 def _fill_blanks(answer: Any) -> Any:
-    """Write 0 for each entry that was left blank."""
+    """Write 0 for each entry that the student left blank."""
     if isinstance(answer, list):
         return [_fill_blanks(entry) for entry in answer]
     return 0 if answer in _BLANK or answer != answer else answer
@@ -113,7 +113,7 @@ def _fill_blanks(answer: Any) -> Any:
 
 
 def _mark_numbers(question: Question, part: Part, answer: Any) -> Mark:
-    """Mark numbers by their blocks, which are entries, columns or halves of columns."""
+    """Mark numbers by blocks: entries, columns, or halves of columns."""
     typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
     candidates = _reshape_like_answer(typed, part)
     return max(
@@ -122,7 +122,7 @@ def _mark_numbers(question: Question, part: Part, answer: Any) -> Mark:
 
 
 def _read_answer(answer: Any, name: str) -> TypedNumbers:
-    """Read a list, or its entries joined to a text, in which units and decimal commas are read."""
+    """Read a list, or join its entries to a text if they contain units or decimal commas."""
     try:
         return read_numbers(answer, name)
     except ArmError:
@@ -141,7 +141,7 @@ def _join_entries(answer: list[Any]) -> str:
 
 
 def _reshape_like_answer(typed: TypedNumbers, part: Part) -> list[TypedNumbers]:
-    """Return numbers in the shape of the right answer, half a Jacobian as either half.
+    """Return numbers in the shape of the right answer, or of either half of a Jacobian.
 
     Raises ArmError if their count differs.
     """
@@ -178,8 +178,8 @@ def _mark_values(part: Part, typed: TypedNumbers) -> Mark:
 
 
 def _is_explained_by(part: Part, values: Array, mistake: Mistake) -> bool:
-    """Return whether an answer has every block that a mistake makes and that needs some work."""
-    # Millimetres that were computed from rounded metres are off by 1000 times as much.
+    """Return whether an answer has every block of a mistake that differs from the baseline."""
+    # Numbers in millimetres have 1000 times the rounding error of metres.
     scale = max(1.0, np.abs(mistake.values).max() / np.abs(part.value).max())
     tolerance = part.unit * _ROUND_OFF * scale
     needed = (
@@ -190,7 +190,7 @@ def _is_explained_by(part: Part, values: Array, mistake: Mistake) -> bool:
 
 
 def _split_into_blocks(part: Part, values: Array) -> Array:
-    """Split values into the blocks that count by themselves, shape (blocks, numbers in each)."""
+    """Split values into the blocks that earn credit separately, shape (blocks, numbers in each)."""
     values = np.broadcast_to(values, np.shape(part.value))
     if part.kind == "jacobian":  # halves of columns, the linear half first
         return values.reshape(2, 3, -1).transpose(2, 0, 1).reshape(-1, 3)
@@ -248,18 +248,18 @@ def _mark_column(question: Question, part: Part, answer: Any) -> Mark:
     return _mark_values(part, TypedNumbers(values, np.zeros_like(values)))
 
 
-# Tables and joint values, of which several are right
+# Tables and joint values, for which several answers are right
 
 
 def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
-    """Mark a table in any choice of frames as right, as right but for a mistake, or as begun.
+    """Mark a table, in any valid choice of frames, as right, with one mistake, or unfinished.
 
     A wrong row behind right rows costs as much as a missing row.
     """
     mine, arm = format_table(answer), judge_data(part.value)
     replies = dict[str, dict[str, Any]]()
     for mistake, units in _TABLE_UNITS.items():
-        with suppress(ArmError):  # these units cannot be those of the table
+        with suppress(ArmError):  # the table cannot have these units
             replies[mistake] = _compare_table(mine, arm, part.unit, **units)
             if replies[mistake]["right"] and not mistake:
                 return Mark(part.name, 1.0, replies[""]["headline"], _NO_MISTAKE_SEEN)
@@ -283,7 +283,7 @@ def _mark_table(_: Question, part: Part, answer: Any) -> Mark:
     return Mark(part.name, MISTAKE_SHARE, message, hint, (reply["name"],))
 
 
-_TABLE_UNITS = {  # by the mistake that they are
+_TABLE_UNITS = {  # by the key of the mistake
     "": {},
     MILLIMETRES: {"lengths": "mm"},
     DEGREES: {"angles": "deg"},
@@ -292,7 +292,7 @@ _TABLE_UNITS = {  # by the mistake that they are
 
 
 def _compare_table(mine: str, arm: Any, unit: float, **units: str) -> dict[str, Any]:
-    """Compare a table with the arm asked; lengths are in m and angles in rad unless said."""
+    """Compare a table, by default in m and rad, with the arm of the question."""
     options = {
         "columns": "a alpha d theta", "lengths": "m", "angles": "rad", "convention": "standard",
         "tolerance": unit, **units,
@@ -309,7 +309,7 @@ def _write_read_row(row: Mapping[str, Any], number: int) -> list[str]:
 
 
 def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
-    """Mark the share of the branches that are among the first rows."""
+    """Give credit for the fraction of branches that are among the first rows."""
     typed = _read_answer(_fill_blanks(answer), f"`{part.name}`")
     if typed.values.size % question.arm.dof:
         raise ArmError(f"{typed.values.size} numbers given, expected rows of {question.arm.dof}")
@@ -319,7 +319,7 @@ def _mark_branches(question: Question, part: Part, answer: Any) -> Mark:
 def _mark_joint_values(
     question: Question, part: Part, typed: TypedNumbers, mark_rows: Callable[..., Mark]
 ) -> Mark:
-    """Mark rows of joint values; those that are right in other units are worth half."""
+    """Mark rows of joint values; rows that are right in other units earn half."""
     shape = (-1, question.arm.dof)
     rows, units = typed.values.reshape(shape), typed.units.reshape(shape)
     mark = mark_rows(question, part, rows, units)
@@ -337,7 +337,7 @@ def _mark_joint_values(
 
 
 def _mark_rows(question: Question, part: Part, rows: Array, units: Array) -> Mark:
-    """Mark rows by the branches that they give."""
+    """Mark rows by the branches that they match."""
     count = len(part.value)
     hits = _match_branches(question, part, rows[:count], part.unit)
     credit = float(hits.any(axis=0).sum() / count)
@@ -356,7 +356,7 @@ def _mark_rows(question: Question, part: Part, rows: Array, units: Array) -> Mar
 
 
 def _match_branches(question: Question, part: Part, rows: Array, tolerance: Any) -> NDArray:
-    """Return whether each row is each branch up to whole turns, shape (rows, branches)."""
+    """Return which row equals which branch up to whole turns, shape (rows, branches)."""
     gaps = rows[:, None] - part.value[None]
     turns = np.asarray(question.arm.turning)
     gaps = np.where(turns, (gaps + np.pi) % (2 * np.pi) - np.pi, gaps)

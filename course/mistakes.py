@@ -1,4 +1,4 @@
-"""List the answers that usual mistakes make of right work.
+"""List the wrong answers that usual mistakes give.
 
 The judge has the list (judge/causes), so that marks and messages come from one place.
 """
@@ -18,7 +18,7 @@ MILLIMETRES = "The lengths are in millimetres: use metres"
 DEGREES = "The angles are in degrees: use radians"
 OTHER_SIDE = "The path is drawn on the other side of its start: check the sign of the velocity"
 BACKWARDS = "The path is drawn in the opposite direction: check the sign of the velocity"
-_ROUND_OFF = 1e-9  # a smaller difference from the right answer is no difference
+_ROUND_OFF = 1e-9  # smaller differences from the right answer are round-off
 
 
 class Mistake(NamedTuple):
@@ -62,12 +62,12 @@ def list_mistakes(
     return [
         Mistake(answer["name"], answer["message"], np.array(answer["values"], dtype=float))
         for answer in answers
-        if None not in answer["values"]  # a mistake that leads to no number
+        if None not in answer["values"]  # this mistake gives no number
     ]
 
 
 def list_other_units(right: Array, lengths: ArrayLike) -> list[Mistake]:
-    """List a right answer in millimetres and in degrees, as far as its numbers have such a unit.
+    """List a right answer in millimetres and in degrees, if it contains lengths or angles.
 
     Args:
         right: Right answer in metres, radians and units of them.

@@ -18,13 +18,13 @@ _RESERVED = re.compile(r"(?i)con|prn|aux|nul|com\d|lpt\d|course\.json")
 
 @dataclass(frozen=True)
 class Student:
-    """An id, which names the folder, and a name, which is only shown."""
+    """A student's id, which is also the folder's name, and the name to display."""
 
     id: str
     name: str
 
 
-# Column headers for ids and names, the best first: ours, Canvas, Moodle, Gradescope, Excel.
+# Column headers for ids and names, in order of preference: ours, Canvas, Moodle, Gradescope, Excel.
 _ID_HEADERS = (
     "sis login id", "login id", "username", "id", "id number", "student id", "sid",
     "email address", "email",
@@ -35,7 +35,7 @@ _FIRST_NAMES, _LAST_NAMES = ("first name", "firstname"), ("last name", "surname"
 
 
 def read_roster(path: Path) -> tuple[Student, ...]:
-    """Read the students in a CSV file as platforms and spreadsheets export it.
+    """Read the students from a CSV file that a platform or spreadsheet exported.
 
     The file is in UTF-8 and has a column for the id and one for the name (or two), beside any
     others, with commas, semicolons or tabs between them. Canvas writes rows about the assignments,
@@ -62,7 +62,7 @@ def read_roster(path: Path) -> tuple[Student, ...]:
 
 
 def read_csv_rows(path: Path) -> Iterator[tuple[int, dict[str, str]]]:
-    """Read a CSV file row by row, with line numbers and without blanks or empty rows.
+    """Read a CSV file row by row, with line numbers; outer spaces and empty rows are removed.
 
     Raises ArmError if the file is not in UTF-8 or is no CSV.
     """
@@ -118,7 +118,7 @@ class StudentIndex:
 
     def __init__(self, names: Mapping[str, str]) -> None:
         self._ids = {student.casefold(): student for student in names}
-        # Students by their names with accents, and by their names without.
+        # Students by their names with accents, and by their names without accents.
         self._by_spelling = [defaultdict[str, set[str]](set) for _ in range(2)]
         for student, name in names.items():
             for students, spelling in zip(self._by_spelling, _list_spellings(name), strict=True):
@@ -152,7 +152,7 @@ class StudentIndex:
 
 
 def _list_spellings(name: str) -> tuple[str, str]:
-    """Reduce a name to small letters, digits and spaces, with accents and without."""
+    """Reduce a name to lower-case letters, digits and spaces, with accents and without."""
     exact, plain = (unicodedata.normalize(form, name).casefold() for form in ("NFKC", "NFKD"))
     with_accents, without = (
         "".join(c for c in text if c.isalnum() or c == " ") for text in (exact, plain)

@@ -1,4 +1,4 @@
-"""Draw homework with individual numbers, write its questions, and compute its key.
+"""Draw homework with individual numbers, write its questions, and compute its answer key.
 
 A seed draws plain numbers. An arm and those numbers make a text and its key, so that exactly the
 printed numbers are judged. A sheet keeps what was drawn.
@@ -24,7 +24,7 @@ from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, require_choice, require_type, tuple_of_items, whole_number
 
 TOPICS = tuple(TOPIC_BY_NAME)
-# The pieces that are marked separately, for kinds of parts that are no plain numbers.
+# How the text of a question names the pieces that are marked separately, by kind of part.
 _MARKED_PIECES = {
     "rotation": "each column counts",
     "jacobian": "each column counts by halves, linear and angular",
@@ -35,7 +35,7 @@ _MARKED_PIECES = {
 
 @dataclass(frozen=True, repr=False)
 class Question:
-    """A topic of the homework with its drawn numbers, the text and the parts of the key."""
+    """A topic of the homework with its drawn numbers, its text and its answer key."""
 
     topic: str
     arm: Arm
@@ -45,7 +45,7 @@ class Question:
 
     @property
     def markdown(self) -> str:
-        """The question and the names to answer by."""
+        """The question and the names of its answers."""
         title = self.topic[0].upper() + self.topic[1:]
         names = [f"- `{p.name}`: {p.description}; {_describe_marking(p)}" for p in self.parts]
         return "\n".join([f"## {title}", "", self.text, "", *names])
@@ -60,7 +60,7 @@ class Question:
 
 @dataclass(frozen=True)
 class Exercise:
-    """An arm, before lengths are drawn, and the topics that are asked about it."""
+    """An arm, before lengths are drawn, and the topics of its questions."""
 
     arm: Arm
     topics: tuple[str, ...]
@@ -139,18 +139,18 @@ def make_question(topic: str, arm: Arm, numbers: Numbers) -> Question:
 
 
 def _describe_marking(part: Part) -> str:
-    """Describe how many decimals are asked, and which pieces of an answer count."""
+    """Describe how many decimals are asked, and which pieces of an answer earn credit."""
     pieces = _MARKED_PIECES.get(part.kind, "each number counts")
     return pieces if part.kind in ("column", "table") else f"{part.digits} decimals; {pieces}"
 
 
 def make_suffix(index: int) -> str:
-    """Return the ending of the names of parts about a sheet's arm, which counts from 0."""
+    """Return the suffix of the names of parts about the sheet's arm with this index."""
     return f"_{index + 1}" if index else ""
 
 
 def list_part_names(exercises: Iterable[Exercise]) -> list[str]:
-    """List the names of all parts that some exercises ask for."""
+    """List the names of all parts of some exercises."""
     return [
         name + make_suffix(index)
         for index, exercise in enumerate(exercises)
@@ -181,7 +181,7 @@ def _draw_lengths(arm: Arm, seed: int | str) -> Arm:
 
 
 def change_lengths(arm: Arm, values: Mapping[str, float]) -> Arm:
-    """Give an arm new values, and bodies with the six decimals that a sheet prints."""
+    """Return an arm with new values, and with bodies rounded to the six decimals of a sheet."""
     arm = arm.with_values(**values)
     bodies = [[round(arm.number(x), 6) + 0.0 for x in (b.mass, *b.com)] for b in arm.bodies]
     return arm.with_bodies([Body(mass, com) for mass, *com in bodies])

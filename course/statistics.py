@@ -1,4 +1,4 @@
-"""Count the marks of a course by part and by mistake, and draw them."""
+"""Count the marks of a course by part and by mistake, and draw the counts as bars."""
 
 import re
 from collections import Counter

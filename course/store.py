@@ -1,4 +1,4 @@
-"""Keep a course on disk, as `course.json` with the arms, the secret and all drawn sheets.
+"""Store a course in `course.json`, with the arms, the secret and all drawn sheets.
 
 The file holds the drawn numbers, not the keys. Keys follow from the numbers, so whoever reads the
 file has them, and it stays with the instructor. Each file is written beside its place and then
@@ -47,7 +47,7 @@ class Course:
 
     @property
     def part_names(self) -> list[str]:
-        """The names of all parts, those marked by hand last."""
+        """The names of all parts; parts marked by hand come last."""
         return [*list_part_names(self.exercises), *self.by_hand]
 
     def weight(self, part: str) -> float:
@@ -98,7 +98,7 @@ def name_sheet(course: Course, student: str) -> str:
 
 @contextmanager
 def lock_folder(folder: Path) -> Iterator[None]:
-    """Let one command at a time change a course.
+    """Lock a course, so that a single command at a time can change it.
 
     Raises ArmError if another one is running. The lock ends with its process, however that ends.
     """
@@ -173,7 +173,7 @@ def format_json(data: Mapping[str, Any]) -> str:
 
 
 def write_text(path: Path, text: str, mode: int = 0o666) -> None:
-    """Write a text file whole or not at all.
+    """Write a text file completely or not at all.
 
     Bytes that are no text, such as those of odd file names, are escaped.
     """
@@ -184,7 +184,7 @@ def write_text(path: Path, text: str, mode: int = 0o666) -> None:
         temporary.touch(mode)
         temporary.write_bytes(text.encode(errors="backslashreplace"))
         temporary.replace(path)
-    finally:  # a full disk leaves no half file behind
+    finally:  # remove the incomplete file if the disk is full
         temporary.unlink(missing_ok=True)
 
 

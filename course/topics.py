@@ -34,16 +34,16 @@ Numbers = Mapping[str, Any]  # the drawn numbers of a topic
 Kind = Literal["numbers", "rotation", "table", "jacobian", "column", "torques", "branches", "pose"]
 
 _MAX_TRIES = 500
-_EULER_STEPS = 1000  # steps that the sheet asks for, or more
-_KEY_STEPS = 100  # The key's trace is exact at each step.
-_SMALLEST_SINGULAR_VALUE = 0.04  # questions keep this distance from singular configurations
-_TARGET_DIGITS = 6  # A target is printed to 1e-6 m, which moves a joint by 1e-6 / 0.04 rad.
+_EULER_STEPS = 1000  # fewest steps that the sheet asks for
+_KEY_STEPS = 100  # enough for the answer key, whose trace is exact at each step
+_SMALLEST_SINGULAR_VALUE = 0.04  # questions with a smaller one are drawn again
+_TARGET_DIGITS = 6  # decimals of a target: 1e-6 m change a joint by at most 1e-6 / 0.04 rad
 _FEWEST_DIGITS, _MOST_DIGITS = 3, 4  # decimals that are asked
 _EULER_DIGITS = 2  # decimals that 1000 Euler steps give
-_SECRET_CONFIGURATION_COUNT = 4  # Formulas are judged at these configurations.
-# Tolerance divided by the largest number, since constants in formulas may have four digits.
+_SECRET_CONFIGURATION_COUNT = 4  # configurations at which a formula is evaluated
+# Tolerance relative to the largest number, since typed constants may have four digits.
 _FORMULA_SHARE = 1e-4
-_LENGTH_RATIO = 1.25  # columns are drawn within this factor of the usual length of their formulas
+_LENGTH_RATIO = 1.25  # a drawn column's formula may be longer or shorter than usual by this factor
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Part:
 
     @cached_property
     def digits(self) -> int:
-        """Number of decimals to ask for, the fewest that show every mistake, or 0 if none do.
+        """Fewest decimals that distinguish every mistake from the right answer, or 0 if none do.
 
         A mistake shows if some number differs by more than two units, so that no answer is within
         a unit of both.
@@ -87,7 +87,7 @@ class Part:
 
     @property
     def unit(self) -> float:
-        """Largest error that is forgiven, a unit of the last decimal asked."""
+        """Largest accepted error, a unit of the last decimal."""
         if self.kind == "column":
             return _FORMULA_SHARE * max(1.0, float(np.abs(self.value).max()))
         return 10.0**-self.digits
@@ -97,12 +97,12 @@ def _draw_configuration(arm: Arm, rng: Rng) -> list[float]:
     """Draw joint values of two decimals, within limits and away from singular configurations."""
     lower, upper = (np.clip(limit, -2.4, 2.4) for limit in arm.limits)
     somewhere = np.linspace(0.3, 0.9, arm.dof)
-    rows = 6 if arm.dof >= 6 else 3  # fewer joints hold the tip's place alone
-    rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[:rows])  # 2 for an arm that is plane
+    rows = 6 if arm.dof >= 6 else 3  # fewer joints control only the position
+    rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[:rows])  # 2 for a planar arm
     for _ in range(_MAX_TRIES):
         q = (lower + (upper - lower) * rng.uniform(0.1, 0.9, arm.dof)).round(2) + 0.0
         smallest = np.linalg.svd(jacobian(arm, q)[:rows], compute_uv=False)[rank - 1]
-        if smallest > _SMALLEST_SINGULAR_VALUE and q.all():  # the sign of 0 shows nowhere
+        if smallest > _SMALLEST_SINGULAR_VALUE and q.all():  # a joint at 0 would hide a wrong sign
             return list(q.tolist())
     raise ArmError(
         f"{arm.name}: no configuration away from a singular one was found in {_MAX_TRIES} tries"
@@ -110,7 +110,7 @@ def _draw_configuration(arm: Arm, rng: Rng) -> list[float]:
 
 
 def _draw_table(arm: Arm, rng: Rng) -> Numbers | None:
-    """Draw an arm of four joints that move or turn the tip in four independent directions.
+    """Draw an arm of four joints whose Jacobian has rank 4.
 
     The sheet shows the table of the arm of all further questions, so this arm differs from it.
     """
@@ -191,7 +191,7 @@ def _draw_jacobian(arm: Arm, rng: Rng) -> Numbers | None:
 
 
 def _draw_camera(arm: Arm, rng: Rng) -> dict[str, Any]:
-    """Draw a link, a joint before it and a point, so that all students have like formulas."""
+    """Draw a link, a joint before it and a point, so that all students' formulas are similar."""
     choices = _list_usual_columns(arm.rows, tuple(arm.values))
     link, column = choices[rng.integers(len(choices))]
     position = [int(x) / 100 for x in rng.choice([-1, 1], 2) * rng.integers(3, 20, 2)]
@@ -200,7 +200,7 @@ def _draw_camera(arm: Arm, rng: Rng) -> dict[str, Any]:
 
 @lru_cache(maxsize=64)
 def _list_usual_columns(rows: tuple[Row, ...], names: tuple[str, ...]) -> list[tuple[int, int]]:
-    """List the links and joints whose column has about the usual length as formulas."""
+    """List the links and joints whose column has formulas of about the usual length."""
     arm = Arm("measured", rows, dict.fromkeys(names, 0.5))
     lengths = dict[tuple[int, int], int]()
     for link in range(min(2, len(rows)), len(rows) + 1):
@@ -343,7 +343,7 @@ def _write_torque_question(arm: Arm, numbers: Numbers) -> tuple[str, tuple[Part,
 
 
 def _draw_target(arm: Arm, rng: Rng) -> Numbers | None:
-    """Draw a target that has the usual number of branches, the same for every student."""
+    """Draw a target with the usual number of branches, which is the same for every student."""
     usual = _count_usual_branches(arm) if find_closed_form_solver(arm) else 0
     q = _draw_configuration(arm, rng)
     numbers = _make_target(arm, q)
@@ -364,7 +364,7 @@ def _find_branches(arm: Arm, numbers: Numbers) -> Array:
 
 
 def _count_usual_branches(arm: Arm) -> int:
-    """Return the commonest number of branches of an arm, whatever its lengths within a tenth."""
+    """Return the most common number of branches of an arm whose lengths change by up to a tenth."""
     lengths = tuple(sorted((name, round(x, 1)) for name, x in arm.values.items()))
     return _count_branches_of(replace(arm, name=""), lengths)
 
@@ -452,7 +452,7 @@ def write_question(topic: str, arm: Arm, numbers: Numbers) -> tuple[str, tuple[P
 
 
 def draw_numbers(topic: str, arm: Arm, rng: Rng) -> Numbers:
-    """Draw numbers for a topic until they can be asked and every mistake shows."""
+    """Draw numbers for a topic until it has an answer that every mistake changes."""
     for _ in range(_MAX_TRIES):
         numbers = TOPIC_BY_NAME[topic].draw(arm, rng)
         if numbers and all(part.digits for part in write_question(topic, arm, numbers)[1]):
@@ -492,7 +492,7 @@ def format_matrix(values: Any, digits: int = 4) -> str:
 
 
 def find_missing_property(topic: str, arm: Arm) -> str:
-    """Return the name of the property that an arm lacks for a topic, or ""."""
+    """Return the name of the property that a topic needs and an arm lacks, or ""."""
     if not arm.dof:
         return "a joint that moves"
     if topic == "circle tracing" and arm.dof != 6:

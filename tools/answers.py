@@ -128,7 +128,7 @@ def page_markdown(page: SheetPage) -> str:
 
 
 def write_pages(folder: Path, fingerprint: str) -> None:
-    """Write the pages that differ, unless they were last written with the same fingerprint."""
+    """Write the changed pages, unless the last fingerprint is the same."""
     fingerprint_file = folder / ".made"
     paths = {page: folder / f"{page.name}.md" for page in PAGES}
     are_complete = all(path.exists() for path in (fingerprint_file, *paths.values()))
@@ -137,14 +137,14 @@ def write_pages(folder: Path, fingerprint: str) -> None:
     folder.mkdir(exist_ok=True)
     for page, path in paths.items():
         text = page_markdown(page)
-        # Sphinx reads again each file that was written, so unchanged pages are not.
+        # Do not write unchanged pages, because Sphinx would read them again.
         if not path.exists() or path.read_text("utf-8") != text:
             path.write_text(text, "utf-8")
     fingerprint_file.write_text(fingerprint, "utf-8")
 
 
 def list_sources() -> list[Path]:
-    """Return the files that the pages are made from, with the style and script in a sheet."""
+    """Return the files from which the pages are made, including style and script of a sheet."""
     modules = (path for room in ("helpers", "answers") for path in (ROOT / room).rglob("*.py"))
     return [Path(__file__), *sorted(modules), *sorted((ROOT / "answers/static").iterdir())]
 

@@ -16,9 +16,9 @@ FLAGS = [
     "--use-gl=angle",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    "--font-render-hinting=none",  # characters get the same width as in a browser's window
+    "--font-render-hinting=none",  # gives characters the same width as in a visible window
 ]
-# The headless shell comes first, since it draws no window, which costs more than a page.
+# The headless shell comes first, because it is the fastest.
 PROGRAMS = (
     "chromium-headless-shell",
     "chromium",

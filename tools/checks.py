@@ -1,4 +1,4 @@
-"""A Sphinx extension that folds the code cells that only check.
+"""A Sphinx extension that folds code cells whose only outputs are checks.
 
 A cell whose outputs are lines of `helpers.checks.check` alone shows one line on its page, with what
 was compared; its code and its full output open with a click. Solutions stay as they are, since
@@ -15,11 +15,11 @@ from sphinx.transforms import SphinxTransform
 from tools.plain_markdown import is_of_class
 
 PRECISION = re.compile(r" \(within [^()]*\)$")
-MAX_LABELS = 3  # of one cell; the others are counted
+MAX_LABELS = 3  # labels shown for a cell; more labels are only counted
 
 
 class FoldChecks(SphinxTransform):
-    default_priority = 310  # after the boxes of solutions have been made, at 300
+    default_priority = 310  # after boxes of solutions are made, at priority 300
 
     def apply(self, **_: object) -> None:
         for cell in list(self.document.findall(lambda node: is_of_class(node, "cell"))):
@@ -29,7 +29,7 @@ class FoldChecks(SphinxTransform):
 
 
 def read_labels(cell: nodes.Element) -> list[str]:
-    """Return what a cell compared, or nothing if it has an output that is no check."""
+    """Return the labels of a cell's checks, or nothing if it has another output."""
     outputs = [part for part in cell if is_of_class(part, "cell_output")]
     blocks = [block for output in outputs for block in output]
     if not all(is_of_class(block, "stream") for block in blocks):
@@ -41,7 +41,7 @@ def read_labels(cell: nodes.Element) -> list[str]:
 
 
 def stays_open(cell: nodes.Element) -> bool:
-    """Return whether a cell has the tag `show-code` or stands in a solution."""
+    """Return whether a cell has the tag `show-code` or is in a solution."""
     around = cell
     while around is not None and not is_of_class(around, "solution"):
         around = around.parent
@@ -49,7 +49,7 @@ def stays_open(cell: nodes.Element) -> bool:
 
 
 def fold(cell: nodes.Element, labels: list[str]) -> None:
-    """Put a cell into `<details>` below a line that says what it compares."""
+    """Put a cell into `<details>`, whose summary names the compared values."""
     more = f"; and {len(labels) - MAX_LABELS} more" if len(labels) > MAX_LABELS else ""
     line = escape("; ".join(labels[:MAX_LABELS]) + more)
     start = f'<details class="check"><summary>✔ {line}</summary>'

@@ -64,7 +64,7 @@ def write_citations(notebook: nbformat.NotebookNode, to_book: str = "") -> None:
 
 
 def register_works(app: Sphinx, _doctree: nodes.document) -> None:
-    """Let links find the works, which sphinxcontrib-bibtex places after the page was read."""
+    """Register the works as link targets, since sphinxcontrib-bibtex adds them too late."""
     if app.env.docname == "references":
         slugs = app.env.metadata["references"].setdefault("myst_slugs", {})
         slugs.update({key: (0, nodes.make_id(key), "") for key in read_works()})

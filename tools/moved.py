@@ -1,4 +1,4 @@
-"""A Sphinx extension that leads old addresses to the places where their parts stand today.
+"""A Sphinx extension that links old addresses to the new places of their sections.
 
 `book/old_anchors.json` lists the anchors of each page of the fifth edition. A part that now stands
 on a page in `exercises` or `further` is found there by its anchor. What has another anchor today is
@@ -23,11 +23,11 @@ from sphinx.util.osutil import relative_uri
 from tools.numbering import FOLDERS
 
 LOGGER = logging.getLogger(__name__)
-Targets = dict[str, str]  # "page#anchor" of today by the anchor of before
+Targets = dict[str, str]  # new "page#anchor" by old anchor
 
 
 def record_ids(app: Sphinx, doctree: nodes.document) -> None:
-    """Keep the ids of a page, which its links and old addresses may name."""
+    """Store the ids of a page, which links and old addresses may name."""
     ids = {name for node in doctree.findall(nodes.Element) for name in node.get("ids", ())}
     app.env.metadata[app.env.docname]["ids"] = ids
 
@@ -35,7 +35,7 @@ def record_ids(app: Sphinx, doctree: nodes.document) -> None:
 def find_targets(
     old_anchors: dict[str, list[str]], moved: Targets, ids: dict[str, set[str]]
 ) -> dict[str, Targets]:
-    """Find the new place of each anchor that its page has lost.
+    """Find the new place of each anchor that is missing on its page.
 
     Args:
         old_anchors: the anchors of before by page.
@@ -65,9 +65,9 @@ def read_json(app: Sphinx, name: str) -> Any:
 
 
 def update_targets(app: Sphinx, env: BuildEnvironment) -> list[str]:
-    """Find all targets, and return the pages whose lines have changed since the last build."""
+    """Find all targets, and return the pages whose links have changed since the last build."""
     ids = {page: env.metadata[page].get("ids", set()) for page in env.found_docs}
-    # Docstrings, works and arms make the ids of these pages.
+    # Leave out pages whose ids are generated from docstrings, works and arms.
     old = {
         page: anchors
         for page, anchors in read_json(app, "old_anchors.json").items()
@@ -86,10 +86,10 @@ def update_targets(app: Sphinx, env: BuildEnvironment) -> list[str]:
 
 
 def format_lines(env: BuildEnvironment, page: str, targets: Targets) -> str:
-    """Return the lines of the parts that have left a page, as HTML."""
+    """Return links to the sections that have left a page, as HTML."""
     items = []
     for anchor, target in targets.items():
-        if not target:  # the build has warned of it
+        if not target:  # the build has already warned
             continue
         name, _, part = target.partition("#")
         address = relative_uri(f"{page}.html", f"{name}.html") + (part and f"#{part}")
@@ -102,13 +102,13 @@ def format_lines(env: BuildEnvironment, page: str, targets: Targets) -> str:
 
 
 def add_lines(app: Sphinx, doctree: nodes.document, page: str) -> None:
-    """Add the lines of the parts that have left a page at its end."""
+    """Add links to the sections that have left a page at its end."""
     if targets := app.env.moved_targets.get(page):
         doctree += nodes.raw("", format_lines(app.env, page, targets), format="html")
 
 
 def write_gone_pages(app: Sphinx) -> Iterator[tuple[str, dict[str, str], str]]:
-    """Yield a page for each page of before that has gone."""
+    """Yield a page for each removed page."""
     moved = read_json(app, "moved_anchors.json")
     for page in (name for name in moved if "#" not in name):
         home = relative_uri(f"{page}.html", f"{moved[page].partition('#')[0]}.html")

@@ -1,4 +1,4 @@
-"""Check and renew the numbers that figures, formulas and exercises carry in the sources.
+"""Check and update the numbers of figures, formulas and exercises in the sources.
 
 `python -m tools.numbering` reports mistakes; `python -m tools.numbering --write` renumbers. The
 numbers are written in the text, so that every reader of a notebook shows them:
@@ -22,7 +22,7 @@ from sphinx.util import logging
 
 LOGGER = logging.getLogger(__name__)
 BOOK = Path(__file__).parents[1] / "book"
-FOLDERS = ("exercises", "further")  # of notebooks beside the chapters
+FOLDERS = ("exercises", "further")  # folders of notebooks other than chapters
 
 ANCHOR = re.compile(r'<a id="([\w.-]+)"></a>')
 HEADING = re.compile(r"(?m)^(#+) +(.+)$")
@@ -31,7 +31,7 @@ SOLUTION = re.compile(r'(?:<a id="[\w.-]+"></a>\n+)*#### Solution')
 MYST = re.compile(r"(?m)\{[a-z:_-]+\}`|^ *[`:]{3,}\{[\w-]+\}|^\([\w.-]+\)=\s*$")
 CODE = re.compile(r"(?ms)^```.*?^```$|``.+?``|`[^`\n]+`")
 MATH = re.compile(r"(?s)\$\$.*?\$\$|\$[^$\n]+(?:\n[^$\n]+)?\$")
-IDS_FROM_SPHINX = re.compile(r"\{(eval-rst|bibliography)\}")  # pages whose anchors a build makes
+IDS_FROM_SPHINX = re.compile(r"\{(eval-rst|bibliography)\}")  # their anchors come from Sphinx
 
 
 class Kind(NamedTuple):
@@ -39,12 +39,12 @@ class Kind(NamedTuple):
 
     name: str
     item: re.Pattern  # groups: anchor, text up to the number, number
-    attempt: re.Pattern  # text that looks like such an item, well formed or not
+    attempt: re.Pattern  # text that looks like such an item, even if malformed
     form: str
     mention: re.Pattern
 
 
-OLD_ANCHORS = r'\A(?:<a id="[\w.-]+"></a>\s+)*?'  # names that an item had before
+OLD_ANCHORS = r'\A(?:<a id="[\w.-]+"></a>\s+)*?'  # earlier anchors of an item
 KINDS = (
     Kind(
         "figure",
@@ -174,7 +174,7 @@ def find_target(link: re.Match, path: Path) -> tuple[Path, str]:
 
 
 def renumber(folder: Path = BOOK) -> list[Path]:
-    """Write every number and its mentions anew, and return the files that changed."""
+    """Update every number and its mentions, and return the changed files."""
     book = read_book(folder)
     numbers = count_items(book)
     changed = []
@@ -274,7 +274,7 @@ def check_anchors(cells: list[Cell]) -> Iterator[str]:
 
 
 def check_solutions(cells: list[Cell]) -> Iterator[str]:
-    """Report solutions that belong to no exercise, do not fold, or end with the notebook."""
+    """Report solutions without an exercise, that do not fold, or that end with the notebook."""
     heading, last = "", None
     for cell in cells:
         text = replace_with_spaces(CODE, cell.text)
@@ -307,7 +307,7 @@ def check_links(
     for link in LINK.finditer(text):
         place = cell.describe_position(link.start())
         file, anchor = find_target(link, path)
-        if file.parent.name == "answers":  # the build makes these pages, and checks the link
+        if file.parent.name == "answers":  # the build writes these pages and checks links to them
             continue
         if file not in book:
             if not file.exists():
@@ -330,7 +330,7 @@ def check_links(
 
 
 def has_ids_from_sphinx(cells: list[Cell]) -> bool:
-    """Return whether a build gives a page more anchors than its source has."""
+    """Return whether Sphinx adds anchors to a page that its source does not contain."""
     return bool(IDS_FROM_SPHINX.search(cells[0].text))
 
 

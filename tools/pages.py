@@ -23,7 +23,7 @@ LOGGER = logging.getLogger(__name__)
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 WITHIN = re.compile(r"\\begin\{(\w+\*?)\}.*?\\end\{\1\}", re.S)
-LINE = 18  # signs of a formula that any phone has room for
+LINE = 18  # length of a formula, in characters, that fits on any phone
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
 MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
@@ -78,7 +78,7 @@ def visit_math_block(translator, node) -> None:
     """Write a display formula, its number and a link to it."""
     tex = node.astext().strip()
     first, other = node["ids"][:1], node["ids"][1:]
-    node["ids"] = first  # a second id beside the formula would take a row of its grid
+    node["ids"] = first  # a second id would add an element to the formula's grid
     translator.body.append(translator.starttag(node, "div", "", CLASS="math"))
     if node.get("number"):
         anchors = "".join(f'<span id="{name}"></span>' for name in other)
@@ -100,9 +100,9 @@ def depart_folded_code(translator, _node) -> None:
 
 
 def fold_box(box: nodes.Element) -> None:
-    """Turn a box with a title into a box that is opened at its title."""
+    """Turn a box with a title into a box that a click on the title opens."""
     title, *rest = box.children
-    # A summary is pressed to open its box, so that it holds no links.
+    # A click on the summary opens its box, so the summary must not contain links.
     for link in list(title.findall(nodes.reference)):
         link.replace_self(link.children)
     names = " ".join(name for name in box["classes"] if name != "dropdown")
@@ -122,7 +122,7 @@ def fold_box(box: nodes.Element) -> None:
 
 
 def join_to_neighbours(formula: nodes.math) -> None:
-    """Keep a formula on a line with the bracket before it and the unit or comma behind it."""
+    """Keep a formula on a line with the bracket before it and the unit or comma after it."""
     position, parent = formula.parent.index(formula), formula.parent
     before, after = (
         parent[k] if 0 <= k < len(parent) and isinstance(parent[k], nodes.Text) else nodes.Text("")
@@ -134,7 +134,7 @@ def join_to_neighbours(formula: nodes.math) -> None:
         return
     kept = [nodes.Text(front), formula.deepcopy(), nodes.Text(behind.replace(" ", SPACE))]
     formula.replace_self(nodes.inline("", "", *kept, classes=["together"]))
-    # By position, since `replace` would take the first of several equal texts.
+    # Insert by position, because `replace` would replace the first of several equal texts.
     if front:
         parent[position - 1] = nodes.Text(before[: -len(front)])
     if behind:
@@ -162,7 +162,7 @@ def keep_words_unbroken(text: nodes.Text) -> None:
 
 
 def drop_alignment_classes(table: nodes.table) -> None:
-    """Drop classes of alignment that equal the default, and move a shared class to the table."""
+    """Remove default alignment classes, and move a class shared by all cells to the table."""
     cells = list(table.findall(nodes.entry))
     for cell in cells:
         cell["classes"] = [name for name in cell["classes"] if name != "text-left"]
@@ -189,7 +189,7 @@ def prepare_page(app: Sphinx, doctree: nodes.document, name: str) -> None:
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    # Jupyter Book sets this value for an extension that the book does not use.
+    # Jupyter Book sets this option, which only an unused extension would define.
     app.add_config_value("comments_config", {}, "html")
     app.add_directive("arm", LiveArm)
     app.add_node(HideCodeCellNode, override=True, html=(visit_folded_code, depart_folded_code))

@@ -40,7 +40,7 @@ def list_pages() -> list[str]:
 
 
 def open_print_tab(browser: Browser) -> Page:
-    """Open a tab as wide as the paper, in which live figures keep their still form."""
+    """Open a tab as wide as the paper, in which live figures stay still pictures."""
     tab = browser.new_page(viewport=VIEWPORT)
     tab.add_init_script("localStorage.mode = 'light'")
     tab.emulate_media(media="print", color_scheme="light")
@@ -119,13 +119,13 @@ def print_with_page_numbers(tab: Page) -> bytes:
     pages = target_pages(print_once({}))
     pdf = print_once(pages)
     moved = sorted(name for name, page in target_pages(pdf).items() if pages[name] != page)
-    if moved:  # cannot happen while every page number takes the same room
+    if moved:  # impossible if all page numbers have the same width
         raise RuntimeError(f"the second print moves {moved} to other pages")
     return pdf
 
 
 def link_pdf(path: Path) -> None:
-    """Link the PDF from the book's first page."""
+    """Insert a link to the PDF into the book's first page."""
     html = path.read_text(encoding="utf-8")
     if html.count(LINK_PLACEHOLDER) + html.count(LINK) != 1:
         raise RuntimeError(f"{path.name} has no place for the PDF's link: {LINK_PLACEHOLDER}")

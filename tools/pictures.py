@@ -15,8 +15,8 @@ from sphinx.environment import BuildEnvironment
 
 PIXELS_PER_UNIT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 HASHED_NAME = re.compile(r"[0-9a-f]{64}\.svg")
-# On a phone, four panels or more stand in rows of two or three if none is wider than this (pt);
-# their text is then at least as large as the page's.
+# On a phone, four or more panels are arranged in rows of two or three if none is wider than this
+# (pt), so that their text is at least as large as the page's.
 SMALL_PANEL_WIDTH = 170
 
 
@@ -65,7 +65,7 @@ def visit_image(translator, node) -> None:
 
 
 def _panel_image(image_start: str, panel: str, width: int, height: int, max_width: int) -> str:
-    """Return an image of a panel, with its share of the widest panel as its scale."""
+    """Return an image of a panel, scaled by its width relative to the widest panel."""
     limit = 1.5 * width * PIXELS_PER_UNIT["pt"]
     style = f"aspect-ratio: {width} / {height}; max-width: {limit:.0f}px; "
     return f'{image_start}#{panel}" class="panel" style="{style}--share: {width / max_width:.1%}">'

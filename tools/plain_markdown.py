@@ -1,4 +1,4 @@
-"""A Sphinx extension that gives plain Markdown the book's looks.
+"""A Sphinx extension that turns plain Markdown into the book's boxes, captions and fields.
 
 Notebooks and pages contain no directives, roles or labels, so GitHub, VS Code, Colab and JupyterLab
 show them as they are. This extension recognises these forms on the document tree:
@@ -66,9 +66,9 @@ class NameTargets(SphinxTransform):
 
 
 class DressBlocks(SphinxTransform):
-    """Turn the plain forms of boxes, exercises, captions, formulas and terms into theme nodes."""
+    """Turn plain Markdown for boxes, exercises, captions, formulas and terms into theme nodes."""
 
-    default_priority = 300  # before Sphinx collects titles, so the contents list no exercises
+    default_priority = 300  # before Sphinx collects titles: the contents list no exercises
 
     def apply(self, **_: object) -> None:
         for node_type, dress in (
@@ -85,7 +85,7 @@ class DressBlocks(SphinxTransform):
                 dress(node)
 
     def place_judge(self, opening: nodes.raw) -> None:
-        """Put the judge's stub in place of a ``<div class="judge">``.
+        """Replace a ``<div class="judge">`` by the judge's stub.
 
         The text up to ``</div>`` stays for pages without JavaScript.
         """
@@ -93,7 +93,7 @@ class DressBlocks(SphinxTransform):
         if tag is None:
             return
         for name, module in list(sys.modules.items()):
-            if name.startswith("helpers."):  # the stub holds the numbers of the arms
+            if name.startswith("helpers."):  # the stub contains numbers of the arms
                 self.env.note_dependency(module.__file__)
         content = remove_up_to_end(opening)
         opening.replace_self(judge_nodes(dict(DATA.findall(tag[1])), content))
@@ -110,7 +110,7 @@ def remove_up_to_end(opening: nodes.raw) -> list[nodes.Node]:
 
 
 def place_answer_field(opening: nodes.raw) -> None:
-    """Put a field for an answer, which answer.js reads, in place of ``<div class="answer">``."""
+    """Replace ``<div class="answer">`` by a field for an answer, which answer.js reads."""
     tag = OPEN_ANSWER.fullmatch(opening.astext())
     if tag is None:
         return
@@ -126,7 +126,7 @@ def place_answer_field(opening: nodes.raw) -> None:
 
 
 def drop_still(html: nodes.raw) -> None:
-    """Drop the still picture beside a live figure, since tools/stills.py draws the page's own."""
+    """Remove the still picture beside a live figure, since tools/stills.py draws another."""
     if '<div class="arm-explorer' not in html.astext():
         return
     output = html.parent
@@ -166,7 +166,7 @@ def dress_box(quote: nodes.block_quote) -> None:
         return
     kinds = ["slip" if title.startswith("Slip ") else "important"]
     if title == "Hint":
-        kinds = ["clue", "dropdown"]  # `hint` is the line below a wide box
+        kinds = ["clue", "dropdown"]  # not the class `hint`, which the theme uses below wide boxes
     heading = nodes.title("", "", *quote[0].next_node(nodes.strong).children)
     box = nodes.admonition("", heading, *quote[1:], ids=quote["ids"], classes=kinds)
     quote.replace_self(box)
@@ -210,7 +210,7 @@ def fold_solution(
 
 
 def explicit_ids(section: nodes.section) -> list[str]:
-    """Return the ids that anchors give a section, without the id from its title."""
+    """Return a section's ids from anchors, without the id from its title."""
     is_explicit = section.document.nametypes
     return [name for name in section["ids"] if is_explicit.get(name)]
 
@@ -248,7 +248,7 @@ def is_of_class(node: nodes.Node, name: str) -> bool:
 
 
 def number_formula(block: nodes.math_block) -> None:
-    r"""Take ``\tag{2.1}`` out of a formula, since the page sets the number itself.
+    r"""Remove ``\tag{2.1}`` from a formula, since the page adds the number.
 
     Sphinx's own form of the id, ``equation-eq-x``, stays valid for links from elsewhere.
     """
@@ -285,12 +285,12 @@ def is_definition(paragraph: nodes.paragraph) -> bool:
 
 
 def visible_parts(paragraph: nodes.paragraph) -> list[nodes.Node]:
-    """Return a paragraph's children without the empty texts that MyST puts beside bold text."""
+    """Return a paragraph's children without the empty texts that MyST adds to bold text."""
     return [part for part in paragraph if part.astext() or isinstance(part, nodes.target)]
 
 
 def register_targets(app: Sphinx, doctree: nodes.document) -> None:
-    """Let links from further files find every id, since MyST searches only slugs of headings."""
+    """Register every id as a link target, since MyST finds only slugs of headings."""
     places = {name: (0, name, "") for name in doctree.ids}
     app.env.metadata[app.env.docname].setdefault("myst_slugs", {}).update(places)
 

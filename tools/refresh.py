@@ -27,7 +27,7 @@ REPORTS_RESULT = re.compile(r"\b(check|print|display|compare_\w+)\(")
 
 
 def hide_drawing_code(notebook: nbformat.NotebookNode) -> None:
-    """Fold on the page the code of each cell that only draws a figure."""
+    """Fold the code of each cell whose only result is a figure."""
     for cell, below in pairwise(notebook.cells):
         tags = cell.metadata.get("tags", [])
         if draws_only(cell, below) and "hide-input" not in tags:
@@ -42,7 +42,7 @@ def draws_only(cell: nbformat.NotebookNode, below: nbformat.NotebookNode) -> boo
 
 
 def write_derived_cells(notebook: nbformat.NotebookNode, path: Path) -> None:
-    """Write the note, folds and citations of a notebook, which follow from its cells."""
+    """Write the setup note, folds and citations of a notebook, which depend on its cells."""
     page = page_name(path)
     write_setup_note(notebook, page)
     hide_drawing_code(notebook)
@@ -61,7 +61,7 @@ def refresh_notebook(path: Path) -> None:
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
         for output in cell.get("outputs", []):
-            output.get("data", {}).pop(WIDGET, None)  # without a kernel there is none
+            output.get("data", {}).pop(WIDGET, None)  # a stored notebook has no live widget
             if "metadata" in output:
                 output["metadata"] = {}
         if cell.cell_type == "code":

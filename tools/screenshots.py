@@ -10,7 +10,7 @@ ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
 DOCS = ROOT / "docs"
 
-# The first frame applies the change, the second shows it.
+# The first frame applies a change, the second has drawn it.
 WAIT_TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 
 
@@ -28,12 +28,12 @@ def capture_explorer(browser: Browser) -> None:
     """Capture an explorer in chapter 5 that lists all joint vectors of a pose."""
     page = browser.new_page(viewport={"width": 720, "height": 1000}, color_scheme="light")
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
-    # The card is taller than the window: the bar must not lie over it.
+    # The card is taller than the window, so a fixed bar would cover part of it.
     page.add_style_tag(content=".bar { position: static !important }")
     explorer = page.locator(".cell .arm-explorer:not([data-figure])").first
     explorer.evaluate("(element) => element.scrollIntoView()")
     card = explorer.locator("section.explorer")
-    card.locator(".labels:not([hidden])").wait_for()  # WebGL has drawn the arm
+    card.locator(".labels:not([hidden])").wait_for()  # visible once WebGL has drawn
     card.get_by_role("button", name="Find the solutions for this pose").click()
     card.get_by_text("solutions for this pose.").wait_for()
     page.evaluate(WAIT_TWO_FRAMES)

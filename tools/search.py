@@ -34,13 +34,13 @@ SYMBOLS_SECTION = "symbols"  # of the glossary; each row of its table is an entr
 SHEETS = "answers/"
 LIST_PAGES = ("api",)
 BOXES = ("exercise", "slip")  # classes of the boxes that are entries
-OTHER_NAMES = re.compile(r"Also: ([^.]+)\.$")  # of a term, in the glossary
-REFERENCE = re.compile(r"\0(.+?)\0")  # a reference that is resolved when all pages have been read
+OTHER_NAMES = re.compile(r"Also: ([^.]+)\.$")  # other names of a term in the glossary
+REFERENCE = re.compile(r"\0(.+?)\0")  # reference, resolved after all pages are read
 SKIPPED = (
     *(nodes.raw, nodes.comment, nodes.image, nodes.literal_block, nodes.footnote, nodes.math_block),
     *(nodes.section, addnodes.desc),
 )
-MAX_FORMULA_LENGTH = 30  # characters; longer formulas cannot be read in a line of plain text
+MAX_FORMULA_LENGTH = 30  # characters; longer formulas are unreadable as plain text
 SYMBOLS = {
     **{"varphi": "φ", "vartheta": "ϑ", "varepsilon": "ε", "Delta": "Δ", "Sigma": "Σ"},
     **{"times": "×", "cdot": "·", "circ": "°", "partial": "∂", "pm": "±", "le": "≤", "ge": "≥"},
@@ -82,7 +82,7 @@ def get_symbol(name: str) -> str:
 
 
 def is_entry_box(node: nodes.Node) -> bool:
-    """Return whether a node is a box that has an entry of its own."""
+    """Return whether a node is a box with its own entry."""
     return isinstance(node, nodes.admonition) and bool({*node["classes"]} & {*BOXES})
 
 
@@ -126,7 +126,7 @@ def iterate_text(node: nodes.Node) -> Iterator[str]:
 def join_text(parts: list[nodes.Node]) -> str:
     """Return the readable text of nodes in a line."""
     text = " ".join(" ".join("".join(iterate_text(part)) for part in parts).split())
-    return re.sub(r"\s+(?=[,.;:)])", "", text)  # a long formula left a blank
+    return re.sub(r"\s+(?=[,.;:)])", "", text)  # spaces left by long formulas
 
 
 def make_entry(title: nodes.Node, anchor: str, parts: list[nodes.Node]) -> Entry:
@@ -191,7 +191,7 @@ def iterate_functions(doctree: nodes.document) -> Iterator[Entry]:
 
 
 def collect_entries(app: Sphinx, doctree: nodes.document) -> None:
-    """Keep the entries of a page that has just been read."""
+    """Store the entries of a page that Sphinx has just read."""
     stored_entries(app.env)[app.env.docname] = list(iterate_entries(doctree))
 
 
@@ -203,7 +203,7 @@ def stored_entries(env: BuildEnvironment) -> dict[str, list[Entry]]:
 
 
 def forget_page(_app: Sphinx, env: BuildEnvironment, page: str) -> None:
-    """Drop the entries of a page that is read anew or gone."""
+    """Remove the entries of a page that is read again or deleted."""
     stored_entries(env).pop(page, None)
 
 

@@ -17,14 +17,14 @@ from sphinx.application import Sphinx
 from helpers.explorer.stub import RUN_HINT
 
 ROOT = Path(__file__).parents[1]
-LIGHT_THEME = ' data-theme="light"'  # marks a card that is built without a browser
+LIGHT_THEME = ' data-theme="light"'  # attribute of a card that is built without a browser
 PAPER = Path(__file__).with_name("paper.js")
 EXPLORER_START = re.compile(r'<div class="arm-explorer[^>]*>')
 FIGURE_KIND = re.compile(r'data-figure="(\w+)"')
 STYLE = re.compile(r"<style>(.*?)</style>", re.S)
 JSON_DATA = re.compile(r'<script type="application/json">(.*)</script>', re.S)
 
-# Builds a live figure. READ_HTML reads its HTML once all promises are settled.
+# Script that builds a live figure. READ_HTML returns its HTML after all promises are settled.
 BUILD = """(figureKind, data) => {
     globalThis.container = document.createElement("div");
     container.append(Object.assign(document.createElement("script"), { textContent: data }));
@@ -58,11 +58,11 @@ class PageScripts:
             return html
         kind = FIGURE_KIND.search(start[0])
         still = self.build_explorer(kind[1] if kind else "", JSON_DATA.search(html)[1])
-        still = still.replace(LIGHT_THEME, "", 1)  # the page's colours hold until the script runs
+        still = still.replace(LIGHT_THEME, "", 1)  # the page sets the theme until the script runs
         style_name = "figure" if kind else "panel"
         self.styles[style_name] = STYLE.search(still)[1]
         link = f'<link rel="stylesheet" href="{self.root}_static/{style_name}.css">'
-        page_html = html.replace(RUN_HINT, "", 1)  # a page has no cell to run
+        page_html = html.replace(RUN_HINT, "", 1)  # pages have no cells to run
         return page_html[: start.end()] + STYLE.sub(link, still, count=1) + page_html[start.end() :]
 
 

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 from helpers.inputs import ArmError, require_type
 
 _SCRIPT = Path(__file__).with_name("temml.min.js")
-# Text comes back as JSON, which no bridge between the languages can cut or recode.
+# The result is JSON, so that QuickJS cannot cut or recode its text.
 _SET = """(tex, displayMode, wrap) =>
     JSON.stringify(temml.renderToString(tex, { displayMode, wrap, throwOnError: true }))"""
 _INDEXED = {"msub", "msup", "msubsup"}
@@ -39,7 +39,7 @@ def convert_parts(tex: str) -> list[str]:
     for part in formula:
         if not rows or not "".join(rows[-1].itertext()).endswith("\N{FUNCTION APPLICATION}"):
             rows.append(Element("math"))
-        rows[-1].append(part)  # with the name of the function that is taken of it
+        rows[-1].append(part)  # keep the argument of a function with its name
     return [_to_text(row) for row in rows]
 
 
@@ -58,16 +58,16 @@ def _convert_tex(tex: str, display: bool, wrap: str) -> Element:
         raise ArmError(f"{tex} is no formula: {first}; expected TeX that Temml knows") from None
     formula = ElementTree.fromstring(markup.replace("&nbsp;", "\N{NO-BREAK SPACE}"))
     for cell in formula.iter("mtd"):
-        cell.attrib.pop("style", None)  # its room in points, which no page can make less
+        cell.attrib.pop("style", None)  # its space in points, which style sheets cannot reduce
     for letter in formula.iter("mi"):
         if letter.text == "θ":
-            letter.set("mathvariant", "normal")  # the page has an italic θ of another face
+            letter.set("mathvariant", "normal")  # the page's italic θ has another font
     _remove_index_spaces(formula)
     _keep_brackets_low(formula)
     _space_function_names(formula)
     for cell in formula.iterfind(".//mtd[@class='tml-left']"):
         for sign in cell.iterfind("mrow/mo[1][@form='prefix']"):
-            sign.set("form", "infix")  # a row that goes on with a sum
+            sign.set("form", "infix")  # a row that continues a sum
     return formula
 
 
@@ -81,7 +81,7 @@ def _remove_index_spaces(formula: Element) -> None:
 
 
 def _keep_brackets_low(formula: Element) -> None:
-    """Stop brackets from growing around low content, where an index alone would stretch them."""
+    """Stop brackets from growing around low content whose only tall part is an index."""
     for row in formula.iter("mrow"):
         if _TALL.isdisjoint(part.tag for part in row.iter()):
             for sign in row.findall("mo[@fence]"):

@@ -1,4 +1,4 @@
-"""Add noise to functions of NumPy and Python, as the round-off of a different processor.
+"""Add noise to functions of NumPy and Python, like the round-off of another processor.
 
 Python runs this file at its start if its folder is on PYTHONPATH, as in the kernel beside it. The
 noise is up to two units in the last place. It leaves out the functions that OpenBLAS computes: the
