@@ -2,7 +2,7 @@
 
 from docutils import nodes
 
-from tools.checks import fold, read_labels, stays_open
+from tools.checks import fold, mark_output, read_labels, stays_open
 
 
 def make_cell(*outputs, classes=()):
@@ -34,3 +34,26 @@ def test_folded_cell_lists_three_checks_and_how_many_more():
     cell = make_cell("✔ a\n")
     fold(cell, ["a < b", "b", "c", "d"])
     assert "<summary>✔ a &lt; b; b; c; and 1 more</summary>" in cell[0].astext()
+
+
+def list_marked(cell):
+    """Return the classes of a cell's output, and the text below each class within it."""
+    output = cell[1]
+    mark_output(output)
+    marked = [(part["classes"], part.astext()) for part in output.findall(nodes.inline)]
+    return output["classes"][1:], [(classes[0], text) for classes, text in marked if classes]
+
+
+def test_checks_that_hold_have_lines_of_their_own():
+    cell = make_cell("✔ torque: 3 N m (within 1e-12)\n✔ tip\n")
+    line = "✔ torque: 3 N\N{NO-BREAK SPACE}m (within 1e-12)\n"
+    assert list_marked(cell) == (
+        ["proof"],
+        [("holds", line), ("number", "1e-12"), ("holds", "✔ tip\n")],
+    )
+
+
+def test_only_checks_are_marked_in_other_outputs():
+    assert list_marked(make_cell("a  b\n1  2\n")) == (["columns"], [])
+    assert list_marked(make_cell("4 N m\n", "✔ tip\n")) == ([], [("holds", "✔ tip\n")])
+    assert list_marked(make_cell()) == ([], [])

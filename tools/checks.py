@@ -1,8 +1,10 @@
-"""A Sphinx extension that folds code cells whose only outputs are checks.
+"""A Sphinx extension that folds code cells whose only outputs are checks, and marks checks that hold.
 
 A cell whose outputs are lines of `helpers.checks.check` alone shows one line on its page, with what
 was compared; its code and its full output open with a click. Solutions stay as they are, since
-their code is what the reader asked for, and so do cells with the tag `show-code`.
+their code is what the reader asked for, and so do cells with the tag `show-code`. In every output a
+check that holds has a line of its own, with its continuation indented; no script does so later,
+which would move what a reader sees.
 """
 
 import re
@@ -16,6 +18,8 @@ from tools.plain_markdown import is_of_class
 
 PRECISION = re.compile(r" \(within [^()]*\)$")
 MAX_LABELS = 3  # labels shown for a cell; more labels are only counted
+IN_COLUMNS = re.compile(r"\S {2,}\S.*\n.*\S {2,}\S")
+SMALL_NUMBER = re.compile(r"(\d[\d.]*e-\d+)")  # which would break behind its minus
 
 
 class FoldChecks(SphinxTransform):
@@ -57,6 +61,38 @@ def fold(cell: nodes.Element, labels: list[str]) -> None:
     cell[:] = [raw[0], *cell.children, raw[1]]
 
 
+def mark_output(output: nodes.Element) -> None:
+    """Give an output a class if it only checks or prints columns, and its checks their lines."""
+    blocks = list(output.findall(nodes.literal_block))
+    lines = "\n".join(block.astext().strip() for block in blocks).split("\n")
+    others = [line for line in lines if not line.startswith("✔")]
+    if not others:
+        output["classes"].append("proof")
+    elif IN_COLUMNS.search("\n".join(others)):
+        output["classes"].append("columns")
+    if len(others) < len(lines):
+        for block in blocks:
+            block.rawsource = ""  # Sphinx then writes the block's nodes
+            block[:] = [mark_line(line) for line in block.astext().rstrip().split("\n")]
+
+
+def mark_line(line: str) -> nodes.inline:
+    """Return a line of an output, in which a unit and an exponent stay with their number."""
+    holds = line.startswith("✔")
+    text = line.replace("N m", "N\N{NO-BREAK SPACE}m") if holds else line
+    parts = [
+        nodes.inline("", part, classes=["number"]) if k % 2 else nodes.Text(part)
+        for k, part in enumerate(SMALL_NUMBER.split(f"{text}\n"))
+    ]
+    return nodes.inline("", "", *parts, classes=["holds"] if holds else [])
+
+
+def mark_outputs(_app: Sphinx, doctree: nodes.document, _name: str) -> None:
+    for output in doctree.findall(lambda node: is_of_class(node, "cell_output")):
+        mark_output(output)
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     app.add_transform(FoldChecks)
+    app.connect("doctree-resolved", mark_outputs, priority=901)  # after `tools.pages`
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -28,21 +28,6 @@ function measureVisibleShare(box) {
   return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
 }
 
-// Mark the checks that hold in an output: each has a line of its own whose continuation is
-// indented. A unit stays with its number, an exponent with its minus.
-function markChecks(output) {
-  for (const text of output.querySelectorAll("pre")) {
-    const lines = text.textContent.trimEnd().split("\n");
-    text.replaceChildren(...lines.map((line) => {
-      const holds = line.startsWith("✔"), span = document.createElement("span");
-      if (holds) span.className = "holds";
-      const parts = `${holds ? line.replaceAll("N m", "N\u00a0m") : line}\n`.split(/(\d[\d.]*e-\d+)/);
-      span.append(...parts.map((part, k) => (k % 2 ? Object.assign(document.createElement("span"), { className: "number", textContent: part }) : part)));
-      return span;
-    }));
-  }
-}
-
 function setScrollable(box, wide) {
   if (!wide && !box.matches(".scrolls")) return;
   box.classList.toggle("scrolls", wide);
@@ -147,15 +132,6 @@ document.addEventListener("DOMContentLoaded", () => {
   // Sphinx gives lists of references roles that do not fit their children.
   each("div.citation-list, dl.citation, [role='doc-biblioentry']", (list) => list.removeAttribute("role"));
   each("div.citation-list [role], .citation [role='doc-backlink']", (item) => item.removeAttribute("role"));
-
-  each("div.cell_output", (output) => {
-    const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
-    const lines = texts.join("\n").split("\n");
-    const otherLines = lines.filter((line) => !line.startsWith("✔"));
-    if (!otherLines.length) output.classList.add("proof");
-    else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(otherLines.join("\n"))) output.classList.add("columns");
-    if (otherLines.length < lines.length) markChecks(output);
-  });
 
   each("div.highlight-python", (code) => {
     if (!navigator.clipboard || code.querySelector(".copy")) return;
