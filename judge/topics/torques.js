@@ -16,13 +16,13 @@ import {
   ofMoving,
   refuseMisfitUnits,
   refuseOtherLists,
-  noteLockedValues,
 } from "../reading/numbers.js";
 import { orderByGivenNames } from "../reading/ordering.js";
 import { MOMENT_UNITS, momentFactor } from "../reading/units.js";
 import { makeFinding } from "../verdict.js";
 import { listCountsBelow } from "./beginning.js";
 import { makeJudge } from "./frame.js";
+import { arrangeByRows } from "./layout.js";
 import { ArmError, joinList, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81]; // m/s²
@@ -74,15 +74,15 @@ export const compareTorques = makeJudge({
   compare({ typed }, question) {
     const { arm, load, taken } = question;
     const count = load.wrenches.length;
-    const arranged = arrangeByConfiguration(typed, count, arm);
+    const arranged = arrangeByRows(typed, arm, [count]);
     if (!arranged) return describeWrongShape(typed, count, arm);
-    const outcome = compareArranged(arranged, question);
-    const { isPerJoint } = arranged;
+    const torques = { values: arranged.rows.flat(), units: arranged.units.flat() };
+    const outcome = compareArranged(torques, question);
     const shape = [count, movingRows(arm).length];
     return {
       ...outcome,
-      taken: [...typed.taken, ...arranged.taken, ...taken],
-      wrong: isPerJoint ? transpose(outcome.wrong, shape) : outcome.wrong,
+      taken: [...arranged.taken, ...taken],
+      wrong: arranged.isPerJoint ? transpose(outcome.wrong, shape) : outcome.wrong,
     };
   },
   getAngles: (_, { q }) => q,
@@ -188,32 +188,6 @@ const describeModel = ({ masses, gravity }) => [
       })
     : formatMessage("taken: no masses"),
 ];
-
-// Return the torques with a row for each configuration, or null if their shape is wrong. Lists for
-// each joint are transposed and values of locked joints dropped, and the verdict reports both.
-function arrangeByConfiguration({ values, units, shape }, count, arm) {
-  const moving = movingRows(arm);
-  const [dof, rows] = [moving.length, arm.rows.length];
-  const sizes = shape.filter((n) => n !== 1);
-  for (const width of new Set([dof, rows])) {
-    const noteLocked = (all) => (width > dof ? [noteLockedValues(arm, all)] : []);
-    const dropLocked = (list) =>
-      width > dof ? list.filter((_, i) => moving.includes(i % rows)) : list;
-    const hasShape = (...shape) => sizes.join() === shape.filter((n) => n !== 1).join();
-    if (hasShape(count, width))
-      return { values: dropLocked(values), units: dropLocked(units), taken: noteLocked(values) };
-    if (hasShape(width, count)) {
-      const transposeList = (list) => transpose(list, sizes);
-      return {
-        values: dropLocked(transposeList(values)),
-        units: dropLocked(transposeList(units)),
-        taken: [formatMessage("taken: list per joint"), ...noteLocked(transposeList(values))],
-        isPerJoint: true,
-      };
-    }
-  }
-  return null;
-}
 
 /** @returns {import("./frame.js").Outcome} */
 function describeWrongShape(typed, count, arm) {

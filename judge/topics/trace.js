@@ -24,7 +24,7 @@ import {
   measureStep,
   removeWholeTurns,
 } from "./trace_steps.js";
-import { arrangeBySteps, convertToSI } from "./trace_layout.js";
+import { arrangeBySteps, convertToSI } from "./layout.js";
 import { describeWrongRow, findOnlyWrongRow } from "./trace_row.js";
 import { boundTipError, isDriftOfEuler, findUntrimmedUnits } from "./trace_units.js";
 import { findUnfilledRow } from "../reading/unfilled.js";
@@ -45,7 +45,7 @@ const SAME_ERROR = 1e-9; // m: errors that differ by less are equal
 
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {import("../verdict.js").Finding} Finding */
-/** @typedef {import("./trace_layout.js").Trajectory} Trajectory */
+/** @typedef {import("./layout.js").Trajectory} Trajectory */
 /** Judge joint vectors, a text such as CSV or nested lists, along a path. */
 export const compareTrace = makeJudge({
   name: "trace",
