@@ -103,6 +103,16 @@ def test_trace_report_gives_the_position_error():
     assert (ahead.topic, ahead.figures["tool_turn"]) == ("trace", 0.0)
 
 
+@pytest.mark.parametrize(
+    ("first", "start"), [(10, "10 mm off"), (20, "20 mm off"), (30, "already off")]
+)
+def test_trace_is_already_off_only_from_half_of_its_largest_error(first, start):
+    """The error grows from `first` to 50 mm."""
+    growing = np.linspace(first, 50, len(CIRCLE.positions)) / 1000
+    away = check_slides(CIRCLE.positions[:, [2, 0]] + np.outer(growing, [1, 0]))
+    assert f"at the start it is {start}." in str(away)
+
+
 def test_trace_report_gives_the_wrong_shape():
     assert check_slides(CIRCLE.positions[:7]).findings[0].mine == (7, 3)
 
