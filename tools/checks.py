@@ -1,4 +1,4 @@
-"""A Sphinx extension that folds code cells whose only outputs are checks, and marks checks that hold.
+"""A Sphinx extension that folds cells whose only outputs are checks, and marks checks that hold.
 
 A cell whose outputs are lines of `helpers.checks.check` alone shows one line on its page, with what
 was compared; its code and its full output open with a click. Solutions stay as they are, since
