@@ -1,4 +1,4 @@
-"""Mark the numbers of a part with so many decimals."""
+"""Mark the numbers of a part after rounding them to a number of decimals."""
 
 import numpy as np
 
@@ -13,10 +13,10 @@ def list_measured_parts(own):
 
 
 def as_text(numbers, digits):
-    """Write numbers as text with so many decimals."""
+    """Write numbers as text with this number of decimals."""
     return np.vectorize(lambda x: f"{x:.{digits}f}")(numbers).tolist()
 
 
 def mark_text(own, part, numbers, digits):
-    """Mark numbers written with so many decimals."""
+    """Mark numbers that are written with this number of decimals."""
     return mark_part(own, part.name, as_text(numbers, digits))

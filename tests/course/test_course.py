@@ -1,4 +1,4 @@
-"""Test a course as an instructor types it: making, handing out, growing and marking."""
+"""Test the commands for a course: make it, hand out sheets, add students, mark hand-ins."""
 
 import hashlib
 import hmac
@@ -38,7 +38,7 @@ MINE = Arm(
 POSES = ("forward kinematics",)
 
 
-# Handed-out sheets
+# Sheets
 
 
 @pytest.fixture(scope="module")
@@ -80,7 +80,7 @@ def test_notebooks_differ_in_questions_only(two_sheets):
     assert course.secret not in (folder / "ab12" / "homework.ipynb").read_text("utf-8")
 
 
-def test_sheet_needs_the_secret(two_sheets):
+def test_sheet_depends_on_the_secret(two_sheets):
     course, _ = two_sheets
     first = course.sheet("ab12")
     for guess in ("ab12", "Ada", course.title, ""):
@@ -103,7 +103,7 @@ def test_notebook_runs_to_answers_file(two_sheets, tmp_path):
     assert written == {"sheet": store.name_sheet(course, "ab12"), "p": [1, "2", np.pi]}
 
 
-# The commands
+# Commands
 
 
 @pytest.fixture
@@ -126,7 +126,7 @@ def run_command(line, capsys, code=0):
     return err if code else out
 
 
-def test_commands_lead_from_roster_to_grades(here, capsys):
+def test_commands_make_grades_from_roster(here, capsys):
     output = run_command(f"{NEW} --title Ä --topic Jacobian", capsys)
     assert output == "2 sheets in hw\n"
     course = store.load_course(Path("hw"))
@@ -171,7 +171,7 @@ def test_command_that_fails_reports_on_stderr(here, capsys, line, message):
     assert not Path("hw").exists()
 
 
-# A course that changes
+# Changes of a course
 
 
 def make_course(*students, arm=ELBOW, **options):
@@ -306,7 +306,7 @@ def test_command_refuses_unknown_student(here, capsys, command):
 
 
 def test_interrupted_course_is_completed(here, monkeypatch):
-    """Stop after two sheets of six, and type the same again."""
+    """The command is stopped after two of six sheets and then repeated."""
     students = [f"s{n}" for n in range(6)]
 
     def stop(line):
@@ -374,7 +374,7 @@ def test_grading_again_reports_changes(here, capsys):
     grade_hand_ins(Path("hw"), Path("out"), jobs=1)
     path = Path("out/ab/mark.json")
     record = json.loads(path.read_bytes())
-    record["marks"][0]["credit"] = 0.5  # a credit stored by an older version of the judge
+    record["marks"][0]["credit"] = 0.5  # as an older judge may have stored
     path.write_text(json.dumps(record), encoding="utf-8")
     assert "is now" not in run_command("grade hw --out out --jobs 1", capsys)
     output = run_command("grade hw --out out --jobs 1 --again", capsys)

@@ -86,13 +86,13 @@ def test_class_of_120_is_sorted_for_each_platform(tmp_path, platform, folder):
     path = download if folder else Path(f"{download}.zip")
     if platform in ("Canvas", "Moodle", "Moodle, flat"):
         collection = collect.collect_hand_ins(path, NAMES, tmp_path / "hw")
-        assert NAMES.keys() - collection.files.keys() == {"twin1", "twin2"}  # of one name
+        assert NAMES.keys() - collection.files.keys() == {"twin1", "twin2"}  # same name
         keys = [
             re.search("write '(.*?)' and the id", message)[1] for message in collection.messages
         ]
         rows = [f"{key},twin{n}" for n, key in enumerate(sorted(keys), 1)]
         (tmp_path / "hw" / "placed.csv").write_text("\n".join(["hand-in,id", *rows]), "utf-8")
-    for _ in range(2):  # the second time in place of the first
+    for _ in range(2):  # the second collection replaces the first
         collection = collect.collect_hand_ins(path, NAMES, tmp_path / "hw")
         assert collection.messages == ()
         assert {*collection.handed_in} == NAMES.keys()
@@ -111,11 +111,11 @@ def sort_files(**files):
     }, collection.messages
 
 
-def test_doubtful_files_are_listed_and_not_placed():
+def test_doubtful_files_are_reported_and_assigned_to_nobody():
     placed, messages = sort_files(**{
         "twinada_1_2_answers.json": "{}",
         "twinada_3_4_answers.json": write_answers("cd"),
-        "bergbo_5_6_answers.json": write_answers("gh"),  # another student's sheet under Bo's name
+        "bergbo_5_6_answers.json": write_answers("gh"),  # Bo's file with another student's sheet
         "nobody_7_8_homework.pdf": "%PDF",
         "anon_x_9_answers.json": write_answers("gh"),
         "Participant_11_assignsubmission_file_x.json": "{}",
@@ -131,13 +131,13 @@ def test_doubtful_files_are_listed_and_not_placed():
     assert "nobody is nobody in the course" in messages[3]
 
 
-def test_two_hand_ins_under_one_name_are_asked_about():
+def test_two_hand_ins_under_one_name_are_reported():
     placed, messages = sort_files(**{"bergbo_5_6_a.json": "{}", "bergbo_7_8_a.json": "{}"})
     assert placed == {}
     assert all("bergbo_5 and bergbo_7 both bear the name of ef" in text for text in messages)
 
 
-def test_placed_csv_with_unknown_students_is_refused(tmp_path):
+def test_placed_csv_with_unknown_student_is_refused(tmp_path):
     (tmp_path / "placed.csv").write_text("hand-in,id\nbergbo_5,zz\n", "utf-8")
     (tmp_path / "d").mkdir()
     with pytest.raises(ArmError, match=r"placed\.csv cannot be used; line 2: no student 'zz'"):
@@ -177,7 +177,7 @@ BILLION_LAUGHS = "a: &a [x, x]\n" + "".join(f"b{n}: &b{n} [*a, *a, *a]\n" for n 
     ["{", "[]", "[", "5", "x:", "a: b", "a: {b: c}", "a: 2026-99-99", "[" * 5000, BILLION_LAUGHS],
     ids=lambda text: text[:8],
 )
-def test_bad_gradescope_list_is_reported_and_passed_over(text):
+def test_bad_gradescope_list_is_reported_and_ignored(text):
     placed, messages = sort_files(**{"submission_metadata.yml": text, "ef/a.json": "{}"})
     assert placed == {"ef": ["ef/a.json"]}
     assert messages[0].startswith("passed over: submission_metadata.yml cannot be read: ")
@@ -197,7 +197,7 @@ def test_texts_in_csv_files_are_never_formulas():
     for first in "=+-@\t\r\n|%":
         text = grading.format_csv([{"name": f"{first}1"}])
         assert list(csv.reader(io.StringIO(text, newline="")))[1] == [f"'{first}1"]
-        for text in (f"Ada;{first}1", f"Ada;  {first}1", f"Ada\n{first}1"):  # of other separators
+        for text in (f"Ada;{first}1", f"Ada;  {first}1", f"Ada\n{first}1"):  # other separators
             (row,) = csv.DictReader(io.StringIO(grading.format_csv([{"name": text}]), newline=""))
             assert f"'{first}1" in row["name"]
 
@@ -236,7 +236,7 @@ def test_send_refuses_a_download_without_names_of_a_platform(course, tmp_path):
         sending.pack_for_platform(course, tmp_path, tmp_path, tmp_path / "f.zip")
 
 
-# Other systems
+# Gradescope
 
 
 @pytest.fixture(scope="module")
@@ -295,7 +295,7 @@ def test_gradescope_marks_from_the_pack(course, unpacked):
     assert results["score"] == len(results["tests"]) == 5
     assert results["output"] == "Read as the sheet of b.7: every part was read."
     assert results["tests"][0]["visibility"] == "after_published"
-    assert "p: " not in results["output"]  # no hints unless asked for
+    assert "p: " not in results["output"]  # no hints by default
 
 
 def test_gradescope_gives_as_many_hints_as_asked(course, tmp_path):

@@ -1,4 +1,4 @@
-"""Test how the answers are found in hand-ins of every odd and hostile kind."""
+"""Test how answers are found in hand-ins, including unusual and hostile files."""
 
 import io
 import json
@@ -184,7 +184,7 @@ def test_unreadable_hand_in_is_reported(kind, tmp_path):
     files, message = TROUBLE[kind]
     write_files(tmp_path, files)
     hand_in = read_hand_in(read_files(tmp_path), PARTS)
-    assert not hand_in.answers or kind == "a locked folder"  # which root may read
+    assert not hand_in.answers or kind == "a locked folder"  # root may read it
     assert message in hand_in.trouble
     for path in tmp_path.glob("mine"):
         path.chmod(0o755)

@@ -19,7 +19,7 @@ each_sheet = pytest.mark.parametrize("seed", SEEDS)
 
 @cache
 def draw(seed):
-    """Draw the sheet of a seed; the three arms take turns."""
+    """Draw the sheet of a seed, for one of three arms."""
     return draw_sheet(ARMS[seed % 3], f"law {seed}")
 
 
@@ -32,7 +32,7 @@ def earn(sheet, part, values, digits=8):
 
 
 def spoil(value, rng):
-    """Make some numbers wrong by 5 to 50 percent or by their sign."""
+    """Change some numbers by 5 to 50 percent, or change their signs."""
     factors = rng.choice([-1, 0.5, 0.95, 1.05, 1.5], np.shape(value))
     return value * np.where(rng.random(np.shape(value)) < 0.4, factors, 1)
 
@@ -57,7 +57,7 @@ def test_leaving_out_entries_never_raises_the_credit(seed):
 
 @each_sheet
 def test_extra_digits_never_raise_the_credit(seed):
-    """An error of at most half a unit is right either way, one above a unit is wrong in full."""
+    """An error of up to half a unit is right with any digits; an error above a unit is wrong."""
     sheet, rng = draw(seed), np.random.default_rng(seed)
     for part in list_number_parts(sheet):
         for size in (0.0, 0.3, 0.49, 1.01, 1.4, 3.0):

@@ -1,4 +1,4 @@
-"""Test what an answer is worth over arms, topics and mistakes."""
+"""Test the credit of answers for several arms, topics and mistakes."""
 
 import re
 from dataclasses import replace
@@ -66,7 +66,7 @@ laws = pytest.mark.parametrize("arm", [ELBOW, HANGING, STANFORD, RODS], ids=lamb
 
 @cache
 def get_sheet(arm):
-    """Draw the sheet of an arm once."""
+    """Draw the sheet of an arm, or return it from a cache."""
     return draw_sheet(arm, "law 0")
 
 
@@ -93,7 +93,7 @@ def test_right_answer_in_asked_digits_earns_full_credit(arm):
 
 @laws
 def test_every_named_mistake_earns_the_same_credit(arm):
-    """A mistake that only copies known numbers is worth nothing."""
+    """An answer that only copies numbers of the question earns nothing."""
     own = get_sheet(arm)
     for part in list_measured_parts(own):
         for mistake in part.mistakes:
@@ -104,7 +104,7 @@ def test_every_named_mistake_earns_the_same_credit(arm):
 
 
 @laws
-def test_coarse_digits_earn_only_by_right_numbers(arm):
+def test_too_few_digits_earn_credit_only_for_right_numbers(arm):
     own, rng = get_sheet(arm), np.random.default_rng(1)
     for digits in (0, 1, 2):
         for part in list_measured_parts(own):
@@ -134,7 +134,7 @@ NOTHING = [
 
 
 def list_guesses(right, question):
-    """List answers that need no work, in the shape of the right one and in others."""
+    """List answers that need no work, in the right shape and in other shapes."""
     shape = np.shape(right)
     for x in (1, -1, 0.5, 1e5, 1e22, "1e9"):
         yield np.full(shape, x).tolist()
@@ -146,7 +146,7 @@ def list_guesses(right, question):
 
 
 @pytest.mark.parametrize("arm", [HANGING, RODS], ids=str)
-def test_answers_without_work_earn_nothing(arm):
+def test_guesses_without_work_earn_nothing(arm):
     own = get_sheet(arm)
     right = make_right_answers(own)
     kinds = set()
@@ -213,7 +213,7 @@ def test_formulas_are_judged_at_secret_configurations(answer, expected, message)
 
 
 def test_constants_for_joints_are_wrong():
-    """Six numbers that are right at the configuration of the sheet."""
+    """The answer has six numbers that are right at the configuration of the sheet."""
     question = ELBOWS.questions[1]
     camera = make_camera_arm(ELBOW, question.numbers)
     numbers = jacobian(camera, question.numbers["q"])[:, question.numbers["column"] - 1]
@@ -221,7 +221,7 @@ def test_constants_for_joints_are_wrong():
 
 
 TABLE = make_right_answers(ELBOWS)["table"]
-# Row 1 with z_1 turned over: alpha_1, d_2, alpha_2 and q_2 change sign.
+# The same arm with z_1 reversed: alpha_1, d_2, alpha_2 and q_2 change sign.
 OTHER_FRAMES = [
     ["0.3", "-pi/2", "0.1", "q_1"], ["0.2", "pi/2", "-q_2 - 0.2", "-pi/2"], *TABLE[2:],
 ]  # fmt: skip
@@ -232,7 +232,7 @@ OTHER_FRAMES = [
     ("row", "column", "entry"),
     [(0, 0, "0.45"), (2, 1, "-pi/2"), (3, 2, "0"), (2, 0, "0"), (3, 0, "-0.5")],
 )
-def test_table_mistake_costs_the_same_in_any_frames(frames, row, column, entry):
+def test_table_mistake_costs_the_same_for_any_choice_of_frames(frames, row, column, entry):
     assert mark("table", frames) == 1
     table = [list(entries) for entries in frames]
     table[row][column] = entry
@@ -270,7 +270,7 @@ def test_each_right_branch_earns_its_share(change, expected):
     assert mark("q", change(get_value("q")).tolist()) == expected
 
 
-def test_coarse_branches_are_reported():
+def test_branches_with_too_few_digits_are_reported():
     mark = mark_part(ELBOWS, "q", as_text(get_value("q"), 2))
     assert "Too few decimals: 3 were asked." in mark.message
     assert mark.mistakes == ()
@@ -321,14 +321,14 @@ def test_hints_show_no_number_and_no_right_entry(arm):
             assert not NUMBER.search(hint.replace("8000", "")), hint
 
 
-def test_hint_does_not_tell_which_entry_of_a_table_is_wrong():
+def test_hint_does_not_reveal_the_wrong_entry_of_a_table():
     right = make_right_answers(ELBOWS)["table"]
     wrong = [[str(float(right[0][0]) + 0.1), *right[0][1:]], *right[1:]]
     hints = [mark_part(ELBOWS, "table", answer).hint for answer in (right, wrong)]
     assert hints[0] == hints[1]
 
 
-def test_hint_does_not_tell_right_answers_from_unknown_ones():
+def test_hint_is_the_same_for_right_and_unexplained_answers():
     right = mark_part(ELBOWS, "p", get_value("p").tolist())
     wrong = mark_part(ELBOWS, "p", (get_value("p") + 0.05).tolist())
     assert right.hint == wrong.hint
@@ -336,8 +336,8 @@ def test_hint_does_not_tell_right_answers_from_unknown_ones():
 
 
 @pytest.mark.parametrize("arm", [ELBOW, UR10E], ids=lambda arm: arm.name)
-def test_random_sheets_are_equally_long(arm):
+def test_random_sheets_have_similar_formula_lengths(arm):
     drawn = [draw_sheet(arm, f"even {n}", ("Jacobian", "inverse kinematics")) for n in range(6)]
     lengths = [len("".join(one.parts["J_column"].formulas)) for one in drawn]
-    assert max(lengths) <= 1.6 * min(lengths)  # 1.25 either way of the usual, and camera numbers
+    assert max(lengths) <= 1.6 * min(lengths)  # 1.25 squared, and more
     assert len({len(one.parts["q"].value) for one in drawn}) == 1

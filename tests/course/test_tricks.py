@@ -1,4 +1,4 @@
-"""Test that no student changes what another student gets, whatever is handed in."""
+"""Test that a hand-in cannot change the marks of another student."""
 
 import io
 import json
@@ -62,7 +62,7 @@ def make_download(path, **files_by_student):
 
 
 def read_collected(folder):
-    """Return everything that `collect` stored of each student."""
+    """Return for each student all files that `collect` stored."""
     return {
         student: {
             path.relative_to(folder / student).as_posix(): path.read_bytes()
@@ -144,8 +144,8 @@ def test_new_course_keeps_notebooks_of_a_lost_course_file(tmp_path):
     assert make_course(tmp_path, "ab") == first
 
 
-def test_secret_is_saved_before_the_first_sheet(tmp_path, monkeypatch):
-    """A disk that is full when the first notebook is written leaves the same sheets to come."""
+def test_full_disk_at_first_notebook_keeps_the_secret(tmp_path, monkeypatch):
+    """If the disk is full at the first notebook, the repeated command must draw the same sheets."""
     write_text = store.write_text
 
     def fill_disk(path, text, mode=0o666):

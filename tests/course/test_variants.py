@@ -1,4 +1,4 @@
-"""Test drawn sheets: they stay as drawn, and keys agree with independent computations."""
+"""Test drawn sheets: they are reproducible, and answer keys agree with independent computations."""
 
 import json
 import re
@@ -43,18 +43,18 @@ every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
 
 
 def draw_section(arm, seed, topics=None):
-    """Draw the only section of a sheet about one arm."""
+    """Draw the section of a sheet about a single arm."""
     return draw_sheet(arm, seed, topics).sections[0]
 
 
 def draw(topic, arm, seed):
-    """Draw numbers for the arm with its own lengths."""
+    """Draw numbers for the arm with unchanged lengths."""
     return draw_numbers(topic, arm, _make_generator(seed, topic))
 
 
 @cache
 def draw_once(arm):
-    """Draw a sheet of an arm; return it with its questions by topic."""
+    """Draw a sheet of an arm, or take it from a cache; return it with its questions by topic."""
     own = draw_section(arm, "ab12")
     return own, {question.topic: question for question in own.questions}
 
@@ -92,7 +92,7 @@ def test_sheet_follows_from_its_numbers(arm):
     assert draw_section(arm, "ab12") == first
 
 
-def test_lengths_change_by_a_tenth_at_most():
+def test_lengths_change_by_at_most_a_tenth():
     own = ELBOW.values
     found = [draw_section(ELBOW, seed, ()).arm for seed in range(100)]
     assert {arm.name for arm in found} == {"Elbow arm, lengths of your own"}
@@ -172,7 +172,7 @@ def test_right_torques_match_numeric_derivatives(arm):
 
 @pytest.mark.parametrize("arm", [PANDA.lock(3), UR10E_HOMEWORK, STANFORD], ids=lambda a: a.name)
 def test_right_circle_matches_a_runge_kutta_trace(arm):
-    """Trace the circle of the sentence by Runge and Kutta's method with other steps."""
+    """The circle is read from the question's text and traced by Runge-Kutta with other steps."""
     found = get_question("circle tracing", arm)
     (q,) = read_matrices(found.text)
     radius, plane, period, first = re.search(
@@ -199,7 +199,7 @@ def test_right_table_has_the_printed_axes(seed):
         moved = [compute_tip(arm, 0.3 * np.eye(arm.dof)[joint] * s)[:3, 3] for s in (1, 0)]
         if "slides" in line:
             assert moved[0] - moved[1] == pytest.approx(0.3 * direction, abs=1e-12)
-        else:  # a turn about the axis keeps distance and height
+        else:  # turning about the axis keeps distance and height
             levers = [m - point for m in moved]
             lengths = np.linalg.norm(levers, axis=1)
             assert lengths[0] == pytest.approx(lengths[1], abs=1e-9)
@@ -213,7 +213,7 @@ def test_topics_list_their_parts():
         assert names == list_part_names([Exercise(arm, tuple(section.drawn))])
 
 
-def test_topics_suit_the_arm():
+def test_suitable_topics_are_listed_for_each_arm():
     assert list_suitable_topics(PANDA.lock(3)) == TOPICS
     assert list_suitable_topics(PANDA) == tuple(t for t in TOPICS if t != "circle tracing")
     assert "static torque" not in list_suitable_topics(UR10E_HOMEWORK)
@@ -268,7 +268,7 @@ def test_format_matrix_rounds_to_digits():
 
 @pytest.mark.parametrize("arm", [*ARMS, PANDA, WRISTED], ids=lambda arm: arm.name)
 def test_target_is_reachable_and_limits_are_printed(arm):
-    """test_inverse proves that the closed forms miss no branch."""
+    """test_inverse.py tests that the closed forms find every branch."""
     found = draw_question("inverse kinematics", arm, 3)
     target = np.array(found.numbers["target"])
     assert target.shape == ((3, 4) if arm.dof >= 6 else (3, 1))
@@ -343,8 +343,8 @@ def compute_answers(topic, arm, drawn, q):
     [(ELBOW, "Jacobian", 16), (PANDA, "static torque", 28)],
     ids=str,
 )
-def test_sheet_shows_every_mistake_that_changes_something(arm, topic, seed):
-    """With each of these seeds the first random numbers hide a mistake.
+def test_every_mistake_changes_the_answer_of_a_sheet(arm, topic, seed):
+    """For these seeds the first random numbers would hide a mistake.
 
     A mistake that changes nothing at two other configurations changes nothing anywhere.
     """
@@ -357,6 +357,6 @@ def test_sheet_shows_every_mistake_that_changes_something(arm, topic, seed):
         wrong = [compute_answers(topic, other, drawn, signs * q) for q in configurations]
         for name in right[0]:
             off = [abs(w[name] - r[name]).max() for w, r in zip(wrong, right, strict=True)]
-            if max(off) > 1e-6:  # central differences are not better than this
+            if max(off) > 1e-6:  # above the error of central differences
                 assert off[0] > 2 * own.parts[name].unit
                 assert mark_part(own, name, wrong[0][name].round(4).tolist()).credit < 1

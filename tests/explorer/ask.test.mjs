@@ -68,18 +68,18 @@ for (const [advice, patch, key, value, words] of [
   });
 }
 
-test("an advice without a field makes no offer", () => {
+test("advice without a field has no button", () => {
   const question = { ...EMPTY, arm: "PANDA" };
   for (const [field, value] of [["ownJoints", true], ["locked", 5], ["arm", "Nobody"]])
     assert.equal(makeOffer({ field, value }, question, LISTED), null);
 });
 
-test("a question without example starts at the home configuration", () => {
+test("a question without an example starts at the home configuration", () => {
   const rows = [{ kind: "revolute" }, { kind: "prismatic" }];
   const pages = { arms: [{ key: "MINE", home: [Math.PI / 2, 0.5], rows }], examples: [{ ask: "pose", arm: "MINE", answer: "1" }] };
   const begun = (given) => makeStartingQuestion({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);
   assert.deepEqual([begun({}).q, begun({}).answer], ["π/2, 0.5", ""]);
   assert.equal(begun({ unit: "deg" }).q, "90, 0.5");
   assert.equal(begun({ ask: "pose" }).answer, "1");
-  assert.equal(begun({ ask: "pose", unit: "deg" }).answer, ""); // its angles are in rad
+  assert.equal(begun({ ask: "pose", unit: "deg" }).answer, ""); // the example's angles are in rad
 });

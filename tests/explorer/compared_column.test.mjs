@@ -1,11 +1,11 @@
-// A typed Jacobian beside the right one: which column is compared, and in which words.
+// Which column of a typed Jacobian the explorer compares, and its message.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { compareColumn, describeComparedColumn } from "../../page/src/compared_column.js";
 import { ELBOW } from "./arms.mjs";
 
-const RIGHT = [[0, 0.7, 0, 0, 0, 1], [0, 0, 0.7, 0, -1, 0], [0, 0, 0.3, 0, -1, 0]]; // stretched, by hand
+const RIGHT = [[0, 0.7, 0, 0, 0, 1], [0, 0, 0.7, 0, -1, 0], [0, 0, 0.3, 0, -1, 0]]; // of the stretched arm, by hand
 const compare = (change, highlightedRow = null) => {
   const answer = [0, 1, 2, 3, 4, 5].flatMap((i) => RIGHT.map((column) => column[i]));
   for (const [i, k, value] of change) answer[3 * i + k] = value;
@@ -25,7 +25,7 @@ test("angular parts are compared if the linear ones are equal", () => {
   assert.deepEqual([joint, right, typed], [2, [0, -1, 0], [0, 1, 0]]);
 });
 
-test("the reader points at another column", () => {
+test("the column under the pointer is compared", () => {
   const words = describeComparedColumn(compare([[2, 2, 0.5]], 0));
   assert.match(words, /^When joint 1 moves alone.*; the typed column says the same\.$/);
 });

@@ -1,4 +1,4 @@
-// Corrections of a pasted text, the marks on its numbers, the grid of numbers, and kept questions.
+// Corrections of a pasted text, marks on its numbers, the grid of numbers, and stored questions.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -27,12 +27,12 @@ test("a word ends at blanks and separators", () => {
   assert.equal(text.slice(from, to), "**7.67l2**");
 });
 
-test("a lone number is commented in place", () => {
+test("a single number in a line becomes a comment", () => {
   const text = "1.5\n99\n2.5";
   assert.equal(putBehindHash(text, spanOf(text, "99")), "1.5\n# 99\n2.5");
 });
 
-test("a number among several moves behind a hash", () => {
+test("one number of several moves behind a hash", () => {
   const text = "1.5 99 2.5\n3 4 5";
   const once = putBehindHash(text, spanOf(text, "99 "));
   assert.equal(once, "1.5 2.5  # 99 \n3 4 5");
@@ -44,7 +44,7 @@ test("a corrected number replaces only its own span", () => {
   assert.equal(replaceSpan(text, { from: 4, to: 5 }, "7"), "1 2 7");
 });
 
-test("choosing an answer comments the numbers of the others", () => {
+test("choosing an answer turns other answers into comments", () => {
   assert.equal(
     commentLines("a\n1 2\n\n3 4", (line) => line < 3),
     "a\n# 1 2\n\n3 4",
@@ -101,13 +101,13 @@ test("numbers of link matrices name their entries", () => {
   ]);
 });
 
-test("only plain lists become a grid of numbers", () => {
+test("only lists of plain numbers become a grid", () => {
   assert.deepEqual(splitNumbers(" [0.5, −pi/2; 3] "), ["0.5", "−pi/2", "3"]);
   assert.deepEqual(splitNumbers(""), []);
   for (const text of ["q1 = 0.5", "| 1 | 2 |", "np.array([1, 2])"]) assert.equal(splitNumbers(text), null, text);
 });
 
-test("a kept question that no longer fits is refused", () => {
+test("a stored question with an unknown arm or field is refused", () => {
   assert.equal(findQuestionFault({ ...EMPTY, arm: "PANDA" }, ["PANDA"]), "");
   for (const change of [{ arm: "GONE" }, { ask: "x" }, { unit: "gon" }, { frame: "a" }, { more: "1" }, { q: 3 }])
     assert.notEqual(findQuestionFault({ ...EMPTY, arm: "PANDA", ...change }, ["PANDA"]), "");

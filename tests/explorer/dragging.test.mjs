@@ -16,7 +16,7 @@ const inside = (arm, q) =>
 
 const BENT = { Panda: [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4], "Stanford arm": [0.3, 0.6, 0.5, 0.2, 0.4, 0.1] };
 
-// Drag the tip along points, 60 frames for each.
+// Drag the tip from point to point in 60 frames each.
 function dragged(arm, start, points, options) {
   let q = start;
   for (const o of points) {
@@ -63,7 +63,7 @@ test("a dragged link stops at its joint's limit", () => {
   const [joint, q] = [1, BENT.Panda];
   const row = movingRows(PANDA)[joint];
   const local = [0.1, 0.2, 0];
-  const pixel = (p) => [1000 * p[0], 1000 * p[2]]; // seen along y, a metre is 1000 pixels
+  const pixel = (p) => [1000 * p[0], 1000 * p[2]]; // view along y at 1000 pixels per metre
   const [lower, upper] = jointRange(PANDA.rows[row]);
   const stops = [[5000, 5000], [-5000, 5000], [5000, -5000], [-5000, -5000]].map((to) => {
     let moved = q;

@@ -1,4 +1,4 @@
-// The figure of two ellipses: each crossing is a way to the tip's place.
+// The figure of two ellipses: each crossing is a solution for the tip's position.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,5 +1,5 @@
-// Links from a verdict to the explorer: they show the mistake beside the right arm, where it is
-// large.
+// Links from a verdict to the explorer: they show the mistake beside the right arm, at a
+// configuration with a large difference.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -24,7 +24,7 @@ const ask = (answer, more = {}) => {
 const change = (arm, i, entries) => ({ ...arm, rows: arm.rows.map((row, k) => (k === i ? { ...row, ...entries } : row)) });
 const measureGap = (arm, other, q) => norm(minus(...[arm, other].map((one) => linkFrames(one, q).at(-1).o)));
 
-test("a length that is 0.1 m off is 0.1 m off everywhere", () => {
+test("a wrong length of 0.1 m gives a distance of 0.1 m", () => {
   const { q } = findLargestDifference(change(ELBOW, 2, { a: 0.2 }), ELBOW);
   assert.ok(Math.abs(measureGap(change(ELBOW, 2, { a: 0.2 }), ELBOW, q) - 0.1) < 1e-12);
 });
@@ -32,11 +32,11 @@ test("a length that is 0.1 m off is 0.1 m off everywhere", () => {
 test("a quarter turn of the shoulder is shown with the arm nearly stretched", () => {
   const wrong = change(ELBOW, 1, { theta: Math.PI / 2 });
   const { q } = findLargestDifference(wrong, ELBOW);
-  const largest = 0.7 * Math.SQRT2; // the chord of a quarter circle whose radius is both links
+  const largest = 0.7 * Math.SQRT2; // chord of a quarter circle with the stretched arm's radius
   assert.ok(measureGap(wrong, ELBOW, q) > 0.97 * largest, String(measureGap(wrong, ELBOW, q)));
 });
 
-test("limits of the right arm hold at the chosen configuration", () => {
+test("the chosen configuration is within the limits of the right arm", () => {
   const { q } = findLargestDifference(change(PANDA, 1, { alpha: 0 }), PANDA);
   q.forEach((value, k) => assert.ok(value >= PANDA.rows[k].lower && value <= PANDA.rows[k].upper));
 });
@@ -63,7 +63,7 @@ test("a locked joint stands at 0 in the explorer's arm", () => {
   assert.deepEqual(shown.patch.arm.rows.map(({ kind }) => kind), Array(7).fill("revolute"));
 });
 
-// The Jacobian of the elbow arm by hand, at q = (q_1, 0, 0): the arm is stretched, 0.7 m long.
+// The elbow arm's Jacobian at q = 0 by hand: the arm is stretched and 0.7 m long.
 const STRETCHED = "0 0 0\n0.7000 0 0\n0 0.7000 0.3000\n0 0 0\n0 -1 -1\n1 0 0";
 
 test("a wrong Jacobian is linked with its numbers, in the order of the explorer", () => {
@@ -81,7 +81,7 @@ test("a wrong Jacobian is linked with its numbers, in the order of the explorer"
 test("wrong formulas are shown where they are wrong", () => {
   const formulas = `-s_1*(a_2*c_2+a_3*c_23), -c_1*(a_2*s_2+a_3*s_23), -a_3*c_1*s_23
   c_1*(a_2*c_2+a_3*c_23), 0, 0
-  0, a_2*c_2+a_3*c_23, a_3*c_23\n0, s_1, s_1\n0, -c_1, -c_1\n1, 0, 0`; // s_1 is left out twice: right at q = 0
+  0, a_2*c_2+a_3*c_23, a_3*c_23\n0, s_1, s_1\n0, -c_1, -c_1\n1, 0, 0`; // two terms with s_1 are missing, which are 0 at q = 0
   const values = { ask: "jacobian", q: "0, 0, 0", values: "a_2 = 0.4, a_3 = 0.3" };
   const { patch } = read(makeMistakeLink(...ask(formulas, values)));
   assert.ok(Math.abs(Math.sin(patch.q[0])) > 0.1, String(patch.q));

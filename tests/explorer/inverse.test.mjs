@@ -1,4 +1,4 @@
-// The chapters' closed forms beside the solver by structure, which knows nothing of them.
+// The chapters' closed forms against the solver by structure, which is independent of them.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -19,7 +19,7 @@ const WRIST = {
 };
 const QUARTERS = [-Math.PI / 2, 0, Math.PI / 2, Math.PI];
 
-// A generator of numbers from 0 to 1 with a fixed seed (Park and Miller).
+// Return a generator of numbers from 0 to 1 with a fixed seed (Park and Miller).
 function makeRandom(seed) {
   let state = seed;
   return () => (state = (state * 48271) % 2147483647) / 2147483647;
@@ -32,7 +32,8 @@ function solveBoth(arm, q) {
   return [solveInverse(arm, form, target), solveByStructure(arm, target)];
 }
 
-// Return joint values as cosines and sines, so that whole turns do not count; free joints are left out.
+// Return joint values as cosines and sines, so that whole turns do not count; free joints are left
+// out.
 const onCircle = (arm, { q, free }) =>
   q.flatMap((x, i) =>
     free[i] ? [] : arm.rows[i].kind === "prismatic" ? [x] : [Math.cos(x), Math.sin(x)],

@@ -6,7 +6,7 @@ import test from "node:test";
 import { parse } from "../../judge/reading/formula.js";
 import { typesetFormula } from "../../page/src/check/mathml.js";
 
-// An element that is written as its tag and its content, and shorter for the commonest tags.
+// An element that prints its tag and content, with abbreviations for the most common tags.
 class FakeElement {
   constructor(tag) {
     this.tag = tag;

@@ -9,7 +9,7 @@ import { describeMotion, formatSpokenValue } from "../../page/src/text.js";
 import { formatTimeTicks } from "../../page/src/views/plots.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
-const LINK = { from: [100, 0], to: [100, 200] }; // upright, 20 px thick
+const LINK = { from: [100, 0], to: [100, 200] }; // vertical, 20 px wide
 
 test("a free label stays at its axis end", () => {
   assert.deepEqual(findLabelSpot([40, 50], 22, [], [LINK], 10), [40, 50]);
@@ -38,7 +38,7 @@ test("branches have the names of the closed form", () => {
 });
 
 test("a joint of a branch is turned by whole turns into its limits", () => {
-  const q = [0.2, 0.3, 0.1, 1.2, 0.2, 3.5, 0.4]; // joint 6 reaches from -0.02 to 3.75
+  const q = [0.2, 0.3, 0.1, 1.2, 0.2, 3.5, 0.4]; // the range of joint 6 is -0.02 to 3.75
   const [first] = findBranches({ ...PANDA, rows: PANDA.rows.map((row, i) => (i === 2 ? { ...row, kind: "fixed" } : row)) }, q.filter((_, i) => i !== 2)).list;
   assert.ok(Math.abs(first.q[4] - 3.5) < 1e-6, `${first.q}`);
 });

@@ -1,4 +1,5 @@
-// Pasted tables without headers; tests/test_pasted_tables.py compares the explorer's reading with the others.
+// Pasted tables without headers; tests/test_pasted_tables.py compares the explorer's reading with
+// the others.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -11,7 +12,7 @@ test("tables without headers take the shown order", () => {
     ["revolute", 0.2, 1.5, 0.3, 0],
     ["prismatic", 0.4, 0, 0, 1.5],
   ]);
-  const [{ a, d }] = readPastedTable("0.5 30 1 -90").rows; // this row fits a different column order too
+  const [{ a, d }] = readPastedTable("0.5 30 1 -90").rows; // this row also fits another column order
   assert.deepEqual([a, d], [0.5, 1]);
 });
 

@@ -1,4 +1,4 @@
-// The text that judge/reading/README.md follows through all steps.
+// The example text of judge/reading/README.md.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

@@ -13,7 +13,7 @@ import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 const start = (arm = PANDA) => new Store(makeInitialState({ arm, q: [...arm.home] }));
 const path = [PANDA.home, PANDA.home.map((v) => v + 0.1)];
 
-// A store whose Panda plays a circle, with every resettable field set.
+// Return a store whose Panda is playing a circle, with each field that a change resets.
 function playing() {
   const store = start();
   const { arm, circle } = store.state;
@@ -86,7 +86,7 @@ test("events that do not fit the state change nothing", () => {
   const tables = [[], [{ ...row, kind: "constructor" }, ...rows], [{ ...row, a: 1e308 }], [{ ...row, theta: NaN }], Array(MAX_ROWS + 1).fill(row)];
   for (const event of [
     { type: "setPlaying", on: true },
-    { type: "setTrace", arm: ELBOW, circle, path: [ELBOW.home], wantedPath: [] }, // asked for before
+    { type: "setTrace", arm: ELBOW, circle, path: [ELBOW.home], wantedPath: [] }, // for the previous arm
     { type: "setBranches", arm: ELBOW, branches: { list: [] } },
     { type: "replaceState", arm: ELBOW, q: home },
     ...[[1, 2], home.map(() => NaN), null].map((q) => ({ type: "moveJoints", q })),
@@ -242,7 +242,7 @@ test("the starting run uses the arm's own circle", () => {
   assert.equal(makeStartingRun(PANDA, PANDA), null);
 });
 
-test("a joint at half a turn doubles no branch", () => {
+test("a joint at half a turn gives no branch twice", () => {
   for (const joint of [0, 3, 5])
     for (const angle of [Math.PI, -Math.PI]) {
       const q = [0.3, -1.2, 1.1, -0.7, 0.9, 0.4].with(joint, angle);

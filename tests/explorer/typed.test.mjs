@@ -1,4 +1,5 @@
-// The typed texts of tests/cases.json that one module of judge/reading decides, and the errors of a field.
+// The typed texts of tests/cases.json that one module of judge/reading decides, and the errors of a
+// field.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -42,7 +43,7 @@ testEach("entries", "a field, a formula and a table read the same angle", ({ tex
   }
   assert.ok(isNear(entry.value, value, 1e-12));
   const other = quantity === "angle" && readEntry(text, "angle", unit === "deg" ? "rad" : "deg");
-  if (other?.value !== value || text === "0") return; // a bare number, in the unit of its field
+  if (other?.value !== value || text === "0") return; // a number without unit has the unit of its field
   assert.ok(isNear(number(text), value, 1e-12));
   const [table] = readTables(`a\talpha\td\ttheta\n0\t${text}\t0.5\tq1\n0.4\t0\t0\tq2`);
   assert.ok(isNear(table.rows[0].numbers.alpha, value, 1e-12));
@@ -55,7 +56,8 @@ testEach("numbers", "formulas have values, other texts have none", ({ text, valu
 
 testEach("symbols", "symbols are read in each spelling", ({ text, names }) => assert.deepEqual(symbolsIn(text), names));
 
-// Among other numbers, decimals with two places or fewer are exact, as those of 0.5*cos(0.3). x is 3.
+// Among other numbers, decimals with two places or fewer are exact, as those of 0.5*cos(0.3). x is
+// 3.
 testEach("decimals", "typed decimals give a formula its round-off", ({ text, round_off: expected }) =>
   assert.ok(Math.abs(formulaSlack(parse(text), () => 3) - expected) <= 1e-4 * expected),
 );
@@ -127,14 +129,14 @@ test("far too long lists are not tried as parts", () => {
     return isTried;
   };
   assert.ok(isPartTried(70));
-  assert.ok(!isPartTried(71)); // of 3 200 numbers each part would take a second
+  assert.ok(!isPartTried(71)); // each part of 3 200 numbers would take a second
 });
 
 test("single values with two indices are a matrix", () => {
   const read = (text, rows) => numbers(text, "J", undefined, undefined, { wants: [{ rows, columns: 2 }] }).values;
   assert.deepEqual(read("J[1,1] = 0.5\nJ[1,2] = 0.6\nJ[2,1] = 0.7\nJ[2,2] = 0.8", 2), [0.5, 0.6, 0.7, 0.8]);
   assert.deepEqual(read("J(0,1) = 0.5\nJ(0,0) = 0.6", 1), [0.6, 0.5]);
-  for (const last of ["", "\nJ[2,1] = 0.8"]) // an entry is missing, and twice there
+  for (const last of ["", "\nJ[2,1] = 0.8"]) // one entry is missing, or one is given twice
     assert.throws(() => read(`J[1,1] = 0.5\nJ[1,2] = 0.6\nJ[2,1] = 0.7${last}`, 2), /expected/);
   const request = { wants: [{ rows: 3, columns: 1 }], names: /^tau/ };
   assert.throws(() => numbers("i deg N\n1 1.5 5\n2 2.5 6\n3 3.5 7", "tau", undefined, undefined, request), /expected/);

@@ -1,4 +1,4 @@
-"""Make, spoil and grade a class of 200, kill the commands half way, and compare.
+"""Make and grade a class of 200 with spoiled hand-ins, with and without killed commands.
 
 `python -m tests.measure.class_of_200 200 /tmp/class` prints what it measured. Students solve their
 own sheets by plain matrices, complex steps and Newton's method instead of the key's functions;
@@ -59,7 +59,7 @@ def find_solutions(arm, target, count, rng):
 
 
 def solve(sheet, rng):
-    """Solve a sheet independently of the key."""
+    """Solve a sheet without its answer key."""
     answers = {"table": make_right_answers(sheet)["table"]}
     for section in sheet.sections:
         arm = section.arm

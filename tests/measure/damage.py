@@ -20,7 +20,7 @@ from helpers.inputs import ArmError
 
 CALLED_RIGHT = ("right", "right by map", "rounded")
 LOOKALIKES = dict(zip("0123456789", "OlZEhSbTBg", strict=True))
-# A unit in brackets or behind "in". Prose may name other lengths, as of the pen.
+# A unit in brackets or after "in". Other units may belong to other lengths in the prose.
 STATED_UNIT = re.compile(r"(?:\bin |[(\[])(mm|cm|m|deg|degrees|rad|radians)(?![\w^*/])")
 COMMENTED_ALTERNATIVE = re.compile(r"(#|%|//).* or 0\.4321")
 OTHER_UNITS = {

@@ -18,7 +18,7 @@ from tempfile import TemporaryDirectory
 
 ROOT = Path(__file__).parents[2]
 LIST = Path(__file__).with_name("faults.json")
-BUILT = ("browser", "test_book.py")  # these read the built book
+BUILT = ("browser", "test_book.py")  # these tests need the built book
 
 
 def main() -> None:

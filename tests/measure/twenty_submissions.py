@@ -1,4 +1,4 @@
-"""Measure what a program earns that submits twenty times and reads nothing but the hints.
+"""Measure the credit of a program that submits twenty times and uses only the hints.
 
 `python -m tests.measure.twenty_submissions 5` takes 5 sheets. The program changes signs, zeros and
 twists and keeps a change once the hint names no mistake any more. It may read which entry of a
@@ -20,7 +20,7 @@ TRIES = 20
 TOPICS = ("DH table", "forward kinematics", "Jacobian")
 TWISTS = ("0", "pi/2", "-pi/2")
 NAMED_ENTRY = re.compile(r"\b(alpha|a|d|theta)\b in row (\d)")
-NAMED = "mistake gives"  # begins every hint that names a mistake
+NAMED = "mistake gives"  # occurs in every hint that names a mistake
 
 
 def list_changes(answer, hint, rng):

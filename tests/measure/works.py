@@ -83,7 +83,7 @@ def compare_with_truth(work: Mapping) -> tuple[str, str]:
     causes = [_mistakes_in(cause, names) for cause in report.causes]
     if not any(causes):
         return "located", summary
-    # Causes are alternatives. A cause with a second mistake that was not made is false.
+    # Causes are alternatives. A cause is false if it includes a mistake that was not made.
     return (
         "named" if any(mistakes and mistakes <= names for mistakes in causes) else "false cause"
     ), summary

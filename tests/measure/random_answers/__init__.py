@@ -1,1 +1,1 @@
-"""Right answers as people and tools write them, drawn by seed, and twins with one mistake."""
+"""Generate right answers as people and tools write them, and twins: the same with one mistake."""

@@ -8,7 +8,7 @@ from multiprocessing import Pool
 from pathlib import Path
 
 OUTCOMES = ("right", "so far", "rounded", "refused", "wrong", "crashed")
-# A table with a slip may be the asked arm with other zeros of its joints: "right by map".
+# A table with a mistake may be the same arm with other zeros of its joints: "right by map".
 TWIN_OUTCOMES = (
     *("named", "located", "called wrong", "so far", "right by map", "refused", "passed", "crashed"),
 )
@@ -39,13 +39,13 @@ def _outcome(draw) -> tuple[str, object]:
         report = ask_judge(draw.question, draw.text, draw.angles)
     except ArmError as error:
         return "refused", error
-    except Exception as error:  # a judge that crashes is a finding, and no end of the count
+    except Exception as error:  # a crash of the judge is counted as a result
         return "crashed", error
     return report.grade, report
 
 
 def _print_features(results: list[tuple]) -> None:
-    """Print features whose answers fail more often than the average's, by two standard errors."""
+    """Print features whose answers fail more often than average by two standard errors."""
     groups = defaultdict(list)
     for _, outcome, _, _, _, features in results:
         failed = outcome in ("refused", "wrong", "crashed")

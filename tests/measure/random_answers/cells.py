@@ -1,4 +1,4 @@
-"""Cells: a number with its unit and its decoration."""
+"""Write cells: numbers with their units and decorations."""
 
 from dataclasses import dataclass
 from random import Random
@@ -22,8 +22,9 @@ ANGLE_UNITS = {
 #: Prefixes of torque units with the factor from N m.
 SCALED_TORQUES = {" kNm": 1e-3, " mNm": 1e3, " N mm": 1e3, " kN m": 1e-3}
 
-#: Decorations with weights, by family: {x} is the cell, {o} an older value struck through, {u} a
-#: spread of one unit of the last digit. Bold comes first, since teachers ask to mark results.
+#: Decorations with weights, by family: {x} is the cell, {o} an earlier value that is struck out,
+#: {u} an uncertainty of one unit of the last digit. Bold is the most frequent, since teachers ask
+#: for marked results.
 DECORATIONS = {
     "markdown": {
         "**{x}**": 12, "*{x}*": 3, "_{x}_": 2, "`{x}`": 6, "~~{o}~~ {x}": 4, "~~{o}~~ **{x}**": 3,
@@ -56,7 +57,7 @@ FOOTNOTES = {
 
 @dataclass(frozen=True)
 class Decoration:
-    """How cells are decorated: a pattern, and the one cell it stands on, or all."""
+    """A pattern of decoration, and the index of the cell that has it, or all cells."""
 
     pattern: str = "{x}"
     cell: tuple[int, int] | None = None
@@ -68,7 +69,7 @@ class Decoration:
 
 
 def draw_decoration(rng: Random, family: str, shape: tuple[int, int], layout: str) -> Decoration:
-    """Draw a decoration; most answers have none, and most of the others one marked cell."""
+    """Draw a decoration: most answers have none, and most decorated answers one marked cell."""
     if family not in DECORATIONS or rng.random() > 0.46:
         return Decoration()
     table = DECORATIONS[family]

@@ -11,16 +11,16 @@ from tests.measure.random_answers.questions import TOPICS, Question, draw_questi
 from tests.measure.random_answers.surroundings import add_surroundings
 from tests.measure.random_answers.tables import write_table
 
-#: Layouts whose tool prints numbers in a format of its own.
+#: Layouts of tools that print numbers in their own format.
 TOOL_PRINTS = ("NumPy print", "MATLAB print", "SymPy pretty")
-#: Circles are long: nobody types them by hand.
+#: Layouts of trajectories, which are too long to type by hand.
 _TRACE_LAYOUTS = (
     "nested list", "NumPy print", "MATLAB print", "MATLAB literal", "Markdown table", "CSV",
     "spreadsheet", "pandas frame", "tabulate", "spaced columns", "Julia", "JSON", "HTML table",
     "LaTeX tabular",
 )  # fmt: skip
 
-#: Layouts in which a bare number before a value is plainly its joint's number.
+#: Layouts in which a plain number before a value can only be the joint's number.
 _NUMBERED = (
     "lines", "bullets", "Markdown table", "CSV", "spreadsheet", "Word table", "HTML table",
     "prettytable", "tabulate", "org table", "pandas frame", "pandas series",
@@ -70,7 +70,7 @@ def draw_twin(seed: int, index: int) -> Draw:
 
 
 def shows_mistake(twin: Draw, mistaken: np.ndarray) -> bool:
-    """Check that a number moved by more than its own typed digits: 0.15 typed as 0.2 did not."""
+    """Check that a number changed by more than its typed digits show."""
     if twin.units is None:
         return True
     moved = abs(mistaken - twin.question.right) * twin.factors
@@ -148,7 +148,7 @@ def _write_numbers(question: Question, values: np.ndarray, rng: Random):
     grid = _with_neighbours(grid, question, layout_name, rng, marks)
     block = layout.write(grid, rng)
     if place in ("label", "heading") and not _shows_unit(block, unit):
-        # This layout has dropped its headers, so the unit stands in a sentence.
+        # This layout has no headers, so a sentence gives the unit.
         marks["unit place"] = "sentence"
         marks["sentence"] = _sentence(question, unit, "sentence", rng)
     if layout_name in _COMMENTED and rng.random() < 0.15:
@@ -190,7 +190,7 @@ def _draw_layout(topic: str, is_list: bool, rng: Random):
 
 
 def _draw_unit(question: Question, layout_name: str, layout: layouts.Layout, rng: Random):
-    """Draw unit, where it stands, and the setting beside the field.
+    """Draw the unit, its place in the text, and the unit chosen beside the field.
 
     A third of the angles are typed in degrees, since people check them by eye. Half of the torques
     have no unit, since programs print none. A unit that is not the SI unit always stands somewhere.
@@ -281,7 +281,7 @@ def _row_names(question: Question, count: int, is_list: bool, rng: Random):
     return names, rng.choice(corner.get(question.topic, ("pose", "#", "")))
 
 
-#: Tables whose header names a column beside the answer's own.
+#: Tables whose header can name a column that is not part of the answer.
 _WIDE = (
     "Markdown table", "spreadsheet", "CSV", "Word table", "HTML table", "LaTeX tabular",
     "prettytable", "tabulate", "org table", "pandas frame",
@@ -291,7 +291,7 @@ _COMMENTED = ("lines", "assignments", "one a line", "YAML")
 
 def _with_neighbours(grid: layouts.Grid, question: Question, layout: str, rng: Random, marks: dict):
     """Add columns that tables have beside the answer: times, tip, limits, errors, remarks."""
-    # Nearly half of the tables: logs start with the time, tables of torques show limits.
+    # Nearly half of the tables have such columns: logs have times, tables of torques limits.
     if layout not in _WIDE or question.topic == "jacobian" or rng.random() > 0.45:
         return grid
     count = len(question.right) if len(grid.cells) > 1 else len(grid.columns)
@@ -323,7 +323,7 @@ def _with_neighbours(grid: layouts.Grid, question: Question, layout: str, rng: R
 
 
 def _with_comments(block: str, question: Question, rng: Random) -> str:
-    """Put a remark behind each line, or behind one of them."""
+    """Add a remark at the end of each line, or of a single line."""
     lines, mark = block.split("\n"), rng.choice(("  # ", "  % ", "  // ", "   <- "))
     pool = ("joint {n}", "checked", "ok", "limit 87", "see eq. {n}", "2nd try")
     remark = rng.choice(pool)

@@ -66,7 +66,7 @@ def draw_labels(
 
 
 def _slide(style: str, kind: str) -> str:
-    """Put d for a sliding joint where the others are called theta."""
+    """Replace theta by d in the label of a prismatic joint."""
     if kind != "length":
         return style
     for name in (r"\theta", "theta", "Theta ", "θ", "th", "Angle "):

@@ -1,4 +1,4 @@
-"""Layouts: what a list of numbers or a table of numbers is written as.
+"""Write lists and tables of numbers in the layouts of people and tools.
 
 Weights follow where students copy from: Python and MATLAB windows first, then Markdown and LaTeX of
 their write-ups, then lines typed by hand, then spreadsheets; other tools are rare.
@@ -129,7 +129,7 @@ def _numpy_print(grid: Grid, rng: Random) -> str:
 
 
 def _matlab_print(grid: Grid, rng: Random) -> str:
-    """Write as `format short` or `format long` does, 80 characters a line."""
+    """Write numbers as MATLAB's `format short` or `format long`, with 80 characters a line."""
     digits = rng.choice((4, 4, 4, 15))
     values = grid.values.T if len(grid.values) == 1 and rng.random() < 0.6 else grid.values
     name = rng.choice((grid.name, "ans"))
@@ -188,7 +188,7 @@ def _yaml(grid: Grid, rng: Random) -> str:
 
 
 def _ros(grid: Grid, rng: Random) -> str:
-    """Write a sensor_msgs/JointState as `rostopic echo` prints it."""
+    """Write a sensor_msgs/JointState message as `rostopic echo` prints it."""
     names = [f"joint_{i}" for i in range(1, len(grid.cells[0]) + 1)]
     field = "effort" if grid.name in ("tau", "torques") else "position"
     values = f"[{', '.join(grid.cells[0])}]"
@@ -239,7 +239,7 @@ def _two_columns(grid: Grid) -> Grid:
 
 
 def _as_table(write: Callable[[Grid, Random], str]) -> Callable[[Grid, Random], str]:
-    """Lay a list out as a table, one joint a row or one a column."""
+    """Write a list as a table with one row, or one column, for each joint."""
 
     def write_list(grid: Grid, rng: Random) -> str:
         upright = bool(grid.neighbours) or rng.random() < 0.7
@@ -277,12 +277,12 @@ def _braces(grid: Grid, rng: Random) -> str:
 
 
 def _full(grid: Grid) -> list[list[str]]:
-    """Return header and rows with their names in front and the neighbours behind."""
+    """Return header and rows with row names at the start and extra columns at the end."""
     return [[name, *row] for name, row in zip([grid.corner, *grid.rows], _body(grid), strict=True)]
 
 
 def _body(grid: Grid) -> list[list[str]]:
-    """Return header and rows with the neighbours behind."""
+    """Return header and rows with extra columns at the end."""
     more = list(grid.neighbours.values())
     rows = [[*row, *(column[i] for column in more)] for i, row in enumerate(grid.cells)]
     return [[*grid.columns, *grid.neighbours], *rows]
@@ -389,7 +389,7 @@ def _latex_matrix(grid: Grid, rng: Random) -> str:
 
 
 def _pandas(grid: Grid, rng: Random) -> str:
-    """Write a frame as pandas prints it; wide frames wrap at 80 characters."""
+    """Write a data frame as pandas prints it, wrapped at 80 characters."""
     rows = _padded([["", *_body(grid)[0]], *_full(grid)[1:]])
     lines = ["  ".join(row) for row in rows]
     if len(lines[0]) <= 80 or rng.random() < 0.4:
@@ -549,13 +549,13 @@ TABLE_LAYOUTS = {
     "braces": Layout("code", 1.5, _braces, labelled=False),
     "spaced columns": Layout("text", 5, _spaced, commas=True),
 }
-#: Joint vectors in rows are also written line by line.
+#: Further layouts of several joint vectors, line by line.
 ROW_LAYOUTS = {
     "labelled rows": Layout("text", 7, _labelled_rows, commas=True),
     "bracketed rows": Layout("text", 7, _bracket_rows),
     "sections": Layout("text", 4, _sections, commas=True),
 }
-#: Layouts that a DH table, whose cells hold symbols, can take.
+#: Layouts for DH tables, whose cells contain symbols.
 SYMBOL_LAYOUTS = (
     "nested list", "MATLAB literal", "LaTeX tabular", "LaTeX matrix", "Markdown table", "CSV",
     "spreadsheet", "Word table", "HTML table", "pandas frame", "prettytable", "tabulate",

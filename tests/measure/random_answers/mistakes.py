@@ -1,4 +1,4 @@
-"""Mistakes for twins: right numbers with one thing wrong.
+"""Make mistakes for twins: the right numbers with a single mistake.
 
 Each mistake moves an asked number by 0.02 or more, which is more than the digits typed leave open.
 """
@@ -16,7 +16,7 @@ _LEAST = 0.02
 
 
 def draw_mistake(question: Question, rng: Random) -> tuple[str, Question]:
-    """Return the name of a mistake and the question with the wrong numbers it makes."""
+    """Return the name of a mistake and the question with the resulting wrong numbers."""
     if question.topic == "table":
         return _mistaken_table(question, rng)
     makers = [_moved, _moved, _sign, _exchanged, _degrees, _procedure, _procedure]
@@ -58,14 +58,14 @@ def _exchanged(question: Question, rng: Random):
 
 
 def _degrees(question: Question, rng: Random):
-    """Compute at degrees taken for radians.
+    """Compute with degrees used as radians.
 
     Joint values converted once too often are left out: where no unit is typed, they are right.
     """
     if question.topic not in ("jacobian", "torques"):
         return "degrees", None
     angles = np.array([kind == "angle" for kind in joint_kinds(question.arm)])
-    # Whole turns are taken off: they change nothing, and large angles bring a warning.
+    # Remove whole turns, which change nothing, because large angles would give a warning.
     turned = np.remainder(np.rad2deg(question.q) + np.pi, 2 * np.pi) - np.pi
     q = np.where(angles, turned, question.q)
     if question.topic == "jacobian":
@@ -136,7 +136,7 @@ def _wrong_torques(question: Question, rng: Random):
 
 
 def _mistaken_table(question: Question, rng: Random) -> tuple[str, Question]:
-    """Change what no choice of frames excuses: a length beyond d_1, a twist, a and d exchanged."""
+    """Change a length (not d_1), change a twist, or exchange a and d."""
     arm = question.arm
     name = rng.choice(("length moved", "length moved", "twist", "a and d exchanged"))
     if name == "a and d exchanged":
@@ -157,7 +157,7 @@ def _mistaken_table(question: Question, rng: Random) -> tuple[str, Question]:
 
 
 def _is_wrong(question: Question, values: np.ndarray) -> bool:
-    """Check that the mistaken numbers are no other right answer."""
+    """Check that the mistaken numbers are not another right answer."""
     if not np.isfinite(values).all() or abs(values - question.right).max() < _LEAST:
         return False
     if question.topic in ("jacobian", "torques"):

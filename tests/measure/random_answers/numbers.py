@@ -1,4 +1,4 @@
-"""Number formats: how people and tools write one number."""
+"""Write a single number in the formats of people and tools."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -83,7 +83,7 @@ def draw_format(rng: Random, family: str, *, angles: bool, commas: bool) -> Numb
     if not angles:
         del weights["pi"]
     kind = rng.choices(list(weights), list(weights.values()))[0]
-    # Three to six decimals are what prints and teachers ask for; two and eight are rare.
+    # Teachers and programs mostly use three to six decimals; eight are rare.
     digits = rng.choices((3, 4, 5, 6, 8), (22, 38, 12, 22, 6))[0]
     handwritten = family in ("latex", "markdown", "html", "text")
     return NumberFormat(
@@ -158,7 +158,7 @@ def unit_of_last_digit(text: str) -> float:
 
 
 def _exact_text(value: float, style: NumberFormat, family: str) -> str:
-    """Write a multiple of pi/24, a simple fraction or a surd; "" where it is none of them."""
+    """Write a multiple of pi/24, a simple fraction or a square root; "" for other numbers."""
     pi_text, root = ("pi", "sqrt({})") if family in ("code", "print") else ("π", "√{}")
     if family == "latex":
         pi_text, root = r"\pi", r"\sqrt{{{}}}"

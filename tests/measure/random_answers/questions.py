@@ -1,4 +1,4 @@
-"""Questions of the six topics with their right numbers, drawn at random."""
+"""Draw questions of the six topics at random, with their right numbers."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ from helpers import checks, inverse, kinematics, motion, robots, statics
 from helpers.arm import Arm
 
 TOPICS = ("table", "jacobian", "torques", "trace", "branches", "pose")
-#: Arms with masses, hence with torques.
+#: Arms with masses, for questions about torques.
 HEAVY_ARMS = tuple(arm for arm in robots.ARMS if arm.bodies)
 DISPLACED_ELBOW = robots.ELBOW.with_values(d=0.1)
 
@@ -50,7 +50,7 @@ def draw_question(rng: Random, topic: str) -> Question:
 
 
 def ask_judge(question: Question, text: str, angles: str) -> Any:
-    """Return the report on a pasted text; raises ArmError where the judge refuses it.
+    """Return the report on a pasted text, or raise ArmError if the judge refuses it.
 
     Args:
         question: what is asked.
@@ -131,7 +131,7 @@ def _draw_torques(rng: Random) -> Question:
     return Question("torques", arm, tau, ("torque",) * arm.dof, _joint_numbers(arm), q, wrench)
 
 
-# Starts from which the whole circle is well inside the workspace.
+# Start configurations whose whole circle is well inside the workspace.
 _STARTS = {
     "Panda": ((1.1, 0.4, 1.6, -0.9, 2.1, -0.6), "zy"),
     "Panda (homework)": ((1.1, 0.4, 1.6, -0.9, 2.1, -0.6), "zy"),
@@ -193,7 +193,7 @@ def _draw_pose(rng: Random) -> Question:
         arm = arm.lock(3)
     kinds = joint_kinds(arm)
     q = _pose_of_joints(arm, rng)
-    if rng.random() < 0.5:  # a numeric solver returns no round numbers
+    if rng.random() < 0.5:  # half of the time, not round, as from a numeric solver
         q = np.array(
             [
                 rng.uniform(0.2, 0.9) if kind == "length" else rng.uniform(-2.4, 2.4)

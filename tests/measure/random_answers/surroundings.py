@@ -1,4 +1,4 @@
-"""Surroundings: what stands around an answer in a paste."""
+"""Write the text around an answer in a pasted text."""
 
 from random import Random
 
@@ -233,7 +233,7 @@ def _older_list(typed: np.ndarray, rng: Random) -> str:
 
 
 def _whole_text(text: str, rng: Random, takes) -> str:
-    """Change all lines as mail, editors and indentation do."""
+    """Change all lines as mail programs, editors and indentation do."""
     if takes("mail quote", 0.04):
         return "\n".join("> " + line for line in text.split("\n"))
     if takes("line numbers", 0.035):

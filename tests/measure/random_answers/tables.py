@@ -1,4 +1,4 @@
-"""DH tables as people write them."""
+"""Write DH tables as people write them."""
 
 from random import Random
 
@@ -14,7 +14,7 @@ _HEADERS = {
     "theta": ("theta", "θ", "theta_i", "θ_i", "θ"),
 }
 _LATEX_HEADERS = {"a": "a_i", "alpha": r"\alpha_i", "d": "d_i", "theta": r"\theta_i"}
-#: Column orders with weights, by Spong, Siciliano, Corke and calculators.
+#: Column orders with weights: of Spong, Siciliano, Corke and online calculators.
 _ORDERS = {
     ("a", "alpha", "d", "theta"): 55,
     ("theta", "d", "a", "alpha"): 25,
