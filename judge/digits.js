@@ -14,7 +14,7 @@ const LARGEST_SHARE = 0.1;
 const UNROUNDED_DIGITS = 13;
 // Round-off of a program: smaller numbers are its zeros, as 6.1e-17 for cos 90°.
 const NOISE = 1e-12;
-// A smaller difference (m, rad or N m) is round-off whatever the size of the entries.
+// A difference below this (m, rad or N m) is round-off for entries of any size.
 const LEAST_DIFFERENCE = 1e-10;
 // Error of pi with seven digits or of a long sum, as a share of the largest entry.
 const SUM_ROUND_OFF = 1e-6;
@@ -64,8 +64,8 @@ function findUnitOfOne(numbers) {
   return Math.max(10 ** (1 - digits), finest);
 }
 
-// Give numbers that a program padded with zeros, as 6.964900e-01 beside 3.883316e+01, the unit of
-// the finest digit that is no zero.
+// Change the unit of numbers that a program padded with zeros, such as 6.964900e-01 beside
+// 3.883316e+01: use the finest digit other than 0.
 function withoutPadding(numbers) {
   const padded = numbers.filter((number) => number && !number.isBare && number.size > NOISE);
   const significant = padded.map(({ unit, endZeros }) => unit * 10 ** endZeros);
@@ -78,7 +78,7 @@ function withoutPadding(numbers) {
 
 const COARSEST_UNIT = 1e-3; // of padded numbers: 0.500000 may be exact
 const FEWEST_NUMBERS = 3; // fewer may end in zeros by themselves
-const FEWEST_ZEROS = 3; // in all: one answer in a thousand ends so by chance
+const FEWEST_ZEROS = 3; // in total; one answer in a thousand has so many by chance
 
 /**
  * Return the units that a program's numbers have if it trims zeros: those of the column's finest
@@ -123,7 +123,7 @@ function readLiteral(text) {
   if (!match || !(match[1] || match[2])) return null;
   const digits = (match[1] + match[2]).replace(/^0+/, "").length;
   const exponent = Number(match[3] ?? 0);
-  const isZero = !digits; // its exponent says nothing: 0.0E7 is 0.0
+  const isZero = !digits; // the exponent of 0 has no meaning: 0.0E7 is 0.0
   const places = (isZero ? Math.min(0, exponent) : exponent) - match[2].length;
   return {
     digits,
@@ -136,7 +136,8 @@ function readLiteral(text) {
 
 export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
 const allowSumRoundOff = (expected) => SUM_ROUND_OFF * largest(expected);
-// Return the allowed round-off: little for a typed number, whose last place is allowed for anyway.
+// Return the allowed round-off. It is small for a typed number, whose last place has its own
+// tolerance.
 const allowRoundOff = (unit, top) =>
   Math.max((unit ? NOISE : SUM_ROUND_OFF) * top, LEAST_DIFFERENCE);
 
@@ -160,7 +161,7 @@ export function compareDigits({ values, units: lastPlaces }, expected, slack) {
     rounded &&= error <= HALF * unit;
     cut &&= error < unit && isShort(x, expected[i]);
     oneOff &&= error <= ONE_OFF * Math.min(unit, LARGEST_SHARE * top);
-    if (!rounded && !cut && !oneOff) return ""; // long before the end of a wrong trajectory
+    if (!rounded && !cut && !oneOff) return ""; // a wrong trajectory is long
   }
   return rounded ? "rounded" : cut ? "cut" : "one off";
 }

@@ -1,5 +1,5 @@
-// Lists the entries that each usual mistake makes of right work, and finds a wrong entry in a DH
-// table. The course marks by these lists, so that marks and messages agree.
+// Lists the wrong entries that each usual mistake gives, and finds the wrong entry of a DH table.
+// The course marks with the same lists, so that marks and messages agree.
 
 import { listTableMistakes } from "./causes/chain.js";
 import { listConfigurationMistakes } from "./causes/joints.js";

@@ -41,8 +41,8 @@ export function makeJacobianMaker(arm, frame) {
   };
 }
 
-// Build the Jacobian before it is written down. The last one is kept, since many writings are tried
-// on it.
+// Build the Jacobian to which mistakes in writing it down are applied. The last result is cached,
+// since many such mistakes are tried.
 function buildBy(arm, frame, change, recipe) {
   let [lastQ, lastResult] = [null, null];
   return (q) => {

@@ -84,7 +84,8 @@ function* listMistakesInOneJoint(arm) {
   }
 }
 
-// theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links: slip 12.
+// Slip 12: theta_2 = atan2(s, r) + ... in place of minus, on an arm whose parallel axes carry two
+// links.
 /** @param {{ rows: Row[] }} arm @returns {Generator<JointMistake>} */
 function* listElbowFormulaMistakes({ rows }) {
   if (rows.length < 3) return;

@@ -15,7 +15,7 @@ import { capitalize, formatMessage, joinList, uncapitalize } from "../sentences.
 
 // Accepted probability that some mistake fits numbers that are off by chance.
 const LARGEST_CHANCE = 1e-3;
-const MAX_STATED = 3; // mistakes that give the same numbers; nobody reads more
+const MAX_STATED = 3; // at most this many mistakes that give the same numbers are named
 // A mistake's own slack is slow to compute. It is computed only if the mistake's entries are within
 // this many times the widest slack.
 const NEAR_FACTOR = 3;

@@ -126,7 +126,7 @@ const keep = (x) => x;
 /** Return whether the right rule holds to the digits, by Euler's method. @param {Trace} trace */
 export const followsPathByEuler = (trace) => measureRuleError(trace, {}) <= 1;
 
-// Return whether the right rule holds, by Euler's method or to the round-off of the sums here.
+// Return whether a trajectory obeys the right rule, up to the error of Euler's method or round-off.
 const followsPath = (trace) =>
   followsPathByEuler(trace) || measureRuleError(trace, {}, [0, 0]) <= 1;
 

@@ -136,8 +136,8 @@ export function compareAxes(mine, reference, length = 1e-6, angle = 1e-4) {
   };
 }
 
-// Add the angle of the tool to a choice of signs. A tool that points otherwise costs a remark, and
-// each negative sign costs least of all.
+// Add the angle of the tool to a choice of signs. A tool in another direction costs a remark, and a
+// negative sign costs the least.
 function addTool({ mine, reference, tolerances }, lastSign, { cost, signs, differences }) {
   /** @type {[number, number]} */
   const toolAngles = [clampedAcos(mine.toolCosine), clampedAcos(lastSign * reference.toolCosine)];

@@ -227,8 +227,8 @@ export function solveInverse(arm, form, target) {
   return FORMS[form].solve(arm, target);
 }
 
-// Error of a rotation typed with six decimals. helpers/poses.py has the same bound;
-// tests/test_poses.py holds the two equal.
+// Error of a rotation typed with six decimals. helpers/poses.py has the same bound
+// (tests/test_poses.py).
 const LARGEST_ROTATION_ERROR = 1e-6;
 
 function checkRigid(arm, { x, y, z }) {

@@ -6,7 +6,7 @@ import { cosSin, minus, plus, scaled } from "./kinematics.js";
 // m: a target this close to the workspace boundary counts as on it. 1000 x round-off of a pose.
 export const BOUNDARY_DISTANCE = 1e-12;
 
-// A sine this small counts as 0, which moves the tool by no more than as many radians.
+// A sine below this counts as 0, which turns the tool by at most this angle (rad).
 export const SINGULAR = 1e-11;
 
 // Largest error of a computed point (m) or unit vector: 1e-15 is about five units of the last

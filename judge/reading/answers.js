@@ -116,7 +116,7 @@ function findIn(pasted, text, question) {
   if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
   if (isOtherQuantity(block, names))
     throw makeQuotingError("other quantity", text, block, question);
-  // A text without a word can only be the answer, even if it counts: 1 2 3.
+  // A text without words can only be the answer, even if its numbers count 1, 2, 3.
   if (isUnlikely(block, names) && /\p{L}/u.test(text))
     throw makeRefusal(text, question, blockFinders);
   const unusedLines = listUnusedLines(
@@ -127,7 +127,7 @@ function findIn(pasted, text, question) {
   return { ...ordered, unusedLines, tokens };
 }
 
-// Refuse bare values if one header or name says degrees and another one radians.
+// Refuse values without a unit if one header or name states degrees and another states radians.
 /** @param {Block} block @param {string} what */
 function refuseTwoUnits({ rows, headers, labels, sources }, what) {
   const names = [...headers, ...labels.flat()].map(({ text }) => text);
@@ -199,7 +199,7 @@ function isOtherQuantity({ sources }, names = NO_NAME) {
   return others > 0 && 2 * others >= sources.length;
 }
 
-// Make an error that quotes the only readable list: the words before it call it old.
+// Make an error that quotes the only readable list, which the words before it call old.
 function makeQuotingError(key, text, { firstLine }, { what }) {
   const line = quoteText(linesOf(text)[firstLine] ?? "");
   return new ArmError(formatMessage(key, { what, line }));

@@ -107,8 +107,7 @@ const endsRow = (character, { depth }) =>
   character === "\n" || character === ROW_END || (character === ";" && depth > 0);
 
 // Return the state before the first character. `words` stand before the next row, and `above` are
-// the words of the line above. `wordsAtMark` is how many words had been read when the last = or :
-// came.
+// the words of the line above. `wordsAtMark` is the number of words before the last = or :.
 const startState = (plain, isEntry, splitting) => ({
   plain,
   text: plain.text,

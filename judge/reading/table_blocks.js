@@ -250,7 +250,7 @@ const FRAMES = /^\d{1,2} ?- ?\d{1,2}$/; // 0-1 names the row between frames 0 an
 const TWO_SIGNS = /^[-+−–]\s*[-+−–]\s*[^-+−–\s]/; // --90, which may be a dash of LaTeX
 const FOOTNOTE = /^[-+−–]?\s*\d+\(\d\)$/; // 400(2), which may be a product
 const ANGLE_UNIT = /^(?:deg|rad)$/; // without a number
-// Names of rows are no symbols of an arm.
+// Names of rows, which are not symbols of an arm.
 const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
 // A joint variable or a length, such as q1, l_{2} and h.
 const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbe])$/i;

@@ -1,7 +1,7 @@
-// Knows the few words that say how the numbers of an answer are meant: an order, a frame or "not".
-// On the lines of the answer, or on the lines next to them, such words are applied, or stop a
-// verdict that took the numbers otherwise. "Not" counts only on a line with numbers. All other
-// words change nothing.
+// Finds the few words that state how the numbers of an answer are meant: an order, a frame or
+// "not". On the lines of the answer, or on the lines next to them, such words are applied, or stop
+// a verdict that used another meaning. "Not" counts only on a line with numbers. All other words
+// change nothing.
 
 import { WRONG } from "../digits.js";
 import { linesOf, listNextLines } from "./characters.js";
@@ -152,7 +152,7 @@ export function applyWords(text, verdict, options, judgeInOrder) {
   throw new ArmError(formatMessage("words", { words: quoteText(words), line: line + 1 }));
 }
 
-// List the known words beside the numbers of a verdict that took the numbers otherwise.
+// List the known words beside the numbers of a verdict that used another meaning.
 function listWords(text, verdict, options) {
   const known = KNOWN_WORDS.filter(({ topics = [verdict.topic] }) =>
     topics.includes(verdict.topic),
@@ -185,8 +185,8 @@ const listEntryLines = ({ tokens, typed }) => {
   return new Set(entries.map(({ line }) => line));
 };
 
-// Find unknown names above the columns of an answer that is called wrong for its order. The names
-// may say this order.
+// Find unknown names above the columns of an answer whose only mistake is its order. The names may
+// state this order.
 function findUnknownNames(text, verdict) {
   const { causes, topic, typed } = verdict;
   const lines = linesOf(text);

@@ -8,8 +8,8 @@ import { readEntry } from "../../judge/reading/entry.js";
 /** @typedef {import("../../judge/geometry/kinematics.js").Frame} Frame */
 
 const ROUND_OFF = 1e-12; // m, and sines
-const RIGID = 1e-6; // largest error of the rotation in a typed pose that needs no mending
-const DECIMALS = [3, 4, 5, 6, 7]; // of a rounded rotation; fewer leave it open by a degree
+const RIGID = 1e-6; // larger errors of a typed pose's rotation are corrected or refused
+const DECIMALS = [3, 4, 5, 6, 7]; // fewer leave a rotation uncertain by a degree
 const EXPECTED = "expected x, y, z, roll, pitch, yaw, or the rows of a 4 x 4 pose";
 
 /**

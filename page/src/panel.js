@@ -12,7 +12,7 @@ import { formatFixed } from "./text.js";
 import { watchTheme } from "./theme.js";
 
 const GLIDE_TIME = 450; // ms that the arm takes to glide to another configuration
-// ms between updates of the numbers while the picture is dragged; nobody reads faster
+// ms between updates of the numbers while the picture is dragged, as fast as anyone can read
 const UPDATE_INTERVAL = 100;
 
 // changes of these fields are announced to screen readers

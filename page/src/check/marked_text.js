@@ -1,4 +1,4 @@
-// The reader's own text, with each number marked by what it was taken for. A number can be
+// The reader's own text, with each number marked by its use. A number can be
 // corrected in place; each correction changes the text itself.
 
 import { h, setText } from "../dom.js";

@@ -1,5 +1,5 @@
-// The reader's last answer to each question about each arm, kept in the browser's storage until she
-// clears it.
+// The reader's last answer to each question about each arm, kept in the browser's storage until the
+// reader clears it.
 
 /** @typedef {import("./question.js").Question} Question */
 

@@ -1,5 +1,5 @@
-// Shows how the joints of the student's table count, and offers to use her joint angles in the next
-// questions.
+// Shows how the joint angles of the student's table differ from the reference's, and offers to use
+// them in the next questions.
 
 import { findOwnArm, parseRows } from "../../../judge/geometry/own_joints.js";
 import { ArmError, formatMessage } from "../../../judge/sentences.js";
@@ -48,7 +48,7 @@ export function showOwnJoints(place, { ask, joints }, { verdict }, onChange) {
   return place.replaceChildren(...table, h("p.offer", {}, ...offer));
 }
 
-// Return the rows of a right table whose joints count otherwise; "" for other answers.
+// Return the rows of a right table with other zeros or signs of its joints; "" for other answers.
 function findOfferedJoints(verdict) {
   const advice = verdict?.advice?.find(({ field }) => field === "ownJoints");
   return String(advice?.value ?? "");

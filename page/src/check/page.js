@@ -169,8 +169,8 @@ export class AnswerCheck {
     showShortVerdict(this.parts.short, this.outcome, this.isExample());
   }
 
-  // Apply an advice of the judge. An advice about the arm is about this answer, which comes along.
-  // After an advice about a symbol, the reader still types its value.
+  // Apply advice of the judge. After advice about the arm, the answer is kept. After advice about a
+  // symbol, the reader still types its value.
   applyOffer({ key, value }) {
     const { answer, q } = this.question;
     if (DEFAULT_FIELDS.includes(key)) this.changeQuestion({ [key]: value });
@@ -233,7 +233,7 @@ export class AnswerCheck {
     this.updateQuestion(question);
   }
 
-  // Bring back the reader's last answer. Returns false if there is none.
+  // Restore the reader's last answer. Returns false if there is none.
   restoreLastAnswer() {
     return this.#restoreQuestion(this.memory.loadLast());
   }
@@ -278,7 +278,7 @@ export class AnswerCheck {
     if (inputType === "insertFromPaste" || inputType === "insertFromDrop") this.judgeAtOnce();
   }
 
-  // Take over what the reader types into a field, and judge it after a pause.
+  // Store what the reader types into a field, and judge it after a pause.
   typeInto(key, text) {
     this.parts.action.replaceChildren();
     this.question = { ...this.question, [key]: text };
@@ -312,7 +312,7 @@ export class AnswerCheck {
     this.updateQuestion({ ...this.start, ...typed, ...next, frame: "0" });
   }
 
-  // Bring back a stored question, if its answer was typed in the same joint angles.
+  // Restore a stored question, if its answer was typed in the same joint angles.
   #restoreStored({ ask, arm, joints }) {
     const stored = this.memory.load({ ask, arm });
     return Boolean(stored) && (stored.joints ?? "") === joints && this.#restoreQuestion(stored);
@@ -326,7 +326,7 @@ export class AnswerCheck {
     return this.arms.find(isPossible)?.key ?? key;
   }
 
-  // Count the joints as the reader's table does from now on, or as the arm's own table does if
+  // Use the joint angles of the reader's table from now on, or those of the arm's own table if
   // `joints` is empty. The page's own configuration is converted.
   useJoints(joints) {
     const { ask, arm, unit, q } = this.question;

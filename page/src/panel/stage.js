@@ -75,7 +75,7 @@ export function makeStage(store, tools) {
 // Update the handle of the tip, the buttons and the message about a stopped tip.
 function updateParts({ tipButtons, grip, why }, state, isGrabbable) {
   tipButtons.update(state);
-  // Without a force, the torque view's ball stands at the tip and needs the place.
+  // Without a force, the torque view's ball is at the tip, where it replaces the tip's handle.
   const isTipFree = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
   grip.hidden = !isGrabbable || !movingRows(state.arm).length || !isTipFree;
   const message = describeDragLimit(state.tipHold);
@@ -158,7 +158,7 @@ function showWithoutWebGL(root, { tipButtons, lost }) {
   root.removeAttribute("tabindex");
   tipButtons.root.hidden = true;
   setText(lost, FLAT);
-  lost.hidden = !document.defaultView; // a page that is being built knows nothing of its browser
+  lost.hidden = !document.defaultView; // while a page is built, its browser is unknown
 }
 
 // Turn the view by a key. Returns false for other keys.
