@@ -3,36 +3,24 @@
 
 const BOOK = globalThis.document && new URL("..", document.currentScript.src).href;
 
-// Groups of words that find each other: readers' words and the book's.
+// Groups of words that find each other. What readers call a whole section is in search_names.yml.
 const SYNONYMS = [
   ["ik", "inverse"],
-  ["fk", "forward"],
-  ["forward", "transform", "frame"],
   ["dh", "denavit", "table"],
-  ["parameter", "table"],
-  ["solution", "branch", "eight"],
+  ["solution", "branch"],
   ["8", "eight"],
   ["com", "mass"],
   ["center", "centre"],
-  ["reach", "unreachable", "workspace"],
   ["singularity", "singular", "det"],
   ["pinv", "pseudo"],
   ["robot", "arm"],
   ["error", "wrong", "mistake", "slip", "correct"],
   ["prismatic", "slide"],
-  ["craig", "modified"],
   ["franka", "panda"],
   ["effector", "tip"],
-  ["drift", "error", "miss"],
-  ["position", "pose"],
-  ["assign", "place"],
   ["delete", "remove", "lose"],
   ["arctan", "atan", "atan2"],
   ["acos", "arccos", "cosine"],
-  ["quiz", "practice", "exercise"],
-  ["cite", "citation", "reference", "bibliography"],
-  ["upload", "paste"],
-  ["install", "download"],
   ["speed", "velocity", "rate"],
   ["limit", "bound", "range"],
 ];
