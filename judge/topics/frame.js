@@ -72,7 +72,7 @@ const formatWrong = ({ sentences }, arm, fields, cause) =>
  * @param {Pick<Topic, "name" | "sentences">} topic @param {Arm} arm @param {Outcome} outcome
  * @returns {Verdict}
  */
-export function reportOutcome(topic, arm, outcome) {
+function reportOutcome(topic, arm, outcome) {
   const { causes = [], causeNames = [], findings = [], fields: _, ...others } = outcome;
   const cause = causes.length ? `${joinCauseMessages(causes)}.` : "";
   const headline = outcome.headline ?? writeHeadline(topic, arm, outcome, cause);

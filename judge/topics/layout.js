@@ -103,7 +103,7 @@ function convertToNamedUnits(list, { entries, statedUnits }, unit) {
 }
 
 /** Convert rows of joint values to rad and m. */
-export function convertToSI(typedRows, arm, statedUnits, unit) {
+function convertToSI(typedRows, arm, statedUnits, unit) {
   const [angular, linear] = [unit === "deg" ? RAD : 1, statedUnits?.lengths ?? 1];
   const factors = revoluteFlags(arm).map((turns) => (turns ? angular : linear));
   const convert = (list) => list.map((x, i) => x * factors[i]);

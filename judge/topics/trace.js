@@ -16,7 +16,7 @@ import { DEG } from "../geometry/angles.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { JOINT_NAMES, jointShapes, numbers } from "../reading/numbers.js";
 import { formatMillimetres } from "../matching.js";
-import { makeCause, causeName } from "../causes/ranking.js";
+import { causeName } from "../causes/ranking.js";
 import {
   findJumps,
   findSingularStart,
@@ -24,18 +24,12 @@ import {
   measureStep,
   removeWholeTurns,
 } from "./trace_steps.js";
-import { arrangeBySteps, convertToSI } from "./layout.js";
+import { arrangeBySteps } from "./layout.js";
 import { describeWrongRow, findOnlyWrongRow } from "./trace_row.js";
 import { boundTipError, isDriftOfEuler, findUntrimmedUnits } from "./trace_units.js";
 import { findUnfilledRow } from "../reading/unfilled.js";
 import { ArmError, formatMessage, formatNumber, quoteText, toClause } from "../sentences.js";
-import {
-  followsPathByEuler,
-  makeTrace,
-  METHOD_TILT,
-  findTraceCause,
-  METHOD_ERROR,
-} from "../causes/trace.js";
+import { makeTrace, METHOD_TILT, findTraceCause, METHOD_ERROR } from "../causes/trace.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
@@ -66,8 +60,6 @@ export const compareTrace = makeJudge({
     const units = findUntrimmedUnits(arranged, arm, path);
     const allowed = boundTipErrors({ q, units }, question);
     const trajectory = { ...arranged, units };
-    if (unit === "rad" && followsOnlyInDegrees(trajectory, arm, path, allowed))
-      return { grade: WRONG, causes: [makeCause("trace.degrees")], taken };
     return { ...compareTrajectory(trajectory, arm, path, allowed, tolerance !== null), taken };
   },
   getAngles: ({ unit, arranged }) => arranged && { values: arranged.q.flat(), angles: unit },
@@ -131,24 +123,6 @@ function liesOnPath(frames, path, allowed) {
     while (step < points.length && norm(minus(o, points[step])) > allowed[k]) step++;
     return step++ < points.length;
   });
-}
-
-// Return whether the joint values follow the path in degrees and not in radians.
-function followsOnlyInDegrees({ q, units }, arm, path, allowed) {
-  const points = path.times.map(path.position);
-  const measureTipErrors = (rows) =>
-    measureDistances(
-      points,
-      rows.map((row) => linkFrames(arm, row).at(-1).o),
-    );
-  if (!exceedsAllowed(measureTipErrors(q), allowed)) return false;
-  const rows = q.map((values, k) => ({ values, units: units[k] }));
-  const converted = convertToSI(rows, arm, null, "deg");
-  const errors = measureTipErrors(converted.q);
-  if (!exceedsAllowed(errors, allowed)) return true;
-  const follows = (trajectory) =>
-    followsPathByEuler(makeTrace(trajectory.q, trajectory.units, arm, path));
-  return errors[0] <= allowed[0] && follows(converted) && !follows({ q, units });
 }
 
 const exceedsAllowed = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
