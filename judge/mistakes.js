@@ -5,6 +5,7 @@ import { listTableMistakes } from "./causes/chain.js";
 import { listConfigurationMistakes } from "./causes/joints.js";
 import { listJacobianSteps, makeJacobianMaker } from "./causes/jacobian.js";
 import { causeMessage, causeName, listSingleMistakes, makeCause } from "./causes/ranking.js";
+import { makeEntryCause } from "./causes/table.js";
 import { listTorqueSteps, makeLoad, makeTorqueMaker } from "./causes/torques.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR } from "./digits.js";
 import { compareAxes, describeAxes } from "./geometry/axes.js";
@@ -24,6 +25,7 @@ const GRAVITY = [0, 0, -9.81]; // m/s²
 const LENGTH_STEP = 0.05; // m: the lengths of the course's random tables are multiples of it
 const LONGEST = 0.7; // m: the lengths of such a table add up to less on parallel axes
 const SAME_LENGTH = 1e-3; // m: a sheet asks for three decimals
+const SAME_NUMBER = 1e-9; // m
 const SAME_ANGLE = 0.02; // rad: a right angle was typed with two decimals
 
 // The function that lists the mistakes of each kind of question.
@@ -179,15 +181,8 @@ function listLengths(typed) {
 /** @param {string} column @param {number} row @param {any} typed @param {number} expected */
 function nameEntryMistake(column, row, typed, expected) {
   const actual = typed[column];
-  const isMissing = Math.abs(actual) < 1e-9;
-  const isReversed = Math.abs(actual + expected) < 1e-9;
-  if (!isMissing && !isReversed) return makeCause("course.entry", { column, row });
-  if (column === "alpha") return makeCause(isMissing ? "table.no twist" : "table.twist", { row });
-  if (column === "theta")
-    return isMissing
-      ? makeCause("table.offset", { row })
-      : makeCause("course.entry", { column, row });
-  if (column === jointColumn(typed.kind) && !isMissing)
-    return makeCause("course.entry", { column, row });
-  return makeCause(isMissing ? "table.missing" : "table.sign", { column, row });
+  const entry = makeCause("course.entry", { column, row });
+  if (column === "theta") return actual ? entry : makeCause("table.offset", { row });
+  if (column === jointColumn(typed.kind) && actual) return entry;
+  return makeEntryCause(column, row, actual, expected, SAME_NUMBER) ?? entry;
 }

@@ -2,8 +2,13 @@
 // of the rows with each arm that the student may have described, and keeps the corrections that
 // leave the fewest mistakes.
 
-import { compareAxes, describeAxes, listDifferentEntries } from "../geometry/axes.js";
-import { ANGLE_TOLERANCE, snapRows, jointColumn } from "../geometry/rows.js";
+import {
+  angleDistance,
+  compareAxes,
+  describeAxes,
+  listDifferentEntries,
+} from "../geometry/axes.js";
+import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geometry/rows.js";
 import { combinations } from "../geometry/axis_gaps.js";
 import { convertFromCraig } from "../reading/table_conversion.js";
 import { listExchangedLengths, listOtherLengths, lowerLinkColumns } from "./chain.js";
@@ -144,3 +149,18 @@ const exchangeRows = (i, j) => [
   (rows) => rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row)),
   true,
 ];
+
+/**
+ * Make the cause for an entry with the wrong sign or without a number.
+ * @param {string} column @param {number} row @param {number} actual @param {number} expected
+ * @param {number} length tolerance (m)
+ * @returns {Cause | null} null for any other entry
+ */
+export function makeEntryCause(column, row, actual, expected, length) {
+  const isNegated = isAngleColumn(column)
+    ? angleDistance(actual, -expected) < ANGLE_TOLERANCE
+    : Math.abs(actual + expected) <= length;
+  if (!isNegated && actual) return null;
+  if (column === "alpha") return makeCause(isNegated ? "table.twist" : "table.no twist", { row });
+  return makeCause(isNegated ? "table.sign" : "table.missing", { column, row });
+}

@@ -82,7 +82,7 @@ export function findRowsFault(rows) {
   return null;
 }
 
-const NO_LIMITS = { lower: null, upper: null, speed: null, effort: null };
+export const NO_LIMITS = { lower: null, upper: null, speed: null, effort: null };
 
 // Return the entries of a row with the limits of a second row. A typed row has no masses.
 const withLimits = (

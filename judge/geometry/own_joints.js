@@ -1,6 +1,6 @@
 // Converts an arm to the joint values of a student's table, which counts the joints otherwise.
 
-import { findRowsFault } from "./arm.js";
+import { findRowsFault, NO_LIMITS } from "./arm.js";
 import { compareAxes, describeAxes } from "./axes.js";
 import { findJointMap } from "./joint_map.js";
 import { dot, linkFrames, plus, pointInBase, pointInFrame, scaled } from "./kinematics.js";
@@ -43,8 +43,6 @@ export function expressInOwnJoints(reference, table, map, name) {
     rows: bodies ? rows.map((row, i) => ({ ...row, body: bodies[i] })) : rows,
   };
 }
-
-const NO_LIMITS = { lower: null, upper: null, speed: null, effort: null };
 
 /** @param {Row} joint of the reference @param {number} sign @param {number} offset */
 function convertLimits({ lower, upper, speed, effort }, sign, offset) {

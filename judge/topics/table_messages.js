@@ -1,10 +1,11 @@
 // Formats the messages about a wrong entry of a table and about a difference of the axes.
 
-import { causeMessage, causeName, makeCause } from "../causes/ranking.js";
+import { causeMessage, causeName } from "../causes/ranking.js";
+import { makeEntryCause } from "../causes/table.js";
 import { DEG } from "../geometry/angles.js";
 import { formatMessage, formatNumber } from "../sentences.js";
 import { angleDistance } from "../geometry/axes.js";
-import { ANGLE_TOLERANCE, isAngleColumn } from "../geometry/rows.js";
+import { isAngleColumn } from "../geometry/rows.js";
 
 export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
@@ -133,22 +134,6 @@ export function entryUnit(table, row, column) {
   const last = (typedText(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
   const decimals = last.slice(last.indexOf(".") + 1).length;
   return decimals >= 2 ? table.angleScale * 10 ** -decimals : 0;
-}
-
-// Make the cause for an entry with the wrong sign or without a number, or return null.
-/** @returns {Cause | null} */
-function makeEntryCause(column, row, actual, expected, length) {
-  const isNegated = isAngleColumn(column)
-    ? angleDistance(actual, -expected) < ANGLE_TOLERANCE
-    : Math.abs(actual + expected) <= length;
-  const isTwist = column === "alpha";
-  if (isNegated)
-    return isTwist ? makeCause("table.twist", { row }) : makeCause("table.sign", { column, row });
-  if (!actual)
-    return isTwist
-      ? makeCause("table.no twist", { row })
-      : makeCause("table.missing", { column, row });
-  return null;
 }
 
 // Describe how far a wrong entry is off.
