@@ -71,7 +71,7 @@ const INNERMOST = [
   [/\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g, "(($1)/($2))"],
   [/(\\(?:sqrt|sin|cos|tan)|\^)\s*\{([^{}]*)\}/g, "$1($2)"],
 ];
-const COUNTED = /(?<![A-Za-z_])(q|theta) *[[(] *([0-9]{1,2}) *[\])]/g;
+const COUNTED = /(?<![A-Za-z_\d])([A-Za-z]+) *[[(] *([0-9]{1,2}) *[\])]/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
 const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
@@ -119,7 +119,9 @@ function spellOut(text) {
   text = text.replace(PI_NAME, (_, divisor) => (divisor ? `(pi/${divisor})` : "pi"));
   text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's operators on each entry
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
-  text = text.replace(COUNTED, "$1_$2");
+  text = text.replace(COUNTED, (all, name, index) =>
+    isFunction(name) || isConstant(name) ? all : `${name}_${index}`,
+  );
   text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");
   text = text.replace(/(?<![_\w])\{/g, "(");
   text = text.replace(/\{[\w+-]*\}|\}/g, (braces) => (braces === "}" ? ")" : braces));

@@ -51,7 +51,7 @@ export function readRow(i, entries, known) {
   const isFree = (symbol) => !known.has(simple(symbol));
   const free = mapEntries((name) => [...symbols(trees[name])].filter(isFree).sort());
   const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
-  const joint = findVariable(i, free, mover);
+  const joint = findVariable(i, free, mover, texts.theta);
   const evaluateAt = (name, x) =>
     value(trees[name], (symbol) => (free[name].includes(symbol) ? x : known.get(simple(symbol))));
   const numbers = mapEntries((name) => evaluateAt(name, 0));
@@ -95,8 +95,15 @@ const LENGTHS = new Set(["a", "d"]);
 const IN_METRES = / m$/;
 const MEASURED = new RegExp(String.raw`^([-+−]?)\s*(\d*\.?\d*)(?:\*1e-(\d)|\s*(${LENGTH_UNIT}))$`);
 
-// Write a length with a unit in metres without losing typed digits: "612.70 mm" is "0.61270 m".
+// Write a length with a unit in metres without losing typed digits: "612.70 mm" is "0.61270 m". In
+// a sum each length must have a unit.
 function convertToMetres(text) {
+  const terms = text.trim().match(/[-+−]?[^-+−]+/g) ?? [];
+  if (terms.length > 1 && !text.includes("e-")) {
+    const lengths = terms.map(convertToMetres);
+    if (!lengths.every((length) => IN_METRES.test(length))) return text;
+    return `${lengths.map((length) => length.replace(IN_METRES, "")).join("")} m`;
+  }
   const [, sign, x, power, unit] = MEASURED.exec(text.trim()) ?? [];
   if (!x) return text;
   const shift = Number(power ?? Math.round(-Math.log10(LENGTH_UNITS[unit])));
@@ -138,12 +145,15 @@ function parseVariable(name) {
 
 // The first letter of a symbol that may be a joint variable. A mistyped 10, "l0", is none.
 const MOVING = /^(?:[dqstx]|phi)/i;
+const COUNTED = /^[A-Za-z]+[[(]\d{1,2}[\])]/;
 
-// Find the joint variable of a row. Refuse a row with any further symbol.
-function findVariable(i, free, mover) {
+// Find the joint variable of a row. Refuse a row with any further symbol. Below theta any name with
+// an index in brackets is a variable: jA(1).
+function findVariable(i, free, mover, theta) {
   const moving = mover === null ? [] : free[mover];
   const joint = moving.find((symbol) => /^[qt]/.test(symbol)) ?? moving[0];
-  const isStray = (name) => (symbol) => name !== mover || symbol !== joint || !MOVING.test(symbol);
+  const mayMove = (symbol) => MOVING.test(symbol) || (mover === "theta" && COUNTED.test(theta));
+  const isStray = (name) => (symbol) => name !== mover || symbol !== joint || !mayMove(symbol);
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
   if (stray === undefined) return parseVariable(joint);
   throw new ArmError(formatMessage("row symbol", { row: i, name: stray }), [

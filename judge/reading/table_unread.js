@@ -187,11 +187,12 @@ const isUnknownHeader = ({ headers, block, plainLines }, line) =>
 
 const trimMarks = (text) => text.replace(/^[^\p{L}\d.+-]+|[^\p{L}\d]+$/gu, "");
 
+const isSentence = (line) => (line.match(PROSE) ?? []).length >= FEWEST_PROSE;
+
 // Return whether at least half of the cells on a line may be entries.
 function isMostlyEntries({ entries, words, candidates }, plainLine) {
   const count = entries.length + candidates.length;
-  const isSentence = (plainLine.match(PROSE) ?? []).length >= FEWEST_PROSE;
-  return !isSentence && count >= FEWEST && 2 * count >= entries.length + words.length;
+  return !isSentence(plainLine) && count >= FEWEST && 2 * count >= entries.length + words.length;
 }
 
 // Count each separator of a line.
@@ -199,10 +200,11 @@ const countSeparators = (line = "") =>
   SEPARATORS.map((separator) => line.trim().split(separator).length - 1);
 const SEPARATORS = ["|", "&", "\t", ";", ",", / {2,}/];
 
-// Return whether a line has as many separators as a row.
+// Return whether a line has as many separators as a row. The commas of a sentence do not count.
 function hasSameSeparators(line, separators) {
   const counts = countSeparators(line);
   const k = separators.findIndex((count) => count >= FEWEST_SEPARATORS);
+  if (SEPARATORS[k] === "," && isSentence(line)) return false;
   return k >= 0 && counts[k] === separators[k];
 }
 
