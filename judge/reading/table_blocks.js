@@ -139,14 +139,12 @@ function markColumnHeaders(plain) {
     if (units) mark(below, joined, below.text.length);
     if (units) unitLines.push(below);
   }
-  for (const line of lines) {
-    if (unitLines.includes(line)) continue;
-    if (!headerLines.includes(line)) edits.push(...listZeros(line, headerLines));
-    const rest = trimOpening(line.text);
-    const [start, header] = (headerLines.length ? null : ROW_HEADER.exec(rest)) ?? [];
-    if (header && ENTRIES.includes(findEntry(header)))
-      mark(line, [header], line.text.length - rest.length + start.length);
-  }
+  for (const line of lines)
+    if (!unitLines.includes(line) && !headerLines.includes(line))
+      edits.push(...listZeros(line, headerLines));
+  const rowHeaders = headerLines.length ? [] : lines.flatMap(listRowHeader);
+  if (new Set(rowHeaders.map(({ header }) => findEntry(header))).size >= FEWEST_HEADERS)
+    for (const { line, header, length } of rowHeaders) mark(line, [header], length);
   edits.sort((left, right) => left.from - right.from);
   return { plain: plain.edit(edits), headers: allHeaders };
 }
@@ -177,20 +175,30 @@ function listZeros(line, headerLines) {
   return [];
 }
 
-// A header before entries: "a [mm] | 0 | 88".
+const FEWEST_HEADERS = 3; // of the four, before the rows of a table that lies on its side
+// A header before entries: "a [mm] | 0 | 88", "theta q1 q2".
 const ROW_HEADER = new RegExp(
-  String.raw`^([^|&\t;:=\d-]{1,24}?(?:\s?[[(][^\])]{1,8}[\])])?)` +
-    String.raw`\s*(?:[|&\t;:,]|\s(?=[-+]?[.\d]))`,
+  String.raw`^([^|&\t;:=\d-]{1,24}?(?:\s?[[(][^\])]{1,8}[\])]|_\{?i ?- ?1\}?)?)` +
+    String.raw`\s*(?:[|&\t;:,=]|\s(?=[-+]?[.\d]|(?:q|θ|th)[\w]*\d))`,
 );
+
+function listRowHeader(line) {
+  const rest = trimOpening(line.text);
+  const [start, header] = ROW_HEADER.exec(rest) ?? [];
+  if (!header || !ENTRIES.includes(findEntry(header))) return [];
+  return [{ line, header, length: line.text.length - rest.length + start.length }];
+}
+
 // The first separates the cells of a table that was copied from HTML.
 const SEPARATORS = [/\| {2}\||[|&\t;]/, /\s{2,}/, /,/, /\s+/];
 
 // List the headers of a line. Return null if it names fewer than three of a, alpha, d and theta.
 function listHeaders(typed) {
-  const whole = splitHeaders(typed);
-  const isNamed = ENTRIES.every((entry) => whole?.map(findEntry).includes(entry));
   const [, comment] = COMMENT.exec(typed) ?? [];
-  if (isNamed || !comment) return whole;
+  const [, behind = ""] = COMMENT_BEHIND.exec(typed) ?? [];
+  const namesAll = (headers) => ENTRIES.every((entry) => headers?.map(findEntry).includes(entry));
+  const whole = [splitHeaders(behind), splitHeaders(typed)].find(namesAll) ?? splitHeaders(typed);
+  if (namesAll(whole) || !comment) return whole;
   const names = findColumnNames(comment) ?? [];
   return names.length === ENTRIES.length ? names : whole;
 }
@@ -214,6 +222,7 @@ function splitHeaders(typed) {
 }
 
 const COMMENT = /^[^\p{N}]*(?:#|%|\/\/)(.*)/u;
+const COMMENT_BEHIND = /^\W*\p{L}[^#%]*(?:#|%|\/\/)(.*)/u; // dh % theta d a alpha
 
 // Join a unit to the header before it: the words "a" and "(mm)" become "a (mm)".
 function joinUnits(cells) {
@@ -253,7 +262,7 @@ const ANGLE_UNIT = /^(?:deg|rad)$/; // without a number
 // Names of rows, which are not symbols of an arm.
 const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
 // A joint variable or a length, such as q1, l_{2} and h.
-const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbe])$/i;
+const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbeq])$/i;
 // The kind of a joint, and the name of a row without a number.
 const WORD = /^(?:p|revolute|prismatic|fixed|base|tool)$/i;
 // Make a test of cells. A cell may stand in a table if it is a number, a formula of symbols, or a
