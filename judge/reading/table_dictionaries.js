@@ -16,6 +16,10 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|${LENGTH_UNIT})?[)}]?`;
 const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ/])([A-Za-zαθ]+${INDEX})['"]?\s*[:=]\s*`, "g");
 
+const UNIT = new RegExp(String.raw`[:=]\s*["']?(?:${LENGTH_UNIT}|deg|rad)\w*["']?\s*$`);
+// Return whether a dictionary holds units only: {length: m, angle: deg}.
+const holdsUnits = (body) => body.split(",").every((pair) => UNIT.test(pair));
+
 /**
  * A name with its entry, as "a_1 = 0.5". `index` is the number of the name, `column` the entry that
  * the name stands for.
@@ -36,7 +40,8 @@ const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ/])([A-Za-zαθ]+${INDEX}
  */
 export function readDictionaries(text, brackets) {
   const braced = brackets.filter(
-    ({ open, before, hasPairs }) => hasPairs && (open === "{" || before.endsWith("dict")),
+    ({ open, before, hasPairs, body }) =>
+      hasPairs && (open === "{" || before.endsWith("dict")) && !holdsUnits(body),
   );
   const isBraced = braced.length > 0;
   /** @type {Body[]} */
@@ -169,14 +174,16 @@ const countFromOne = (pair) =>
     ? { ...pair, index: String(Number(pair.index) + 1) }
     : pair;
 
-// List the pairs of a text. A value ends at a comma, a semicolon, a bracket or the next name.
+// List the pairs of a text. A value ends at a comma, a semicolon, a bracket or the next name. A
+// comma between digits is a decimal comma.
 /** @param {Body} body @returns {Pair[]} */
 function listPairs({ body, start }) {
   const names = [...body.matchAll(PAIR)];
   return names.flatMap(({ 0: all, 1: name, 2: index, index: at }, k) => {
     const from = at + all.length;
-    const [value] = body.slice(from, names[k + 1]?.index).split(/[,;[]/);
-    const entry = makeEntry(value, start + from);
+    const [value] = body.slice(from, names[k + 1]?.index).split(/,(?!\d)|[;[]/);
+    const typed = makeEntry(value, start + from);
+    const entry = { ...typed, text: typed.text.replace(/(?<=\d),(?=\d)/g, ".") };
     const column = findEntry(name.replace(/\d+/, ""));
     if (!ENTRIES.includes(column) || !entry.text) return [];
     return [{ column, name: index ? column : name, index, entry }];

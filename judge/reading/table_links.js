@@ -10,7 +10,7 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
 /** @typedef {import("./table_named_entries.js").Entry} Entry */
 /** @typedef {import("./table_named_entries.js").EntryRows} EntryRows */
 
-const LINK = /(?<!\p{L})(?:(?:DH)?Link|(?:Revolute|Prismatic)[\p{L}\d_]*)\s*$/u;
+const LINK = /(?<!\p{L})(?:(?:DH)?Link|DHParam|(?:Revolute|Prismatic)[\p{L}\d_]*)\s*$/u;
 
 /**
  * Read a row from each call. Calls have the forms Link('d', 0.3, 'a', 0, 'alpha', pi/2),

@@ -58,10 +58,11 @@ const NAMES =
   /(?<!\S)(?:#|%|\/\/).*|(?:joint|link|row):? ?\d+|^\s*\d+[.:)]|[\p{L}_]\w*(?:[[({]\d+[\])}])?/gimu;
 
 // An assignment to an entry that changes the rows: L(2).offset = pi/6, r.tool = ..., a(2) = 0.45.
+// In YAML a tool has lines of its own.
 const ASSIGNED = new RegExp(
   String.raw`(?:\.(?:a|d|alpha|theta|offset|tool|base)|(?<![\w.])(?:a|r|d|alpha|theta|offset)` +
-    String.raw` ?[[(]\d{1,2}[\])]) ?=(?!=)[^\n]*[1-9π]`,
-  "g",
+    String.raw` ?[[(]\d{1,2}[\])]) ?=(?!=)[^\n]*[1-9π]|^[ \t]*(?:tool|base):[ \t]*\n[^\n]*[1-9π]`,
+  "gm",
 );
 
 /**
