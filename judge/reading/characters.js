@@ -130,9 +130,10 @@ const MATRIX_CHARACTERS = [
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW_END],
   [END_IN_COLUMN, ";"],
   [/:=\s*<<[^:]*>>/g, (rows) => rows.replaceAll("<", "[").replaceAll(">", "]")], // Maple's
+  [/\bMatrix\(\s*\d{1,2}\s*,\s*\d{1,2}\s*,(?=\s*\[)/g, "("], // its size before its rows
   ...MAPLE_VECTOR, // <a, b, c>
   ...FORTRAN_ARRAY, // (/ a, b, c /)
-  [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
+  [/^[ \t]*(?:(?:In|Out)[ \t]?\[\d{1,4}\]:?|octave:\d{1,4}>)/gm, ""],
   [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
   [/(?<!\^)\{([-,*])\}/g, "$1"], // 0{,}5, {-}0.5 and N{\cdot}m
   [/\b(?:Fraction|Rational)\(\s*(-?\d+)\s*,\s*(\d+)\s*\)/g, "$1/$2"],
@@ -142,6 +143,19 @@ const MATRIX_CHARACTERS = [
 // A raised decimal point. No product is written as 0·3, so in its text 12·5 is no product either.
 const RAISED_POINT = /(?<![\d.·])0·\d/;
 const RAISED_POINTS = /(?<=(?<![\d.·])\d{1,20})·(?=\d{1,20}(?![\d.·^]))/g;
+const SLASHES = /(?<=\S[ \t])\/(?=[ \t]\S)/g;
+const ONE_ENTRY = /^\s*[^\s,;|&]+(?:\s[-+]\s[^\s,;|&]+)*\s*$/;
+
+// Return whether slashes separate entries, as in "0.1 / 0.2 / 0.3 / 0.4". No formula divides three
+// times in a row.
+function hasSlashedRows(text) {
+  const rows = text.split("\n").map((line) => line.split(SLASHES));
+  const slashed = rows.filter(({ length }) => length > 1);
+  const isRow = (pieces) =>
+    pieces.length > 3 && pieces.slice(1).every((piece) => ONE_ENTRY.test(piece));
+  return slashed.length > 0 && slashed.every(isRow);
+}
+
 const WORD_MATRIX = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
 // Dashes before a bracket or np.float64(...), or below a name as in YAML, are bullets. Any other
 // dash may be a minus.
@@ -161,7 +175,8 @@ export function plainCharacters(folded) {
   const pointed = RAISED_POINT.test(replaced.text)
     ? replaced.replace(RAISED_POINTS, ".")
     : replaced;
-  const spaced = withoutSpacing(pointed);
+  const separated = hasSlashedRows(pointed.text) ? pointed.replace(SLASHES, "|") : pointed;
+  const spaced = withoutSpacing(separated);
   const plain = spaced.replace(WORD_MATRIX, (_, rows) => `(${rows.replaceAll("@", ROW_END)})`);
   return DASHES_ARE_BULLETS.test(plain.text) ? plain.replace(BULLET, "") : plain;
 }
