@@ -76,9 +76,8 @@ export function findLabel(words) {
  * @param {import("./lines.js").Row} row
  */
 export function findValueLabel({ words, name, isAssigned }) {
-  const label = findLabel(words);
-  if (!isAssigned || (label && label.kind !== "count")) return label;
-  return findLabel([{ text: name }]) ?? label;
+  const hasFormula = isAssigned && words.at(-1)?.text !== name; // behind the name
+  return findLabel(hasFormula ? [{ text: name }] : words);
 }
 
 /**

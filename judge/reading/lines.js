@@ -3,6 +3,7 @@
 
 import { isFunction, isNumber } from "./formula.js";
 import { CONTINUED, ROW_END } from "./characters.js";
+import { findLabel } from "./labels.js";
 import {
   CLOSE,
   isMark,
@@ -51,6 +52,7 @@ function classifyBrackets(text) {
   return kinds;
 }
 
+const TWO_ARGUMENTS = /^(?:arc|a)tan2$/i;
 const OPENS_LIST = /^\s*(?:[\w.]*array\(|\[)/; // np.radians([...])
 
 // Return whether a bracket holds a list. The argument of a function, a factor and an index are no
@@ -58,11 +60,12 @@ const OPENS_LIST = /^\s*(?:[\w.]*array\(|\[)/; // np.radians([...])
 function isList(text, { at, character, isSplit, leaf }, end) {
   const before = text[at - 1] ?? " ";
   const word = WORD_BEFORE.exec(text.slice(Math.max(0, at - 12), at))?.[1] ?? "";
+  if (TWO_ARGUMENTS.test(word)) return false;
   if (isFunction(word.toLowerCase()))
     return (
       OPENS_LIST.test(text.slice(at + 1, at + 20)) || (/rad/.test(word) && text[at + 1] === "(")
     );
-  if (character === "{") return !/[\w^}]/.test(before);
+  if (character === "{") return !/[\w^}]/.test(before) || (isSplit && /[^\W_]/.test(before));
   if (character === "[") return !/[\w})]/.test(before) || end - at > MOST_INDEX;
   return isRoundList(text, { at, isSplit, leaf }, end, before);
 }
@@ -204,20 +207,21 @@ function readSeparatedCells(part, splitting, state) {
   const isOne = !pieces.every(({ text }) => isNumber(text)) && state.isEntry(whole.text);
   const cells = isOne ? [whole] : pieces;
   if (cells.some(({ text }) => isMark(text) || state.isEntry(text))) return cells;
+  if (cells.every((cell) => findLabel([cell])?.kind === "row")) return cells; // wx wy wz
   return [{ ...whole, text: state.text.slice(part.from, part.to).trim() }];
 }
 
 // Turn the entry before an assignment mark into a word, because it is a name.
 function turnEntryIntoName(state) {
   if (!state.row) return;
-  const { cells, words } = state.row;
-  const name = cells.pop();
+  const { cells, words, name } = state.row;
+  const entry = cells.pop();
   if (!cells.length) {
     state.rows.pop();
-    state.words = words;
+    Object.assign(state, { words, name });
   }
-  state.words.push(name);
-  state.allWords.push(name);
+  state.words.push(entry);
+  state.allWords.push(entry);
 }
 
 // Store the name before an assignment mark. In "tau = g - JTF = [...]" the first name counts.
