@@ -9,7 +9,7 @@ const ODD = [
   ["no solution", /\bno (?:real )?solution|\bunreachable\b/i],
   ["not finite", /(?<!\p{L})(?:nan|inf(?:inity)?)(?!\p{L})/iu],
   ["doubtful sign", /(?<!~)~\s*[\d.]/],
-  ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
+  ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d]| (?!rad|deg|N|m\b)\p{L})/u], // not "-40 i get"
   ["two signs", /±|\\pm/],
   ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])/],
   ["no text", /[\0-\x08\ufffd]/],
@@ -53,8 +53,14 @@ export const hasHalfNumbers = (text, { splitsCommas, sources }) =>
   sources.some(({ cells }) => {
     const gaps = cells.slice(1).map(({ from }, k) => text.slice(cells[k].to, from));
     const isSum = cells.some(({ from, to }) => /\d\s+[-+\u2212]?\d/.test(text.slice(from, to)));
-    return isSum || gaps.some((gap) => !gap.trim());
+    const [{ from, to }] = cells;
+    const isHalf = HALF_BEFORE.test(text.slice(Math.max(0, from - 12), from));
+    return (
+      (isHalf && /^\d+$/.test(text.slice(from, to))) || isSum || gaps.some((gap) => !gap.trim())
+    );
   });
+
+const HALF_BEFORE = /(?<![\p{L}\d_.])\d{1,9},$/u;
 
 const COMMENT = /(?:#|%|\/\/).*/g;
 

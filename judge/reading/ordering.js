@@ -86,7 +86,8 @@ const TRANSPOSE_MARK = new RegExp(
  */
 export function transpose(block) {
   const { rows, labels, headers } = block;
-  const columnHeaders = headers.slice(headers.length - rows[0].length);
+  const extra = headers.length - rows[0].length;
+  const columnHeaders = extra < 0 ? [] : headers.slice(extra);
   return {
     ...block,
     rows: rows[0].map((_, k) => rows.map((row) => row[k])),

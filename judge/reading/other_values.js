@@ -8,6 +8,16 @@ import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
 
 // A symbol with its value, such as c23 = cos(q2 + q3) and a2 = 0.4.
 const VALUE = /(?<![\p{L}\d_.])(\p{L}_?\{?\d{1,4}\}?) *:?= *([^\s=,;][^\n=,;]{0,40})/gu;
+// A line of several names and their values: a2, a3 = 0.4, 0.3.
+const SEVERAL = /^[ \t]*(\p{L}\w*(?: *, *\p{L}\w*){1,20}) *= *([^\n=;]{1,400})$/gmu;
+
+// Write "a2, a3 = 0.4, 0.3" as "a2 = 0.4; a3 = 0.3", unless the counts differ.
+const splitAssignments = (text) =>
+  text.replace(SEVERAL, (line, typedNames, typedValues) => {
+    const [names, values] = [typedNames, typedValues].map((list) => list.split(","));
+    if (names.length !== values.length) return line;
+    return names.map((name, k) => `${name.trim()} = ${values[k].trim()}`).join("; ");
+  });
 
 /**
  * Raise an error if the text gives a symbol of the answer a value that differs from its value in
@@ -17,7 +27,7 @@ const VALUE = /(?<![\p{L}\d_.])(\p{L}_?\{?\d{1,4}\}?) *:?= *([^\s=,;][^\n=,;]{0,
  */
 export function refuseOtherValues(text, meanings, known) {
   const expected = new Map([...meanings].map(([name, x]) => [simple(name), x]));
-  for (const { 1: name, 2: words } of text.matchAll(VALUE)) {
+  for (const { 1: name, 2: words } of splitAssignments(text).matchAll(VALUE)) {
     const formula = cutAtBracket(words);
     const x = expected.get(simple(name));
     const stated = x === undefined ? null : tryOrNull(() => evaluateKnown(formula, known));

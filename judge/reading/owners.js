@@ -359,7 +359,9 @@ const PLAIN_NUMBER = /^[-+−–]?\d*(?:[.,]\d*)?(?:e[-+−–]?\d+)?$/i;
 function findWordAround(text, { from, to }) {
   const before = /[^\s|&;[\],]*$/.exec(text.slice(Math.max(0, from - 20), from))[0];
   const behind = /^[^\s|&;[\],]*/.exec(text.slice(to, to + 20))[0];
-  return before + text.slice(from, to) + behind;
+  const word = before + text.slice(from, to) + behind;
+  const bare = word.replace(/^[({]+|[)}]+$/g, "");
+  return PLAIN_NUMBER.test(bare) ? bare : word;
 }
 
 // Return the joint or the row of a number by the label on its line: " (joint 2)".

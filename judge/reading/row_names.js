@@ -7,7 +7,7 @@ import { findLabel } from "./labels.js";
 
 // Masses, forces, points and lengths: m, F_ext, d_1, l_pen.
 const OTHER_NAMES =
-  /^(?:[fFgmpw]|FK|tip|errors?|residual|limits?|F_?ext|[adhlLmr](?:_?\{?\d\}?|_\w+))$/;
+  /^(?:[fFgmp]|FK|tip|errors?|residual|limits?|F_?ext|[adhlLmr](?:_?\{?\d\}?|_\w+))$/;
 const OTHER_WORDS =
   /\b(?:mass(?:es)?|wrench|force|target|given|lengths?|at q|for F|norm|elapsed time)\b/i;
 
@@ -23,7 +23,7 @@ export function namesOtherQuantity({ name, words }) {
   );
 }
 
-const OTHER_TOPIC = /^(?:[Δ∆]|[qθτ]$|theta|tau|torques?\b|ω|omega)/;
+const OTHER_TOPIC = /^(?:[Δ∆]|[qθτ]$|theta|tau|torques?\b|ω|omega|w$)/;
 // q1 before a list may be the number of a question.
 const OTHER_VALUE = /^(?:[xyz]|[qθτ][ _{]{0,2}\d+\}?|F_?\{?\d\}?)$/;
 

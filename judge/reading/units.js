@@ -137,7 +137,10 @@ export function readUnits(typed, hasDegrees = false) {
  * @param {(token: import("./owners.js").Token) => boolean} isDegrees
  */
 export function endInDegrees(tokens, isDegrees) {
-  const entries = tokens.filter(({ owner }) => owner === "entry");
+  // A decimal comma makes two tokens of an entry; the second counts.
+  const entries = tokens.filter(
+    ({ owner, index }, k) => owner === "entry" && tokens[k + 1]?.index !== index,
+  );
   return entries.every((token, k) => {
     const isLast = token.line !== entries[k + 1]?.line;
     const isAlone = isLast && token.line !== entries[k - 1]?.line;
