@@ -14,6 +14,7 @@ import {
 } from "./counts.js";
 import {
   labelNumberedLines,
+  replaceFactorNames,
   withoutComments,
   withoutMargins,
   withoutStruckText,
@@ -80,7 +81,7 @@ export function findAnswer(text, question) {
   const { what, wants, wanted = describeWant(wants[0]) } = question;
   refuseLongText(text, largestSizeOf(question), { what, wanted });
   const typed = foldCharacters(new SpannedText(text));
-  const pasted = joinFrameParts(withoutMargins(withoutStruckText(typed)));
+  const pasted = joinFrameParts(withoutMargins(replaceFactorNames(withoutStruckText(typed))));
   const live = withoutComments(pasted);
   const unfilled = findUnfilledLabel(live?.text ?? pasted.text);
   if (unfilled) throw makeUnfilledError(unfilled.quoted, question);
@@ -193,7 +194,9 @@ const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.fl
 
 // The entries of a Jacobian may have names of joints, which are those of its columns.
 function isOtherQuantity({ sources }, names = NO_NAME) {
-  const isOfTopic = (row) => names === NO_NAME || names.test("J") || names.test(bareName(row.name));
+  const holdsName = names.test(bareName(sources[0].words.at(-2)?.text ?? "")); // "tau": {"q1": 0.5
+  const isOfTopic = (row) =>
+    names === NO_NAME || names.test("J") || holdsName || names.test(bareName(row.name));
   const isOther = (row) => namesOtherQuantity(row) || (!isOfTopic(row) && namesOtherTopic(row));
   const others = sources.filter(isOther).length;
   return others > 0 && 2 * others >= sources.length;
@@ -352,7 +355,11 @@ function makeRefusal(text, question, blockFinders) {
   const { what, wants, wanted = describeWant(wants[0]) } = question;
   refuseOdd(text, { what, wanted });
   const all = blockFinders.flatMap((make) => make()).filter((block) => countEntries(block) > 1);
-  const blocks = all.filter((block) => !hasHalfNumbers(text, block));
+  const whole = all.filter((block) => !hasHalfNumbers(text, block));
+  const [decimal, split] = [false, true].map((splits) =>
+    whole.filter(({ splitsCommas = false }) => splitsCommas === splits),
+  );
+  const blocks = decimal.length ? decimal : split;
   const unfilled = findUnfilledLine(text);
   if (unfilled) return makeUnfilledError(unfilled, question);
   if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));

@@ -99,6 +99,7 @@ const DECORATIONS = [
   // a corrected value
   [/(?<![\w.])[-+]?\d{1,9}[.,]\d{1,20}\s*(?:→|->)\s*(?=[-+]?[\d.θ])/g, ""],
   [new RegExp(String.raw`${END_OF_VALUE}[ \t]*\[\s*(${UNIT})\s*\]`, "gu"), " $1"], // 0.5 [rad]
+  [/(?<=\p{L})[ ][[(][-1][\])](?=[ ]*[\t|&])/gu, ""], // wx [-], without a unit
   // The unit behind a name, tau [Nm], is joined to the name: it is no list.
   [new RegExp(String.raw`(?<=[\p{L}\p{N})\]}$])[ \t]*[[(]\s*(${UNIT})\s*[\])]`, "gu"), "_($1)"],
 ];
@@ -138,6 +139,24 @@ const DECLARATION = new RegExp(
  */
 export const withoutMargins = (pasted) =>
   withoutLineNumbers(pasted.replace(QUOTATION, "").replace(DECLARATION, ""));
+
+// A name for a factor, as in "dtr = pi/180".
+const FACTOR = new RegExp(
+  String.raw`^[ \t]*([A-Za-z]{2,9})[ \t]*=[ \t]*` +
+    String.raw`((?:\w{1,9}\.)?pi ?\/ ?180(?:\.0)?|\d[\d.e-]{0,9})[ \t]*;?[ \t]*$`,
+  "gm",
+);
+
+/**
+ * Write factors in place of their names: 90*dtr becomes 90*(pi/180).
+ * @param {import("./spans.js").SpannedText} pasted
+ */
+export const replaceFactorNames = (pasted) =>
+  [...pasted.text.matchAll(FACTOR)].reduce(
+    (text, [, name, value]) =>
+      text.replace(new RegExp(String.raw`(?<=\d ?\* ?)${name}(?!\w)`, "g"), `(${value})`),
+    pasted,
+  );
 
 const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:] ?|\t| {2}|$)/gm;
 

@@ -2,7 +2,7 @@
 // such as a = [0, 0.4], dictionaries, Link(...) calls or link matrices. If the text does not state
 // a unit or the order of the columns, this module guesses it and reports the guess.
 
-import { withoutComments, withoutStruckText } from "./decorations.js";
+import { replaceFactorNames, withoutComments, withoutStruckText } from "./decorations.js";
 import { linesOf } from "./characters.js";
 import { hasDecimals, simple, symbolsIn } from "./formula.js";
 import { refuseUnreadValues } from "./other_values.js";
@@ -28,7 +28,7 @@ import { applyStatedOrder, chooseStatements, findOtherLengthUnit } from "./table
 import { maskUnfinishedRows } from "./table_unfinished.js";
 import { findUnreadCell, refuseMixedUnits } from "./table_unread.js";
 import { findOtherUnit } from "./units.js";
-import { ArmError, formatMessage, quoteText, tryOrNull } from "../sentences.js";
+import { ArmError, formatMessage, joinList, quoteText, tryOrNull } from "../sentences.js";
 
 /** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 
@@ -122,7 +122,7 @@ function useDefinitions(table, definitions, text) {
 function readWithLengths(typedText, request) {
   const { known } = request;
   const text = joinCellLines(typedText, makeEntryTest(known));
-  const pasted = withoutStruckText(new SpannedText(text));
+  const pasted = replaceFactorNames(withoutStruckText(new SpannedText(text)));
   const uncommented = withoutComments(pasted);
   for (const plainText of [uncommented, pasted]) {
     const named = plainText && readNamedTable(plainText.text);
@@ -195,13 +195,23 @@ function requireReadable(table, text, { known }) {
   const what = formatMessage("your table");
   const unread = findUnreadCell(table, text, makeEntryTest(known));
   if (unread?.cell) refuseUnreadCell(text, tokens, unread.cell, what);
-  if (unread) {
-    const line = quoteText(linesOf(text)[findOddLine(table, unread.line)].trim());
-    throw new ArmError(formatMessage("row torn", { line }), [], tokens, text);
-  }
+  if (unread) throw makeTornError(table, findOddLine(table, unread.line), tokens, text);
   refuseUnread(text, tokens, what);
   if (splitMatrices(table.cells) && FRAMES.test(text)) throw new NoLink("table.frames");
   return tokens;
+}
+
+// Make an error that lists the entries of an odd line, and tells how many a row has.
+/** @param {import("./table_blocks.js").TableBlock} table */
+function makeTornError({ block: { lines, rows } }, odd, tokens, text) {
+  const entries = lines.all.filter(({ line }) => line === odd).flatMap(({ cells }) => cells);
+  const fields = {
+    line: quoteText(linesOf(text)[odd].trim()),
+    count: entries.length,
+    entries: joinList(entries.map((cell) => quoteText(text.slice(cell.from, cell.to)))),
+    width: rows[0].length,
+  };
+  return new ArmError(formatMessage("row torn", fields), [], tokens, text);
 }
 
 // Return the line whose row has an odd number of cells: 0 for the first line of the text. If most

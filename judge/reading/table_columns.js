@@ -92,7 +92,10 @@ function cutIndexColumn({ cells, headers }) {
     requireRowNumbers(cells.map((row) => row[at]));
     return { cells: cells.map(cut), headers: cut(headers) };
   }
-  if (!counted || cells.some((row) => row.length <= 4)) return { cells, headers };
+  if (cells.some((row) => row.length <= 4)) return { cells, headers };
+  if (cells.length > 1 && isCounted(cells.map((row) => plain(row[0])).reverse()))
+    throw new ArmError(formatMessage("rows reversed", { count: cells.length }));
+  if (!counted) return { cells, headers };
   return {
     cells: cells.map((row) => row.slice(1)),
     headers: headers.length > 4 ? headers.slice(1) : headers,
