@@ -21,6 +21,10 @@ pytestmark = needs_node
 QUESTIONS_ABOUT_TABLES = [case for case in QUESTIONS if case["ask"] == "table"]
 
 NO_ROWS = "the table is {}; expected rows of four entries"
+NO_LINES = (
+    "I find no rows of four entries in {}; write a line for each joint with its a, alpha, d and "
+    "theta, and commas or blanks between"
+)
 NO_ENTRIES = "the table is {}; expected lists such as 'a': [...], or entries such as 'd1': 0.3"
 UNEVEN, MANY = (
     "the table's lists have {} entries; expected as many in each",
@@ -37,9 +41,9 @@ NO_TABLES = [
     ([[[1, 0, 0, 0]] * 3], NO_ROWS, f"[{UNIT}]]"),
     ({}, NO_ENTRIES, "{}"),
     ({"a": [1], "d": 2}, NO_ENTRIES, "{'a': [1], 'd': 2}"),
-    ({"a1": 0, "size": 2}, NO_ROWS, "\"{'a1': 0, 'size': 2}\""),
+    ({"a1": 0, "size": 2}, NO_LINES, "\"{'a1': 0, 'size': 2}\""),
     (None, "the table is {}; expected rows or text", "None"),
-    ([[0, 0, 0]], NO_ROWS, "'[[0, 0, 0]]'"),
+    ([[0, 0, 0]], NO_LINES, "'[[0, 0, 0]]'"),
     ({"a": [1], "alpha": [0, 0], "d": [1, 2], "theta": [1, 2, 3]}, UNEVEN, "1, 2, 3"),
     ([[0, 0, 0, 0]] * 33, MANY, "33"),
     (np.tile(np.eye(4), (33, 1, 1)), MANY, "33"),
