@@ -1,6 +1,7 @@
 """Define the arms, batch shapes and slow reference formulas that many tests share.
 
-The reference formulas multiply elementary motions one by one. They share no code with `helpers`.
+The reference formulas multiply elementary motions one by one and share no code with `helpers`. The
+errors of inverse kinematics are measured by `helpers.kinematics`.
 """
 
 import ast
@@ -11,6 +12,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from helpers.arm import Arm, fixed, prismatic, revolute
+from helpers.kinematics import forward_kinematics
 from helpers.robots import ARMS, PANDA
 
 
@@ -63,6 +65,14 @@ def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
     return frames
 
 
+def slow_modified_frames(rows, q: np.ndarray) -> list[np.ndarray]:
+    """Return Craig's frames 0 to n, whose steps are Rot_x Trans_x Rot_z Trans_z."""
+    frames = [np.eye(4)]
+    for turn, tilt in elementary_motions(Arm("modified", rows), q):
+        frames.append(frames[-1] @ tilt @ turn)
+    return frames
+
+
 def slow_energy(arm: Arm, q: np.ndarray, gravity=(0, 0, -9.81)) -> float:
     """Return the potential energy (J), summed link by link as -m g . p."""
     energy = 0.0
@@ -95,6 +105,23 @@ def twist_columns(rates: np.ndarray, T: np.ndarray) -> np.ndarray:
     skew = rates[:, :3, :3] @ T[:3, :3].T
     omega = np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
     return np.concatenate([rates[:, :3, 3], omega], axis=1).T
+
+
+def joint_difference(arm: Arm, q: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Return the largest difference of a joint, ignoring whole turns."""
+    turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
+    gap = q - other
+    return np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
+
+
+def tip_errors(arm: Arm, found, targets: np.ndarray) -> np.ndarray:
+    """Return for each existing branch the largest difference between its tip and the target."""
+    T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
+    if targets.shape[-1] == 3:
+        error = np.abs(T[..., :3, 3] - targets[..., None, :]).max(axis=-1)
+    else:
+        error = np.abs(T - targets[..., None, :, :]).max(axis=(-1, -2))
+    return error[found.valid]
 
 
 _LENGTH = st.one_of(st.just(0.0), st.floats(-1, 1).map(lambda x: round(x, 3)))

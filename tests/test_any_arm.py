@@ -16,6 +16,7 @@ from helpers.inputs import ArmError
 from helpers.inverse import elbow, solutions, solve, spherical_wrist, stanford, ur
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
+from tests.laws import joint_difference, tip_errors
 from tests.node import ask_node, needs_node
 
 HALF = np.pi / 2
@@ -98,25 +99,14 @@ def targets_of(arm, q, name=""):
     return T[..., :3, 3] if name.startswith("position") or name == "planar RR" else T
 
 
-def largest_difference(arm, q, other):
-    """Return the largest difference of a joint, ignoring whole turns."""
-    gap = q - other
-    return np.abs(np.where(arm.turning, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
-
-
 def assert_valid(arm, found, targets, within=1e-9):
     """Assert that each valid branch takes the tip to its target."""
-    T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
-    if targets.shape[-1] == 3:
-        error = np.abs(T[..., :3, 3] - targets[..., None, :]).max(axis=-1)
-    else:
-        error = np.abs(T - targets[..., None, :, :]).max(axis=(-1, -2))
-    assert error[found.valid].max(initial=0.0) < within, arm
+    assert tip_errors(arm, found, targets).max(initial=0.0) < within, arm
 
 
 def has_joint_vector(arm, found, q, within=1e-6):
     """Return for each target whether its solutions contain the joint vector that gave it."""
-    gap = largest_difference(arm, found.q, q[:, None])
+    gap = joint_difference(arm, found.q, q[:, None])
     return np.where(found.valid, gap, np.inf).min(axis=-1) < within
 
 
@@ -141,7 +131,7 @@ def test_solutions_list_no_branch_twice(name):
     for i in range(found.q.shape[-2]):
         for j in range(i):
             both = found.valid[:, i] & found.valid[:, j]
-            gap = largest_difference(arm, found.q[:, i], found.q[:, j])
+            gap = joint_difference(arm, found.q[:, i], found.q[:, j])
             assert (gap[both] > 1e-7).all(), (name, i, j)
 
 
@@ -168,7 +158,7 @@ def test_numeric_search_finds_no_further_solution(arm):
         search = solve(arm, np.broadcast_to(target, (80, *target.shape)), starts, limits=False)
         found = solutions(arm, target)
         for reached in search.q[search.reached]:
-            gap = largest_difference(arm, found.q[found.valid], reached)
+            gap = joint_difference(arm, found.q[found.valid], reached)
             assert gap.min() < 1e-5, (arm, reached)
 
 
@@ -312,7 +302,7 @@ def test_page_solutions_equal_python(name):
             known = solutions(arm, target).by_name
             assert [branch["name"] for branch in branches] == list(known), (name, arm)
             theirs = np.array([branch["q"] for branch in branches])
-            assert largest_difference(arm, np.array(list(known.values())), theirs).max() < 1e-7
+            assert joint_difference(arm, np.array(list(known.values())), theirs).max() < 1e-7
 
 
 def test_seven_joint_arm_is_refused_with_advice_to_lock_one():

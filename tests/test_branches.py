@@ -9,6 +9,7 @@ import pytest
 from helpers import inverse
 from helpers.arm import Arm, revolute
 from helpers.robots import ELBOW, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.laws import joint_difference
 
 ROD = Arm("rod", STANFORD.rows[:3], STANFORD.values)
 WRIST = Arm(
@@ -88,12 +89,6 @@ def solve_poses(form, arm, q, **start):
     return form(arm, asked, **start), (lambda T: T) if arm.dof == 6 else (lambda T: T[:, :3, 3])
 
 
-def measure_difference(arm, one, other):
-    """Return the largest difference of two joint vectors, without whole turns."""
-    off = np.abs(np.exp(1j * one) - np.exp(1j * other))
-    return np.where(arm.turning, off, np.abs(one - other)).max(axis=-1)
-
-
 @pytest.mark.parametrize(("form", "arm"), CASES)
 def test_valid_solutions_reach_and_contain_the_pose(form, arm):
     q = at_boundaries(arm, 2500, np.random.default_rng(1))
@@ -103,7 +98,7 @@ def test_valid_solutions_reach_and_contain_the_pose(form, arm):
     miss = asked(poses(arm, found.q[n, branch])) - asked(poses(arm, q[n]))
     assert np.abs(miss).max() < 1e-9
     nearest = np.full(len(q), np.inf)
-    np.minimum.at(nearest, n, measure_difference(arm, found.q[n, branch], q[n]))
+    np.minimum.at(nearest, n, joint_difference(arm, found.q[n, branch], q[n]))
     # Branches coincide if the tip moves by less than 1e-10 between them, a tenth of the tolerance.
     rows = slice(None) if arm.dof == 6 else slice(3)
     lost = nearest > 1e-6

@@ -6,15 +6,7 @@ from hypothesis import given
 from helpers.arm import Arm, fixed, revolute
 from helpers.conventions import modified_from_standard, standard_from_modified
 from helpers.kinematics import forward_kinematics
-from tests.laws import elementary_motions, joint_vectors, random_arms
-
-
-def slow_modified(rows, q) -> np.ndarray:
-    """Return Craig's product Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(theta_i) Trans_z(d_i)."""
-    T = np.eye(4)
-    for turn, tilt in elementary_motions(Arm("modified", rows), q):
-        T = T @ tilt @ turn
-    return T
+from tests.laws import joint_vectors, random_arms, slow_modified_frames
 
 
 @given(arm=random_arms)
@@ -22,7 +14,7 @@ def test_standard_from_modified_matches_craigs_product(arm):
     q = joint_vectors(arm, ())
     converted = Arm("converted", standard_from_modified(arm.rows))
     np.testing.assert_allclose(
-        forward_kinematics(converted, q), slow_modified(arm.rows, q), atol=1e-13
+        forward_kinematics(converted, q), slow_modified_frames(arm.rows, q)[-1], atol=1e-13
     )
 
 
@@ -30,7 +22,8 @@ def test_standard_from_modified_matches_craigs_product(arm):
 def test_modified_from_standard_keeps_the_poses(arm):
     q = joint_vectors(arm, ())
     modified = modified_from_standard(arm.rows)
-    np.testing.assert_allclose(slow_modified(modified, q), forward_kinematics(arm, q), atol=1e-13)
+    tip = slow_modified_frames(modified, q)[-1]
+    np.testing.assert_allclose(tip, forward_kinematics(arm, q), atol=1e-13)
 
 
 def test_conversion_shifts_a_and_alpha_by_one_row():

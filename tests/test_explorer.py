@@ -25,6 +25,7 @@ from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque, potential_energy, static_torque
+from tests.laws import joint_difference
 from tests.machines import random_pair
 from tests.node import NODE, ask_node, needs_node, needs_packages
 from tools.numbering import list_notebooks
@@ -280,7 +281,7 @@ def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
         assert len(branches) - len(families) == isolated
     target = link_frames(arm, q)[-1]
     here, there = (SOLVERS[arm](arm, target, np.full(arm.dof, value)) for value in (0.2, 0.5))
-    moves = (measure_difference(arm, here.q, there.q) > 1e-3)[here.valid]
+    moves = (joint_difference(arm, here.q, there.q) > 1e-3)[here.valid]
     assert moves.any() == bool(free), "what the closed form says"
 
 
@@ -390,16 +391,10 @@ def test_branches_match_closed_forms(arm):
         known = SOLVERS[arm](arm, link_frames(arm, q)[-1])
         known = np.array(known.q[known.valid])
         found = np.array(ask("ways", arm=arm_data(arm), q=q.tolist()))
-        gaps = measure_difference(arm, known[:, None], found[None])
+        gaps = joint_difference(arm, known[:, None], found[None])
         assert gaps.shape[0] == gaps.shape[1]
         assert gaps.min(axis=0).max() < 1e-7
         assert gaps.min(axis=1).max() < 1e-7
-
-
-def measure_difference(arm, p, q):
-    """Return the largest difference of two joint vectors, without whole turns."""
-    slides = [arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints]
-    return np.where(slides, np.abs(p - q), np.abs(2 * np.sin((p - q) / 2))).max(axis=-1)
 
 
 @needs_packages

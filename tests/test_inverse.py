@@ -12,12 +12,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford, ur
 from helpers.inverse.numeric import rotation_vectors
 from helpers.kinematics import forward_kinematics, jacobian, manipulability, tip
 from helpers.robots import ARMS, ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.laws import joint_difference, tip_errors
 
 OFFSET = ELBOW.with_values(d=0.12)
 # The Puma 560's table with a tilted tool, so that no entry of the last row is 0.
@@ -40,23 +42,6 @@ def random_q(arm, count, seed=0):
     return np.where(slides, 0.3, np.pi) * rng.uniform(-1, 1, (count, arm.dof))
 
 
-def joint_gaps(arm, q, other):
-    """Return the largest difference of a joint, ignoring whole turns."""
-    turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
-    gap = q - other
-    return np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
-
-
-def tip_errors(arm, found, targets):
-    """Return for each existing branch the largest difference between its tip and the target."""
-    T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
-    if targets.shape[-1] == 3:
-        error = np.abs(T[..., :3, 3] - targets[..., None, :]).max(axis=-1)
-    else:
-        error = np.abs(T - targets[..., None, :, :]).max(axis=(-1, -2))
-    return error[found.valid]
-
-
 def solve_and_check(solver, arm, q, off=1e-5):
     """Solve the poses of q, and assert that all branches reach them and that q is one of them.
 
@@ -66,7 +51,7 @@ def solve_and_check(solver, arm, q, off=1e-5):
     targets = T[:, :3, 3] if arm.dof == 3 else T
     found = solver(arm, targets)
     assert tip_errors(arm, found, targets).max() < 1e-10
-    nearest = np.where(found.valid, joint_gaps(arm, found.q, q[:, None]), np.inf).min(axis=1)
+    nearest = np.where(found.valid, joint_difference(arm, found.q, q[:, None]), np.inf).min(axis=1)
     J = jacobian(arm, q)[:, : 3 if arm.dof == 3 else 6]
     weakest = np.linalg.svd(J, compute_uv=False)[:, -1]
     assert ((nearest < off) | (nearest * weakest < 1e-10)).all()
@@ -78,7 +63,7 @@ def assert_branches_differ(arm, found):
     for i in range(found.q.shape[-2]):
         for j in range(i):
             both = found.valid[:, i] & found.valid[:, j]
-            assert (joint_gaps(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all(), (
+            assert (joint_difference(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all(), (
                 arm.name,
                 i,
                 j,
@@ -206,7 +191,9 @@ def test_straight_wrist_leaves_joint_4_free(solver, arm, flipped):
     near = np.array((0, 0, 0, 1.1, 0, 0))
     found = solver(arm, T, start=near)
     same = (
-        joint_gaps(arm, found.q[..., :3] @ np.eye(3, 6), q[:, None] @ np.diag([1, 1, 1, 0, 0, 0]))
+        joint_difference(
+            arm, found.q[..., :3] @ np.eye(3, 6), q[:, None] @ np.diag([1, 1, 1, 0, 0, 0])
+        )
         < 1e-6
     )
     assert (same.sum(axis=1) == 1).all()
@@ -224,7 +211,10 @@ def test_parallel_wrist_axes_leave_joint_6_free(arm, bend):
     T = forward_kinematics(arm, q)
     found = ur(arm, T, start=q)
     assert tip_errors(arm, found, T).max() < 1e-10
-    assert np.where(found.valid, joint_gaps(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-6
+    assert (
+        np.where(found.valid, joint_difference(arm, found.q, q[:, None]), 9).min(axis=1).max()
+        < 1e-6
+    )
     # The pose can be reached, so a branch is found for each start value of the free joint 6.
     for q6 in np.linspace(-3, 3, 7):
         found = ur(arm, T, start=(0, 0, 0, 0, 0, q6))
@@ -386,7 +376,7 @@ def test_nearest_agrees_with_search_over_branches_and_turns(solver, arm, seed, w
     assert np.isfinite(chosen).all() == np.isfinite(least).any()
     if np.isfinite(least).any():
         assert np.abs(chosen - start).max() == pytest.approx(least.min(), abs=1e-9)
-        assert joint_gaps(arm, found.q, chosen)[found.valid].min() < 1e-9
+        assert joint_difference(arm, found.q, chosen)[found.valid].min() < 1e-9
     np.testing.assert_array_equal(found.within_limits, inside.any(axis=-1).all(axis=-1))
 
 
@@ -399,7 +389,7 @@ def test_joint_at_its_limit_is_within_limits(limits):
     for over, inside in ((0.0, True), (5e-10, True), (1e-6, limits[0] == -6)):
         q = np.array((1.0 + out * over, 0.4, 0.5))
         found = elbow(arm, forward_kinematics(arm, q)[:3, 3])
-        at = int(joint_gaps(arm, found.q, q).argmin())
+        at = int(joint_difference(arm, found.q, q).argmin())
         assert found.within_limits[at] == inside
         if over < 1e-6:
             np.testing.assert_allclose(found.nearest(q), q, atol=1e-9)
@@ -574,7 +564,7 @@ def test_restarts_cover_limits_or_default_range():
     assert share.max() <= 1
 
 
-def test_rotation_vectors_agree_with_rodrigues():
+def test_rotation_vectors_agree_with_scipy():
     """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric
     part."""
     rng = np.random.default_rng(8)
@@ -583,18 +573,11 @@ def test_rotation_vectors_agree_with_rodrigues():
     axes /= np.linalg.norm(axes, axis=1)[:, None]
     for angle in (0.0, 1e-9, 0.3, 3.0, np.pi - 1e-7, np.pi):
         start = np.linalg.qr(rng.normal(size=(len(axes), 3, 3)))[0]
-        R = np.array([rotation(axis, angle) for axis in axes])
+        R = Rotation.from_rotvec(angle * axes).as_matrix()
         vector = rotation_vectors(start.transpose(2, 1, 0), (R @ start).transpose(2, 1, 0)).T
         assert np.allclose(np.linalg.norm(vector, axis=1), angle, atol=1e-8)
-        again = [rotation(v / (np.linalg.norm(v) or 1), np.linalg.norm(v)) for v in vector]
+        again = Rotation.from_rotvec(vector).as_matrix()
         np.testing.assert_allclose(again, R, atol=1e-7)
-
-
-def rotation(axis, angle):
-    """Return a rotation matrix by Rodrigues' formula."""
-    x, y, z = axis
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
 
 
 def test_solve_broadcasts_beyond_one_chunk():

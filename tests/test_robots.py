@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from helpers import robots
-from helpers.arm import Arm
+from helpers.arm import Arm, revolute
 from helpers.kinematics import forward_kinematics, link_frames
 from helpers.robots import (
     ARMS,
@@ -24,7 +24,16 @@ from helpers.robots import (
     restore_lengths,
 )
 from tests.corpus.arms import CATALOGUE, LIMITS
+from tests.laws import slow_modified_frames
 
+# a_{i-1}, alpha_{i-1} and d_i of Franka's modified table.
+FRANKAS_ROWS = [
+    revolute(a, alpha, d)
+    for a, alpha, d in [
+        *((0, 0, 0.333), (0, "-pi/2", 0), (0, "pi/2", 0.316), (0.0825, "pi/2", 0)),
+        *((-0.0825, "-pi/2", 0.384), (0, "pi/2", 0), (0.088, "pi/2", 0)),
+    ]
+]
 SIGNS = np.array([1, -1, 1, -1, 1, 1, -1])  # q_maker = SIGNS * q for the Panda
 
 # Masses and centres of Gaz et al. (2019), in the frames of Franka's modified table.
@@ -38,20 +47,6 @@ GAZ_CENTRES = (
 )  # fmt: skip
 
 
-def frankas_frames(q):
-    """Frames 1..7 by Franka's modified table: Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(q_i)
-    Trans_z(d_i)."""
-    a, d = (0, 0, 0, 0.0825, -0.0825, 0, 0.088), (0.333, 0, 0.316, 0, 0.384, 0, 0)
-    T, frames = np.eye(4), []
-    for i, quarter in enumerate((0, -1, 1, 1, -1, 1, 1)):
-        (c, s), (ca, sa) = (np.cos(q[i]), np.sin(q[i])), (1 - abs(quarter), quarter)
-        tilt = np.array([[1, 0, 0, a[i]], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
-        turn = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d[i]], [0, 0, 0, 1]])
-        T = T @ tilt @ turn
-        frames.append(T)
-    return frames
-
-
 def centres(arm, q):
     """Return each body's centre of mass in the base frame."""
     T = link_frames(arm, q)[1:]
@@ -62,7 +57,7 @@ def centres(arm, q):
 def test_panda_masses_match_gaz_2019():
     assert tuple(body.mass for body in PANDA.bodies) == GAZ_MASSES
     for q in np.random.default_rng(1).uniform(*PANDA.limits, size=(20, 7)):
-        frames = frankas_frames(SIGNS * q)
+        frames = slow_modified_frames(FRANKAS_ROWS, SIGNS * q)[1:]
         expected = [T @ [*c, 1] for T, c in zip(frames, GAZ_CENTRES, strict=True)]
         np.testing.assert_allclose(centres(PANDA, q), np.array(expected)[:, :3], atol=1e-14)
 

@@ -1,4 +1,7 @@
-"""Mark the numbers of a part after rounding them to a number of decimals."""
+"""Mark numbers of a part with a number of decimals, and pack files into a zip."""
+
+import io
+import zipfile
 
 import numpy as np
 
@@ -20,3 +23,12 @@ def as_text(numbers, digits):
 def mark_text(own, part, numbers, digits):
     """Mark numbers that are written with this number of decimals."""
     return mark_part(own, part.name, as_text(numbers, digits))
+
+
+def make_zip(files):
+    """Return a zip of files, which are given by their names."""
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+    return packed.getvalue()

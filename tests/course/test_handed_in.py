@@ -1,12 +1,10 @@
 """Test how answers are found in hand-ins, including unusual and hostile files."""
 
-import io
 import json
 import os
 import stat
 import subprocess
 import sys
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +14,7 @@ import sympy as sp
 from course.answers import MARKED_LINE, collect_answers, to_json_value, write_last_cell
 from course.files import HandedFile, read_files
 from course.handed_in import HandIn, compare_sheet_names, find_sheet_name, read_hand_in
+from tests.course.parts import make_zip
 
 PARTS = ("p", "R", "q")
 ANSWERS = {"sheet": "ab", "p": [1, 2, 3], "q": "0.1, 0.2"}
@@ -39,23 +38,15 @@ def make_printed_notebook(answers, source="answer_p = 1"):
     return make_notebook((source, None), (f'print("{MARKED_LINE}" + text)', line))
 
 
-def make_zip(**files):
-    file = io.BytesIO()
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            archive.writestr(name, content)
-    return file.getvalue()
-
-
 def make_nested_zip(depth):
-    packed = make_zip(**{"answers.json": json.dumps(ANSWERS)})
+    packed = make_zip({"answers.json": json.dumps(ANSWERS)})
     for _ in range(depth):
-        packed = make_zip(**{"a.zip": packed})
+        packed = make_zip({"a.zip": packed})
     return packed
 
 
 def make_broken_zip():
-    packed = bytearray(make_zip(**{"answers.json": '{"p": "' + "x" * 500 + '"}'}))
+    packed = bytearray(make_zip({"answers.json": '{"p": "' + "x" * 500 + '"}'}))
     packed[60:90] = b"\0" * 30
     return bytes(packed)
 
@@ -100,7 +91,7 @@ FOUND = {
     "with a hidden ending": {"answers.json.txt": KEY},
     "renamed by Canvas": {"lovelaceada_LATE_123_456_answers-1.json": KEY},
     "in a folder": {"homework/final/answers.json": KEY},
-    "in a zip's folder": {"All.ZIP": make_zip(**{"me/homework 1/answers.json": KEY})},
+    "in a zip's folder": {"All.ZIP": make_zip({"me/homework 1/answers.json": KEY})},
     "with prefixes": {"a.json": json.dumps({f"answer_{k}": x for k, x in ANSWERS.items()})},
     "twice the same": {"answers.json": KEY, "answers (1).json": KEY},
     "with a byte order mark": {"answers.json": KEY.encode("utf-8-sig")},
@@ -134,7 +125,7 @@ TROUBLE = {
     "a blank sheet": ({"a.ipynb": BLANK}, "nothing was answered"),
     "nothing": ({}, "nothing was handed in"),
     "a table": ({"answers.csv": "p,1\r\n"}, "that can be marked; seen: answers.csv"),
-    "a picture in a zip": ({"my.zip": make_zip(**{"scan.pdf": b"%PDF"})}, "seen: my.zip/scan.pdf"),
+    "a picture in a zip": ({"my.zip": make_zip({"scan.pdf": b"%PDF"})}, "seen: my.zip/scan.pdf"),
     "no JSON": ({"answers.json": '{"p": 1,\n "R": }'}, "answers.json (this is no JSON: line 2"),
     "other names": ({"answers.json": '{"x": 1}'}, "seen: answers.json"),
     "an empty file": ({"answers.json": ""}, "seen: answers.json"),
@@ -151,12 +142,12 @@ TROUBLE = {
     "a folder of that name": ({"answers.json": Path.mkdir}, "nothing was handed in"),
     "a deep folder": ({"d": make_deep_folder}, "seen: d/d/d/"),
     "600 files": ({"many": make_many_files}, "a hand-in may have 200 files"),
-    "a zip bomb": ({"bomb.zip": make_zip(**{f"{n}.json": b" " * 20_000_000 for n in range(3)})},
+    "a zip bomb": ({"bomb.zip": make_zip({f"{n}.json": b" " * 20_000_000 for n in range(3)})},
                    "50,000,000 bytes"),
     "zips in zips": ({"a.zip": make_nested_zip(20)}, "lies too deep"),
     "a broken zip": ({"a.zip": make_broken_zip()}, "a.zip/"),
     "no zip": ({"a.zip": "PK"}, "no zip that can be read"),
-    "a zip that climbs": ({"a.zip": make_zip(**{"../../answers.json": '{"x": 1}'})}, "answers.j"),
+    "a zip that climbs": ({"a.zip": make_zip({"../../answers.json": '{"x": 1}'})}, "answers.j"),
     "a name that is no text": ({"\udcff.txt": "x"}, r"seen: \udcff.txt"),
     "no notebook": ({"my.ipynb": "{"}, "seen: my.ipynb"),
     "a notebook of lists": ({"my.ipynb": '{"cells": [[]]}'}, "seen: my.ipynb"),

@@ -1,11 +1,9 @@
 """Test that a hand-in cannot change the marks of another student."""
 
-import io
 import json
 import os
 import subprocess
 import sys
-import zipfile
 from pathlib import Path
 
 import pytest
@@ -18,17 +16,10 @@ from course.roster import Student
 from course.sheets import Exercise
 from helpers.arm import ArmError
 from helpers.robots import ELBOW
+from tests.course.parts import make_zip
 
 NAMES = {f"s{n:02}": f"Student {n}" for n in range(30)}
 SUBMITTERS = "submission_1:\n  ':submitters': [{':sid': s02}]\n"
-
-
-def make_zip(files):
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            archive.writestr(name, content)
-    return packed.getvalue()
 
 
 def answer(student, value):
@@ -54,10 +45,15 @@ TRICKS = {
 
 
 def make_download(path, **files_by_student):
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for student, files in files_by_student.items():
-            for name, content in files.items():
-                archive.writestr(f"{student}/{name}", content)
+    path.write_bytes(
+        make_zip(
+            {
+                f"{student}/{name}": content
+                for student, files in files_by_student.items()
+                for name, content in files.items()
+            }
+        )
+    )
     return path
 
 

@@ -9,7 +9,8 @@ import pytest
 
 from helpers.inverse import solutions
 from helpers.kinematics import forward_kinematics
-from tests.test_any_arm import STRUCTURES, largest_difference, random_arm, random_q
+from tests.laws import joint_difference
+from tests.test_any_arm import STRUCTURES, random_arm, random_q
 
 KNOWN_TO_EAIK = (
     "wrist, axes 2 and 3 parallel",
@@ -62,6 +63,6 @@ def test_branches_of_random_arms_match_eaik(dh, name):
         ours = solutions(arm, targets)
         for k, theirs in enumerate(eaik_branches(dh, arm, targets)):
             known = ours.q[k][ours.valid[k]]
-            gap = largest_difference(arm, known[:, None], theirs[None])
+            gap = joint_difference(arm, known[:, None], theirs[None])
             assert (gap.min(axis=0, initial=np.inf) < 1e-3).all(), (name, arm, k)
             assert (gap.min(axis=1, initial=np.inf) < 1e-3).all(), (name, arm, k)
