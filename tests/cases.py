@@ -56,7 +56,7 @@ def expect_failures(cases: list[dict]) -> list:
 
 
 def typed_fields(case: dict) -> dict:
-    """Return the typed_fields that the student fills in, without the expected result."""
+    """Return the fields that the student fills in, without the expected result."""
     return {key: text for key, text in case.items() if key not in _EXPECTED}
 
 

@@ -257,31 +257,6 @@ def test_right_answer_with_whole_turns_asks_nothing(topic):
     assert (report.grade, report.advice) == ("right" if topic != "branches" else "so far", ())
 
 
-# Answers with values for the first joints only
-
-UR_TARGET = forward_kinematics(UR10E, [0.3, -1.1, 1.4, -0.8, 0.9, 0.2])
-
-
-def judge_branches(mine):
-    return checks.compare_branches(mine, inverse.ur(UR10E, UR_TARGET))
-
-
-def test_list_of_first_joint_values_is_right_so_far():
-    first = [0.3, -1.1, 1.4]
-    for report in (judge_branches(first), checks.compare_pose(first, UR10E, UR_TARGET)):
-        assert (report.grade, report.figures["right"], report.figures["of"]) == ("so far", 3, 6)
-
-
-def test_first_joints_of_all_branches_are_right_so_far():
-    solutions = inverse.ur(UR10E, UR_TARGET)
-    rows = [f"Answer {k}: " + ", ".join(f"{x:.4f}" for x in q[:4])
-            for k, q in enumerate(solutions.q[solutions.times > 0], start=1)]  # fmt: skip
-    assert judge_branches("\n".join(rows)).figures["right"] == 4
-    wrong = rows[-1].replace(rows[-1][-3:], "999")
-    with pytest.raises(ArmError, match="8 rows of 4 numbers"):
-        judge_branches("\n".join([*rows[:-1], wrong]))
-
-
 @needs_node
 def test_page_examples_name_their_mistakes():
     examples = [*judge.EXAMPLES, judge.trace_example()]
