@@ -10,18 +10,23 @@ import { listTorqueSteps, makeLoad, makeTorqueMaker } from "./causes/torques.js"
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR } from "./digits.js";
 import { compareAxes, describeAxes } from "./geometry/axes.js";
 import { chainFrames, makeChain, transpose } from "./geometry/chains.js";
-import { linkFrames, minus, movingRows, norm, rotationBetween } from "./geometry/kinematics.js";
+import {
+  GRAVITY,
+  linkFrames,
+  minus,
+  movingRows,
+  norm,
+  rotationBetween,
+} from "./geometry/kinematics.js";
 import { isAngleColumn, jointColumn, snapRows } from "./geometry/rows.js";
 import { lookup, numbers } from "./reading/numbers.js";
 import { ENTRIES } from "./reading/table_rows.js";
 import { compareTables } from "./topics/table.js";
 
 /** @typedef {import("./geometry/arm.js").Arm} Arm */
-/** @typedef {import("./geometry/arm.js").Row} Row */
 /** @typedef {import("./causes/ranking.js").Cause} Cause */
 /** @typedef {import("./causes/ranking.js").Mistake} Mistake */
 
-const GRAVITY = [0, 0, -9.81]; // m/s²
 const LENGTH_STEP = 0.05; // m: the lengths of the course's random tables are multiples of it
 const LONGEST = 0.7; // m: the lengths of such a table add up to less on parallel axes
 const SAME_LENGTH = 1e-3; // m: a sheet asks for three decimals

@@ -12,7 +12,6 @@ import { cacheResults, makeCause } from "./ranking.js";
 /** @typedef {import("../geometry/chains.js").Chain} Chain */
 /** @typedef {import("../geometry/kinematics.js").Frame} Frame */
 /** @typedef {import("./ranking.js").Cause} Cause */
-/** @typedef {import("./ranking.js").Mistake} Mistake */
 /** @typedef {(c: Chain, T: Frame[]) => number[]} Recipe makes a Jacobian of a chain */
 /** @typedef {(J: number[], T: Frame[]) => number[]} Writing changes a finished Jacobian */
 /**

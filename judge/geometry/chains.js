@@ -99,27 +99,20 @@ export const swapRowsForColumns = (T) =>
 
 const addScaled = (u, k, v) => [u[0] + k * v[0], u[1] + k * v[1], u[2] + k * v[2]];
 
-/**
- * Rotate a Jacobian's rows from the base's axes into those of a frame (R^T J).
- * @param {number[]} J
- * @param {Frame} frame
- * @param {number[]} [halves] to rotate: 0 linear, 1 angular
- */
-export const rotateIntoFrame = (J, frame, halves = [0, 1]) =>
-  mapHalves(J, (v) => vectorInFrame(frame, v), halves);
+/** Rotate a Jacobian's rows from the base's axes into those of a frame (R^T J). */
+export const rotateIntoFrame = (J, frame) => mapVectors(J, (v) => vectorInFrame(frame, v));
 /** Rotate a Jacobian's rows from a frame's axes into the base's (R J). */
-export const rotateFromFrame = (J, frame) => mapHalves(J, (v) => vectorInBase(frame, v), [0, 1]);
+export const rotateFromFrame = (J, frame) => mapVectors(J, (v) => vectorInBase(frame, v));
 
-// Convert the vectors in the linear half (0) or the angular half (1) of a Jacobian's columns.
-function mapHalves(J, convert, halves) {
+// Convert the linear and the angular vectors of a Jacobian's columns.
+function mapVectors(J, convert) {
   const dof = J.length / 6;
   const converted = J.slice();
-  for (const half of halves) {
-    for (let i = 3 * half * dof; i < (3 * half + 1) * dof; i++) {
+  for (const first of [0, 3 * dof])
+    for (let i = first; i < first + dof; i++) {
       const v = convert([J[i], J[i + dof], J[i + 2 * dof]]);
       for (let k = 0; k < 3; k++) converted[i + k * dof] = v[k];
     }
-  }
   return converted;
 }
 

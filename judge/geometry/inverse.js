@@ -28,7 +28,6 @@ const ELBOWS = ["elbow up", "elbow down"];
 const RODS = ["rod out", "rod through"];
 
 /** @typedef {import("./arm.js").Arm} Arm */
-/** @typedef {import("./kinematics.js").Frame} Frame */
 /**
  * A solution of inverse kinematics.
  * @typedef {object} Branch

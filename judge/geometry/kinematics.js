@@ -1,7 +1,6 @@
 // Computes the link frames, the Jacobian and the gravity torques of an arm at one joint vector, by
 // the recursion of helpers/kinematics.py and helpers/statics.py. A test compares the two.
 
-/** @typedef {import("./arm.js").Arm} Arm */
 /** @typedef {import("./arm.js").Rows} Rows */
 /**
  * Three coordinates, in the base frame if nothing else is said.
@@ -12,7 +11,7 @@
  * @typedef {{ x: Vector, y: Vector, z: Vector, o: Vector }} Frame
  */
 
-export const GRAVITY = 9.81; // m/s²
+export const GRAVITY = [0, 0, -9.81]; // m/s²
 
 export const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 export const scaled = (k, v) => [k * v[0], k * v[1], k * v[2]];
@@ -145,23 +144,23 @@ export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
  * Return the torque (N m) or force (N) dP/dq with which each joint holds the arm up.
  * @param {Rows} arm rows with `body`, which has the mass and the centre of mass
  * @param {Frame[]} frames link frames
- * @param {number} [gravity] m/s²
  */
-export function computeHoldingTorques(arm, frames, gravity = GRAVITY) {
+export function computeHoldingTorques(arm, frames) {
   const bodies = listBodies(arm, frames);
   return movingRows(arm).map((i) => {
     const { z, o } = frames[i];
-    const heightRate = (c) => (arm.rows[i].kind === "revolute" ? cross(z, minus(c, o))[2] : z[2]);
+    const velocityOf = (c) => (arm.rows[i].kind === "revolute" ? cross(z, minus(c, o)) : z);
     return bodies.reduce(
-      (sum, { mass, centre, row }) => sum + (row < i ? 0 : mass * gravity * heightRate(centre)),
+      (sum, { mass, centre, row }) =>
+        row < i ? sum : sum - mass * dot(GRAVITY, velocityOf(centre)),
       0,
     );
   });
 }
 
 /** Return the links' potential energy (J), 0 at the base's height. @param {Rows} arm */
-export const potentialEnergy = (arm, frames, gravity = GRAVITY) =>
-  listBodies(arm, frames).reduce((sum, { mass, centre }) => sum + mass * gravity * centre[2], 0);
+export const potentialEnergy = (arm, frames) =>
+  listBodies(arm, frames).reduce((sum, { mass, centre }) => sum - mass * dot(GRAVITY, centre), 0);
 
 // The bodies of the links, with their centres of mass in the base frame.
 const listBodies = (arm, frames) =>

@@ -15,10 +15,6 @@ import { ArmError, joinList, formatMessage } from "../sentences.js";
 import { listAngleBeginnings } from "./beginning.js";
 import { makeJudge } from "./frame.js";
 
-/** @typedef {import("../geometry/arm.js").Arm} Arm */
-
-/** @typedef {import("../reading/joint_vectors.js").JointVector} JointVector */
-/** @typedef {import("../causes/ranking.js").Cause} Cause */
 /** @typedef {import("../verdict.js").Finding} Finding */
 /** @typedef {import("../matching.js").Solutions} Solutions */
 

@@ -32,8 +32,6 @@ import {
 } from "./jacobian_rows.js";
 import { formatMessage, formatNumber, joinList } from "../sentences.js";
 
-/** @typedef {import("../geometry/arm.js").Arm} Arm */
-
 /**
  * Judge a Jacobian of an arm's tip. Formulas in the joints are compared at five configurations,
  * numbers at q, which is a text or a list; an empty text if there is none.

@@ -45,7 +45,6 @@ const TARGETS = [
 ];
 const MOST_LISTED = 3; // wrong entries of a target: a wrong q changes more entries
 
-/** @typedef {import("../reading/joint_vectors.js").JointVector} JointVector */
 /**
  * A target as the rows of a pose, or as a single row for a point. `formulas` is true if an entry
  * was typed as a formula.

@@ -5,7 +5,7 @@ import { listTorqueSteps, makeLoad, makeTorqueMaker } from "../causes/torques.js
 import { agrees, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
 import { selectColumn, transpose } from "../geometry/chains.js";
-import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
+import { GRAVITY, movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { splitIntoRows, subtractEach } from "../geometry/linear.js";
 import {
   eachJoint,
@@ -25,7 +25,6 @@ import { makeJudge } from "./frame.js";
 import { arrangeByRows } from "./layout.js";
 import { ArmError, joinList, formatMessage, formatNumber } from "../sentences.js";
 
-const GRAVITY = [0, 0, -9.81]; // m/s²
 // Names of variables that hold the answer; "effort" is the name in ROS.
 const ANSWER_NAMES = /^(?:tau|τ|t$|torque|effort|ans$)/i;
 const SAMPLE_SIZE = 5; // configurations of a trajectory at which mistakes are tried first
