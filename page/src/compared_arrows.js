@@ -1,7 +1,7 @@
 // Draws the tip's velocity by a column of the right Jacobian and of a typed one.
 
 import { Group } from "three";
-import { norm, scaled } from "../../judge/geometry/kinematics.js";
+import { norm, plus, scaled } from "../../judge/geometry/kinematics.js";
 import { compareColumn } from "./compared_column.js";
 import { Arrow } from "./shapes.js";
 
@@ -16,6 +16,7 @@ export class ComparedArrows extends Group {
     this.add(new Arrow(rightMaterial), new Arrow(typedMaterial));
   }
 
+  // Place the arrows and return their ends, or none if nothing is compared.
   place(tip, state, columns, size) {
     const compared = state.view === "jacobian" ? compareColumn(state, columns) : null;
     const vectors = compared ? [compared.right, compared.typed] : [NONE, NONE];
@@ -23,5 +24,6 @@ export class ComparedArrows extends Group {
     this.children.forEach((/** @type {any} */ arrow, i) =>
       arrow.placeAlong(tip, scaled(scale, vectors[i]), THICKNESS * size),
     );
+    return compared ? vectors.map((vector) => plus(tip, scaled(scale, vector))) : [];
   }
 }

@@ -122,6 +122,7 @@ export class ArmPicture {
     const wasTipInView = this.frames && this.figure.isInView(this.frames.at(-1).o);
     if (isNewArm || this.dark !== dark) this.buildWorld(state.arm, dark);
     const { frames } = derived;
+    const tip = frames.at(-1).o;
     this.frames = frames;
     this.body.placeAtFrames(frames);
     this.tintJoints(state);
@@ -129,18 +130,17 @@ export class ArmPicture {
     this.ellipsoid.visible = state.view === "jacobian";
     if (this.ellipsoid.visible) {
       const scale = (0.15 * this.size) / Math.max(derived.linearAxes.values[0], 1e-6);
-      this.ellipsoid.placeAt(frames.at(-1).o, derived.linearAxes, scale, 0.003 * this.size);
+      this.ellipsoid.placeAt(tip, derived.linearAxes, scale, 0.003 * this.size);
     }
-    this.drawForce(frames.at(-1).o, state);
-    this.comparedArrows.place(frames.at(-1).o, state, derived.columns, this.size);
+    this.drawComparison(tip, state, derived.columns);
+    this.drawForce(tip, state);
     this.drawPath(state);
     this.drawFrames(frames, state.frames);
     this.drawGhosts(state, derived);
     this.drawReference(state);
-    this.drawBarrier(frames.at(-1).o, state.tipHold);
-    this.drawFading(frames.at(-1).o, state.tipHold?.fading ?? []);
+    this.drawBarrier(tip, state.tipHold);
+    this.drawFading(tip, state.tipHold?.fading ?? []);
     this.drawMark(state.mark);
-    const tip = frames.at(-1).o;
     const hasOtherJoints =
       isNewArm && movingRows(previousArm ?? state.arm).length !== movingRows(state.arm).length;
     if (isFirst || hasOtherJoints || (isNewArm && !wasTipInView)) this.fitView();
@@ -182,6 +182,13 @@ export class ArmPicture {
       }
     });
     this.labels.setLabels([...this.pathLabels, ...[...labels.values()].reverse()]);
+  }
+
+  drawComparison(tip, state, columns) {
+    this.comparedEnds = this.comparedArrows.place(tip, state, columns, this.size);
+    const isShown = this.comparedEnds.length > 0;
+    if (isShown && !this.lastDrawn.compared) this.fitView();
+    this.lastDrawn.compared = isShown;
   }
 
   drawForce(tip, { view, wrench }) {
@@ -316,7 +323,7 @@ export class ArmPicture {
     const view = getPlaneView(this.arm);
     const above = view ? [] : [[0, 0, 0.3 * this.size]];
     this.figure.fitView(
-      [...ends, ...ghosts, ...markers, [0, 0, 0], ...above],
+      [...ends, ...ghosts, ...markers, ...this.comparedEnds, [0, 0, 0], ...above],
       view ?? INITIAL_VIEW,
     );
   }

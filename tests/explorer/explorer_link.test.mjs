@@ -104,7 +104,7 @@ test("a run with a known mistake is linked beside the right run, from the same s
     const fields = { radius: "0.05", period: "5", steps: "100", arm: "locked", q: free(q) };
     return ask(run.path.map(free).join("\n"), { ask: "trace", ...fields, ...more });
   };
-  for (const mistake of ["next", "angular", "o_i"]) {
+  for (const mistake of ["next", "angular", "o_i", "sign"]) {
     const { patch, message } = read(makeMistakeLink(...askRun(mistake)));
     assert.equal(message, "");
     assert.deepEqual([patch.view, patch.q], ["homework", q]);

@@ -32,6 +32,7 @@ const RUN_MISTAKES = {
   "J.z_i angular": "angular",
   "J.origin late": "o_i",
   "trace.next velocity": "next",
+  "trace.other side": "sign",
 };
 const WALL_NORMALS = { zy: "x", xz: "y" }; // of the explorer's circles, which have one sense each
 const SEEN = 1e-3; // difference that can be seen: a share of the reach, or an entry of a Jacobian
