@@ -97,6 +97,13 @@ def is_term(node: nodes.Node) -> bool:
     )
 
 
+def is_entry_table(node: nodes.Node) -> bool:
+    """Return whether a node is a table whose rows are entries."""
+    return isinstance(node, nodes.table) and (
+        SYMPTOMS in node["ids"] or SYMBOLS_SECTION in node.parent["ids"]
+    )
+
+
 def is_solution(node: nodes.Node) -> bool:
     return isinstance(node, nodes.admonition) and "solution" in node["classes"]
 
@@ -116,6 +123,7 @@ def iterate_text(node: nodes.Node) -> Iterator[str]:
         isinstance(node, SKIPPED)
         or is_entry_box(node)
         or is_term(node)
+        or is_entry_table(node)
         or is_solution(node)
         or "cell_output" in node.get("classes", ())
     ):
@@ -170,15 +178,17 @@ def iterate_terms(doctree: nodes.document) -> Iterator[Entry]:
 
 def iterate_rows(doctree: nodes.document) -> Iterator[Entry]:
     """Yield an entry for each row of the tables of symptoms and of symbols."""
-    for table in doctree.findall(nodes.table):
-        anchor = next(iter(table.parent["ids"]), "")
-        is_symptoms = SYMPTOMS in table["ids"]
-        if not is_symptoms and anchor != SYMBOLS_SECTION:
-            continue
+    for table in doctree.findall(is_entry_table):
+        anchor = table.parent["ids"][0]
         for body in table.findall(nodes.tbody):
             for first, *rest in (row.children for row in body.children):
                 entry = make_entry(first, anchor, rest)
-                yield {**entry, **({"symptom": "yes"} if is_symptoms else {"also": entry["title"]})}
+                yield {
+                    **entry,
+                    **(
+                        {"symptom": "yes"} if SYMPTOMS in table["ids"] else {"also": entry["title"]}
+                    ),
+                }
 
 
 def iterate_functions(doctree: nodes.document) -> Iterator[Entry]:
