@@ -148,7 +148,7 @@ def sort_by_student(
     """
     index = StudentIndex(names)
     hand_ins, messages = group_members(members, index)
-    owners, doubts = find_owners(hand_ins, index, placed or {})
+    owners, doubts = assign_students(hand_ins, index, placed or {})
     files, late = defaultdict[str, list[HandedFile]](list), set[str]()
     for name, group in hand_ins.items():
         handed = read_members(group)
@@ -201,7 +201,7 @@ def _read_outer_name(
     return HandInName(label, (label,))
 
 
-def find_owners(
+def assign_students(
     hand_ins: Iterable[HandInName], index: StudentIndex, placed: Mapping[str, str]
 ) -> tuple[dict[HandInName, str], dict[HandInName, str]]:
     """Return the student of each hand-in, or the reason why it cannot be assigned."""
@@ -231,7 +231,7 @@ def _describe_unplaced(key: str, reason: str, files: Sequence[HandedFile]) -> st
     """Describe a hand-in without a student, and what the instructor can do."""
     names = [str(file) for file in files]
     more = f" and {len(names) - _MAX_NAMES} more" if len(names) > _MAX_NAMES else ""
-    sheets = sorted({owner for file in files if (owner := _find_sheet_owner(file))})
+    sheets = sorted({owner for file in files if (owner := _find_sheet_student(file))})
     claim = f"; its sheet names {' and '.join(sheets)}" if sheets else ""
     return (
         f"not placed: {key}: {reason}{claim}. Its files: {', '.join(names[:_MAX_NAMES])}{more}. If"
@@ -243,11 +243,11 @@ def _describe_doubt(file: HandedFile, student: str) -> str:
     """Return a message about an assigned file that the instructor should check, or ""."""
     if file.trouble:
         return f"not read: {student}: {file}"
-    other = compare_sheet_names(_find_sheet_owner(file) or None, student)
+    other = compare_sheet_names(_find_sheet_student(file) or None, student)
     return f"placed with {student}, but look at it: {file}: {other}" if other else ""
 
 
-def _find_sheet_owner(file: HandedFile) -> str:
+def _find_sheet_student(file: HandedFile) -> str:
     """Return the id of the student whose sheet a file answers, or ""."""
     return find_sheet_name(file).rpartition("/")[2].partition("#")[0]
 

@@ -10,7 +10,7 @@ import zipfile
 from pathlib import Path
 
 from course.answers import NOTEBOOK_FILE
-from course.collect import find_owners, group_members, read_placed
+from course.collect import assign_students, group_members, read_placed
 from course.files import open_download
 from course.roster import StudentIndex
 from course.store import Course
@@ -38,7 +38,7 @@ def pack_for_platform(
     index = StudentIndex(course.names)
     with open_download(download) as members:
         hand_ins, _ = group_members(members, index)
-    owners, _ = find_owners(hand_ins, index, read_placed(folder, course.names))
+    owners, _ = assign_students(hand_ins, index, read_placed(folder, course.names))
     prefixes = {student: name.prefix for name, student in owners.items() if name.prefix}
     if not prefixes:
         raise ArmError(f"{download} has no names of Canvas or Moodle; expected their download")

@@ -44,12 +44,12 @@ def norm(u: Array) -> Array:
     return np.sqrt(dot(u, u))
 
 
-def across_axis(direction: Array, x: Array) -> Array:
+def perpendicular_part(direction: Array, x: Array) -> Array:
     """Return the component of x perpendicular to a unit direction."""
     return x - dot(direction, x) * direction
 
 
-def unit_across(direction: Array) -> Array:
+def unit_perpendicular(direction: Array) -> Array:
     """Return a unit vector perpendicular to a constant direction (3, 1, 1)."""
     least = np.eye(3)[np.abs(direction[:, 0, 0]).argmin()][:, None, None]
     e = cross(direction, least)

@@ -23,16 +23,16 @@ from numpy.typing import NDArray
 from helpers.inverse.axes import (
     Array,
     JointAxis,
-    across_axis,
     cross,
     dot,
     invert_transform,
     move_direction,
     move_point,
+    perpendicular_part,
     rotate,
     transform_direction,
     transform_point,
-    unit_across,
+    unit_perpendicular,
 )
 from helpers.inverse.curves import Flatness, compute_invariants, find_flatness, joint_curve
 from helpers.inverse.equations import (
@@ -371,10 +371,10 @@ def _find_triangle_candidates(
 ) -> Candidates:
     """Return the motions of three parallel joints that move points as `planar` does."""
     first, second, third = three
-    flat = lambda x: across_axis(first.direction, x)  # noqa: E731
+    flat = lambda x: perpendicular_part(first.direction, x)  # noqa: E731
     end = flat(planar(third.point) - first.point)
     curve = joint_curve(second, third.point)
-    r, mark = flat(curve.centre - first.point), unit_across(first.direction)
+    r, mark = flat(curve.centre - first.point), unit_perpendicular(first.direction)
     needed = (dot(end, end) - dot(r, r) - dot(curve.X, curve.X)) / size
     root = solve_cosine_sine(
         2 * dot(r, curve.X) / size, 2 * dot(r, curve.Y) / size, needed, size, start[1]

@@ -9,7 +9,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from helpers.inverse.axes import Array, JointAxis, across_axis, cross, dot, unit_across
+from helpers.inverse.axes import (
+    Array,
+    JointAxis,
+    cross,
+    dot,
+    perpendicular_part,
+    unit_perpendicular,
+)
 
 
 class Curve(NamedTuple):
@@ -28,7 +35,7 @@ def joint_curve(axis: JointAxis, x: Array) -> Curve:
     """Return the circle or line on which a joint moves the points x."""
     if not axis.turns:
         return Curve(x, axis.direction + 0 * x, 0 * x, False)
-    radius = across_axis(axis.direction, x - axis.point)
+    radius = perpendicular_part(axis.direction, x - axis.point)
     return Curve(x - radius, radius, cross(axis.direction, radius), True)
 
 
@@ -49,7 +56,7 @@ def compute_invariants(second: JointAxis, curve: Curve, size: float) -> tuple[Ar
         square = dot(r, r) + (dot(X, X) if turns else 0.0)
         rows += [[dot(r, X) / size, linear / size, square / (2 * size)]]
     else:
-        e = unit_across(second.direction)
+        e = unit_perpendicular(second.direction)
         rows = [[dot(f, v) for v in (X, Y, centre)] for f in (e, cross(second.direction, e))]
     A = np.stack([np.stack(np.broadcast_arrays(*row[:2])) for row in rows])
     return A, np.stack([np.broadcast_to(row[2], A.shape[2:]) for row in rows])

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.inverse.axes import Array, across_axis, cross, dot, norm
+from helpers.inverse.axes import Array, cross, dot, norm, perpendicular_part
 
 # A target this close to the boundary of a joint's range of points (relative to the arm's size, or
 # in rad) counts as on it: a thousand times the round-off of a pose.
@@ -100,7 +100,7 @@ def angle_between(
         chosen: the angle where x or y lies along the direction, (batch,).
     """
     # Project first, because the product of long vectors would lose digits.
-    x, y = across_axis(direction, x), across_axis(direction, y)
+    x, y = perpendicular_part(direction, x), perpendicular_part(direction, y)
     free = np.minimum(dot(x, x), dot(y, y)) < (ON_AXIS * scale) ** 2
     return np.where(free, chosen, np.arctan2(dot(direction, cross(x, y)), dot(x, y))), free
 

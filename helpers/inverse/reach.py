@@ -5,12 +5,12 @@ import numpy as np
 from helpers.inverse.axes import (
     Array,
     JointAxis,
-    across_axis,
     cross,
     dot,
     invert_transform,
     move_point,
     norm,
+    perpendicular_part,
     rotate,
     transform_point,
 )
@@ -100,8 +100,10 @@ def _distance_to_ring(
     the target asks for an orientation that the arm does not have.
     """
     z = first.direction
-    near, far = (norm(across_axis(z, v)) for v in (second.point - first.point, w - second.point))
-    away = norm(across_axis(z, p - first.point))
+    near, far = (
+        norm(perpendicular_part(z, v)) for v in (second.point - first.point, w - second.point)
+    )
+    away = norm(perpendicular_part(z, p - first.point))
     gap = np.maximum(0, np.maximum(away - (near + far), np.abs(near - far) - away))
     height = 0.0 if is_lifted else dot(z, p - w)
     distance = np.hypot(gap, height)[0]
