@@ -60,7 +60,7 @@ SEARCHES = {
     "target out of reach": r"05_.*: The elbow arm.s reach|glossary: (reach|workspace)",
     # other topics
     "UR10 lengths": r"errata: 9 |robot_data: |01_.*: (The maker|Slip 9)",
-    "mm or m": r"errata: 26 ",
+    "mm or m": r"intro: Before you start|check_your_homework: ",
     "my own robot": r"(own_arm|check_your_homework): An arm of your own",
     "URDF": r"api: .*urdf|own_arm: A robot description",
     "grade a class": r"instructors: ",

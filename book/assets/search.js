@@ -66,8 +66,9 @@ function splitName(word) {
 const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.03, list: 0.03 };
 const PAGE_WEIGHTS = { where: 0.3, intro: 0.4, glossary: 0.2 };
 const EXERCISE_WEIGHT = 0.4; // an exercise applies what a section explains
+const INTRODUCTION_WEIGHT = 0.6; // a page's introduction names what its sections explain
 const SYMPTOM_WEIGHT = 3; // of the table of symptoms, for a complaint
-const COVERAGE_POWER = 3; // an entry with all words comes before one with some
+const COVERAGE_POWER = 3; // an entry with all words comes before one with some; a rare word counts more
 const SCORE_POWER = 0.7; // how often a word stands in a text says less than where it stands
 const NAME_BOOST = 20; // for an entry whose name is the query
 const SYNONYM_WEIGHT = 1 / 3;
@@ -122,18 +123,21 @@ function findEntries(typed) {
   const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 2, of: 4, about: 2 } });
   const asked = joinStems(words);
   const isComplaint = typed.toLowerCase().split(/[^\p{L}’']+/u).some((word) => COMPLAINTS.test(word));
-  const getWeight = ({ title, page, kind, symptom }) => {
+  const getWeight = ({ title, of, page, kind, symptom }) => {
     if (symptom && isComplaint) return SYMPTOM_WEIGHT;
-    return KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1);
+    return KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1) * (title === of ? INTRODUCTION_WEIGHT : 1);
   };
+  const isCovered = (word, terms) => [word, ...synonyms.get(word)].some((term) => terms.includes(term));
+  const rarities = new Map(words.map((word) => [word, Math.log(1 + ENTRIES.length / (1 + hits.filter(({ queryTerms }) => isCovered(word, queryTerms)).length))]));
+  const sumRarities = (some) => some.reduce((sum, word) => sum + rarities.get(word), 0);
   const rate = ({ id, score, queryTerms, terms }) => {
     const entry = ENTRIES[id], { title, of, page, kind } = entry;
     if (kind === "list" && words.some((word) => word.includes("_"))) return score; // a function by its name
     const names = [title, ...(entry.also?.split(", ") ?? [])];
     if (page === GLOSSARY && !isChapterName(asked) && names.some((name) => joinStems(stemsOf(name)) === asked)) return DEFINITION_BOOST * score;
-    const covered = words.filter((word) => [word, ...synonyms.get(word)].some((term) => queryTerms.includes(term)));
+    const covered = sumRarities(words.filter((word) => isCovered(word, queryTerms))) / sumRarities(words);
     const likeness = Math.max(...[...names, `${of} ${title}`].map((name) => compareName(name, words.length, terms)));
-    return score ** SCORE_POWER * (covered.length / words.length) ** COVERAGE_POWER * (1 + NAME_BOOST * likeness ** 2) * getWeight(entry);
+    return score ** SCORE_POWER * covered ** COVERAGE_POWER * (1 + NAME_BOOST * likeness ** 2) * getWeight(entry);
   };
   return hits
     .map((hit) => ({ ...ENTRIES[hit.id], terms: hit.terms, score: rate(hit) }))
