@@ -821,6 +821,22 @@ def test_shown_mistake_needs_no_webgl_and_no_motion(browser):
 SHORT_TABLE = "a (mm) alpha (deg) d (mm) theta\n0 90 500 q1\n400 0 0 q2\n200 0 0 q3"
 
 
+@wide
+def test_printed_form_has_question_answer_verdict_and_marked_numbers(page):
+    page.get_by_label("Question", exact=True).select_option("table")
+    page.get_by_label("Arm", exact=True).select_option("ELBOW")
+    page.get_by_label("Your answer", exact=True).fill(SHORT_TABLE)
+    verdict(page, "a in row 3 is 100 mm too short")
+    page.emulate_media(media="print")
+    for part in ("Question", "Arm", "Your answer"):
+        expect(page.get_by_label(part, exact=True)).to_be_visible()
+    expect(page.locator(".verdict")).to_be_visible()
+    for number in page.get_by_label("The text with its numbers marked").get_by_role("button").all():
+        expect(number).to_be_visible()
+    expect(page.get_by_role("button", name="Clear")).to_have_count(0)
+    page.emulate_media(media="screen")
+
+
 @both
 def test_wrong_table_is_shown_beside_the_right_one(page):
     """A link opens the explorer, where a slider goes from the right table to the typed one."""
