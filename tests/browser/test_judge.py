@@ -831,8 +831,8 @@ def test_printed_form_has_question_answer_verdict_and_marked_numbers(page):
     for part in ("Question", "Arm", "Your answer"):
         expect(page.get_by_label(part, exact=True)).to_be_visible()
     expect(page.locator(".verdict")).to_be_visible()
-    for number in page.get_by_label("The text with its numbers marked").get_by_role("button").all():
-        expect(number).to_be_visible()
+    numbers = page.get_by_label("The text with its numbers marked").locator("button")
+    assert [number.is_visible() for number in numbers.all()] == [True] * 12
     expect(page.get_by_role("button", name="Clear")).to_have_count(0)
     page.emulate_media(media="screen")
 
