@@ -52,12 +52,13 @@ export const replaceSubscripts = (text) =>
 /** Maps a header to the entry below it if the headers of alpha and theta are exchanged. */
 export const EXCHANGED = { alpha: "theta", theta: "alpha" };
 
+const isOffset = (header) => header.toLowerCase().includes("offset");
+
 // Name the entry below each header. "offset" names d, but beside a column "d" it names theta.
-export function nameColumns(headers) {
+export function nameColumns(headers, offset = "theta") {
   const names = headers.map(findEntry);
   const namesTwoD = names.filter((name) => name === "d").length > 1;
-  const isOffset = (header) => header.toLowerCase().includes("offset");
-  return names.map((name, k) => (namesTwoD && isOffset(headers[k]) ? "theta" : name));
+  return names.map((name, k) => (namesTwoD && isOffset(headers[k]) ? offset : name));
 }
 
 // The orders of textbooks and programs, the commonest first. Any other order is tried after these.
@@ -135,10 +136,7 @@ function orderByOption(cells, columns) {
 // joint offsets, undefined for anything else. If two headers name the same entry, the first counts.
 // Return null unless the headers name all four entries.
 export function nameTableColumns(headers) {
-  const isOffset = (header) => header.toLowerCase().includes("offset");
-  const all = headers.map(findEntry);
-  const twice = all.filter((word) => word === "d").length > 1;
-  const words = all.map((word, i) => (twice && isOffset(headers[i]) ? "" : word));
+  const words = nameColumns(headers, "");
   const entryColumns = ENTRIES.map((entry) => words.indexOf(entry));
   if (entryColumns.includes(-1)) return null;
   const offsetColumn = headers.findIndex(
