@@ -238,9 +238,11 @@ function claimOtherRows(tokens, block, beside) {
   claimWords(tokens, block, beside);
   const isLeading = ({ line, cells }) => cells[0].from < starts.get(line);
   const perRow = lines.all.filter(isLeading).length % sources.length === 0;
+  const names = new Set(sources.map(nameWithoutNumber));
   for (const row of lines.all) {
+    const isTorn = row.cells.length > 1 && row.words.length && names.has(nameWithoutNumber(row));
     const owner = isNear(row.line)
-      ? chooseOwnerInside(row, perRow && isLeading(row))
+      ? chooseOwnerInside(row, perRow && isLeading(row), isTorn)
       : chooseOwnerOutside(row, block, beside);
     for (const cell of row.cells) tokens.claim(cell, owner, { reason: OTHER_LIST });
   }
@@ -275,12 +277,15 @@ function findBrokenRows({ rows, lines }, tokens) {
   return (line) => counts.get(line) === width;
 }
 
+const nameWithoutNumber = ({ words }) =>
+  words.map(({ text }) => text.replace(/\d+/g, "#")).join(" ");
 const hasWord = ({ words }) => words.some(({ text }) => /\p{L}{2}/u.test(text));
 const hasDecimalCell = ({ cells }) => cells.some(({ text }) => hasDecimals(text));
 
 // Return the owner of further numbers on the block's lines. Numbers with a name are context. A time
 // or an index at the start of each row is a label. All other numbers with decimals are unread.
-function chooseOwnerInside(row, mayBeLabel) {
+function chooseOwnerInside(row, mayBeLabel, isTorn) {
+  if (isTorn) return "unread"; // it is named as the rows are: "step 4" beside "step 3"
   if (row.name || hasWord(row)) return "context";
   if (mayBeLabel && row.cells.length === 1) return "label";
   return hasDecimalCell(row) ? "unread" : "context";
