@@ -59,7 +59,7 @@ def test_right_text_is_not_shown_again():
     assert "<pre" not in verdict._repr_markdown_()
 
 
-def test_right_text_with_number_set_aside_is_shown():
+def test_right_verdict_marks_a_number_outside_the_answer():
     verdict = compare_torques(f"run 3 of my script\n{print_torques(TORQUES)}", PANDA, Q)
     assert verdict.agrees
     assert list_pieces(verdict.marked_text, "context") == ["3"]

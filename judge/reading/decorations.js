@@ -13,8 +13,8 @@ const EMPHASIS = `\\*{1,3}|_{1,2}|"|'`;
 
 const SMALL = 0.001; // rad or N m: two different solutions are further apart
 
-// Remove the uncertainty u of x ± u, if it is small or changes only the last decimal places of x. A
-// large u stays, since 0.3 ± 0.1 may stand for the two numbers 0.4 and 0.2.
+// Remove the uncertainty u of x ± u, if it is small or changes only the last decimal places of x.
+// If u is large, as in 0.3 ± 0.1, the text may mean the two numbers 0.4 and 0.2: nothing changes.
 function withoutUncertainty(all, decimals = "", unit = "", bare, bracketed) {
   const most = Math.max(SMALL, decimals.length > 1 ? 20 * 10 ** -decimals.length : 0);
   return Number((bare ?? bracketed).replace(",", ".")) <= most ? unit : all;

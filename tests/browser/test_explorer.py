@@ -516,7 +516,7 @@ def test_chapter_2_joints_3_and_5_restore_rank(visit):
     assert verdict.inner_text().startswith("Rank 6")
 
 
-def test_chapter_3_only_one_circle_winds(visit):
+def test_chapter_3_joints_turn_once_round_on_the_homework_circle_only(visit):
     page = visit(name="03_circle_tracing").page
     verdict = page.locator(".trace .verdict")
     assert verdict.inner_text().startswith("Joint 5 and joint 7 would have to pass their limits")
