@@ -149,6 +149,7 @@ def test_report_of_wrong_answer_is_copied(page):
         ),
     ):
         ask(page, answer)
+        verdict(page, words[-1].removeprefix("Said:\n"))
         button.click()
         report = page.get_by_label("The report")
         report.wait_for()
