@@ -198,7 +198,8 @@ def test_link_and_reload_reach_a_far_section(browser):
 def test_end_key_scrolls_to_the_end(browser):
     reader = Reader(browser, "light", "phone", "file:")
     page = reader.page
-    page.goto((HTML / "05_inverse_kinematics.html").as_uri())
+    page.goto((HTML / "05_inverse_kinematics.html").as_uri() + "#exercises")
+    find_box(page.locator("#exercises"))
     page.keyboard.press("End")
     page.wait_for_function("scrollY + innerHeight > document.body.scrollHeight - 2")
     reader.context.close()
