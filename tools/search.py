@@ -62,6 +62,8 @@ def write_formula(tex: str) -> str:
         text,
     )
     text = re.sub(r"\\(?:left|right|[,;:! ])", "", text)
+    text = re.sub(rf"(?<=\w) ?\\({'|'.join(FUNCTIONS)})(?![A-Za-z])", r" \\\1", text)
+    text = re.sub(rf"\\({'|'.join(FUNCTIONS)})(?![A-Za-z]) ?(?=[\\\w])", r"\1 ", text)
     text = re.sub(
         r"\\([A-Za-z]+) ?",
         lambda name: get_symbol(name[1]) or name[0],
