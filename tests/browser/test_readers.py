@@ -309,13 +309,12 @@ def test_theme_follows_system_until_chosen(browser):
         button.click()
         expect(button).to_have_attribute("aria-label", f"Colours: {name}")
     assert page.evaluate(BACKGROUND) == dark, "chosen, whatever the system prefers"
-    for _ in range(20):  # Chromium stores the choice with a delay
-        page.goto((HTML / "glossary.html").as_uri())
-        if page.evaluate(BACKGROUND) == dark:
-            break
-    assert page.evaluate(BACKGROUND) == dark, "remembered on the next page"
-    button.click()
-    assert page.evaluate(BACKGROUND) == light, "as the system again"
+    other = context.new_page()  # Chromium may lose what a page stores just before it is left
+    other.emulate_media(color_scheme="light")
+    load_with_storage(other, "mode", lambda: other.goto((HTML / "glossary.html").as_uri()))
+    assert other.evaluate(BACKGROUND) == dark, "remembered on the next page"
+    other.locator("button.colours").click()
+    assert other.evaluate(BACKGROUND) == light, "as the system again"
     context.close()
 
 
