@@ -6,7 +6,7 @@ import { jointNumbers } from "../geometry/kinematics.js";
 import * as chains from "../geometry/chains.js";
 import { listTableMistakes } from "./chain.js";
 import { listConfigurationMistakes } from "./joints.js";
-import { cacheResults, makeCause } from "./ranking.js";
+import { cacheResults, keep, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 /** @typedef {import("../geometry/chains.js").Chain} Chain */
@@ -56,8 +56,6 @@ function buildBy(arm, frame, change, recipe) {
     return lastResult;
   };
 }
-
-const keep = (x, ..._) => x;
 
 /** List the mistakes. @param {Arm} arm @param {number[]} q @returns {JacobianStep[]} */
 export function listJacobianSteps(arm, q, frame) {

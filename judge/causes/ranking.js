@@ -91,6 +91,9 @@ export function cacheResults(compute) {
   };
 }
 
+/** Return x unchanged: a step without a mistake. @returns {any} */
+export const keep = (x, ..._others) => x;
+
 /** Make the cause of a single mistake. @param {string} key @returns {Cause} */
 export const makeCause = (key, fields = {}) => ({ keys: [key], fields: [fields] });
 

@@ -10,7 +10,7 @@ import { formatNumber, joinList } from "../sentences.js";
 import { listTableMistakes } from "./chain.js";
 import { listJacobianRecipes } from "./jacobian.js";
 import { listConfigurationMistakes, makeMakersCause } from "./joints.js";
-import { cacheResults, makeCause } from "./ranking.js";
+import { cacheResults, keep, makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 /** @typedef {import("../geometry/kinematics.js").Frame} Frame */
@@ -38,7 +38,6 @@ import { cacheResults, makeCause } from "./ranking.js";
  */
 
 const MASSLESS = [0, 0, 0, 0]; // the body of a row without masses
-const keep = (x) => x;
 const multiply = (factor, list) => list.map((x) => factor * x);
 
 /** @param {PlacedLoad} at */

@@ -8,7 +8,7 @@ import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { listJacobianRecipes } from "./jacobian.js";
 import { listJointMistakes } from "./joints.js";
 import { listTableMistakes } from "./chain.js";
-import { combineCauses, makeCause } from "./ranking.js";
+import { combineCauses, keep, makeCause } from "./ranking.js";
 import {
   listAngleSteps,
   listDisplacedPaths,
@@ -120,8 +120,6 @@ function findMotionCause({ typedRows, arm, path: rightPath }, mistakes, allowed)
   }
   return null;
 }
-
-const keep = (x) => x;
 
 /** Return whether the right rule holds to the digits, by Euler's method. @param {Trace} trace */
 export const followsPathByEuler = (trace) => measureRuleError(trace, {}) <= 1;

@@ -2,7 +2,7 @@
 // the pose of the tip.
 
 import { listJointMistakes } from "../causes/joints.js";
-import { makeCause } from "../causes/ranking.js";
+import { keep, makeCause } from "../causes/ranking.js";
 import { listTableMistakes } from "../causes/chain.js";
 import { agrees, FINE_UNIT, RIGHT, ROUNDED, computeSlack, SO_FAR, WRONG } from "../digits.js";
 import { judgeEntries } from "../entries.js";
@@ -199,8 +199,6 @@ const makeTipMaker =
     const tip = chainFrames(change(makeChain(arm, correct(q)))).at(-1);
     return write(T.pose ? frameMatrix(tip).slice(0, 3).flat() : tip.o);
   };
-
-const keep = (x) => x;
 
 /** @returns {import("../causes/ranking.js").Step[]} */
 function listTipSteps(arm, T) {
