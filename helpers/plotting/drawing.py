@@ -117,7 +117,7 @@ def draw_joint(ax: Axes, frame: Array, eye: Array, radius: float, is_revolute: b
     along = 1.3 * radius * frame[:3, 2:3] * (1 if eye[2] @ frame[:3, 2] >= -1e-9 else -1)
     near, far = (eye[:2] @ (ring + end * along) for end in (1, -1))
     both = np.hstack([near, far])
-    # Of corners at equal distance, rounding makes every processor choose the same.
+    # Rounding makes every processor choose the same one of several corners at equal distance.
     outline = both[:, np.unique(np.argmax(np.round(_DIRECTIONS @ both, 9), axis=1))]
     # Rounding, and + 0.0 for -0.0, give a corner to the left the angle 180°, never -180°.
     from_middle = np.round(outline - outline.mean(axis=1, keepdims=True), 9) + 0.0

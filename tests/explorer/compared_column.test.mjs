@@ -1,4 +1,4 @@
-// Which column of a typed Jacobian the explorer compares, and its message.
+// The explorer compares one column of a typed Jacobian, and a message names it.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
