@@ -2,6 +2,7 @@
 
 import { adviseOnCauses } from "./advice.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR, WRONG } from "./digits.js";
+import { tryOtherCommas } from "./reading/commas.js";
 import { applyWords } from "./reading/words.js";
 import { formatMessage, tryOrNull } from "./sentences.js";
 
@@ -106,7 +107,9 @@ export const completeVerdicts =
       return judge(mine, .../** @type {Rest} */ (args));
     };
     const plain = judge(mine, ...rest);
-    const first = typeof mine === "string" ? applyWords(mine, plain, options, judgeInOrder) : plain;
+    const applyText = (text) =>
+      applyWords(text, tryOtherCommas(text, plain, judgeInOrder), options, judgeInOrder);
+    const first = typeof mine === "string" ? applyText(mine) : plain;
     const verdict = findRightArm(first, judge, mine, rest) ?? first;
     const advice = [...(verdict.advice ?? []), ...adviseOnCauses(verdict.causes, options)];
     const unused = first.unusedLines ?? first.typed?.unusedLines ?? mine?.unusedLines ?? [];

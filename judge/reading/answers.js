@@ -3,9 +3,11 @@
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
+import { askAboutCommas, mayBeDecimals } from "./commas.js";
 import { bareName, chooseColumn, chooseJointColumns, isSquareTable } from "./columns.js";
 import {
   beginsWithCount,
+  countsRows,
   dropCountCells,
   dropCountHeader,
   dropLabels,
@@ -35,7 +37,7 @@ import { refuseUnread, tokensOf } from "./owners.js";
 import { isCalledOld, namesOtherQuantity, namesOtherTopic } from "./row_names.js";
 import { SpannedText } from "./spans.js";
 import { findComputation } from "./surroundings.js";
-import { readUnits } from "./units.js";
+import { refuseTwoUnits } from "./units.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
 import { listUnusedLines } from "./unused_lines.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
@@ -91,7 +93,7 @@ export function findAnswer(text, question) {
     try {
       return findIn(version, text, question);
     } catch (error) {
-      if (!(error instanceof ArmError)) throw error;
+      if (!(error instanceof ArmError) || error.tokens) throw error;
       refusal ??= error;
     }
   }
@@ -103,8 +105,9 @@ function findIn(pasted, text, question) {
   const { what, wants, isEntry, names, given = [], stated } = question;
   if (wants[0].columns === null) refuseOdd(text, question);
   const plain = labelNumberedLines(makePlainText(flattenFormulas(pasted, what)));
-  const blockFinders = makeBlockFinders(plain, { isEntry, names, given });
-  const answer = findFirstFit(blockFinders, question);
+  const { commas } = stated ?? {};
+  const blockFinders = makeBlockFinders(plain, { isEntry, names, given, commas });
+  const answer = findFirstFit(blockFinders, { ...question, text });
   if (!answer || hasHalfNumbers(text, answer.block))
     throw makeRefusal(text, question, blockFinders);
   const { block, want } = answer;
@@ -114,11 +117,9 @@ function findIn(pasted, text, question) {
   refuseTwoUnits(block, what);
   const computation = findComputation(text, block);
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
-  if (block.sources.every(isCalledOld)) throw makeQuotingError("old answer", text, block, question);
-  if (isOtherQuantity(block, names))
-    throw makeQuotingError("other quantity", text, block, question);
-  // A text without words can only be the answer, even if its numbers count 1, 2, 3.
-  if (isUnlikely(block, names) && /\p{L}/u.test(text))
+  const refusal = findDoubt(text, question, block, tokens);
+  if (refusal) throw refusal;
+  if (countsAlone(block, names) && /\p{L}/u.test(text))
     throw makeRefusal(text, question, blockFinders);
   const unusedLines = listUnusedLines(
     text,
@@ -128,17 +129,18 @@ function findIn(pasted, text, question) {
   return { ...ordered, unusedLines, tokens };
 }
 
-// Refuse values without a unit if one header or name states degrees and another states radians.
-/** @param {Block} block @param {string} what */
-function refuseTwoUnits({ rows, headers, labels, sources }, what) {
-  const names = [...headers, ...labels.flat()].map(({ text }) => text);
-  const units = new Set([...names, ...sources.map(({ name }) => name)].map(findAngleUnit));
-  const isBare = rows.flat().every(({ text }) => !/ deg$/.test(text));
-  if (isBare && units.has("deg") && units.has("rad"))
-    throw new ArmError(formatMessage("names in two units", { what }));
+// Return an error for a block that is probably not the answer. A text without words can only be the
+// answer, even if its numbers count 1, 2, 3.
+/** @param {string} text @param {Question} question @param {Block} block @param {any[]} tokens */
+function findDoubt(text, { what, names, stated }, block, tokens) {
+  const { firstLine, sources } = block;
+  const makeError = (key) => makeQuotingError(key, text, { firstLine }, { what });
+  if (sources.every(isCalledOld)) return makeError("old answer");
+  if (isOtherQuantity(block, names)) return makeError("other quantity");
+  const isKnown = Boolean(stated?.commas) || sources.every(({ depth }) => depth > 0); // in brackets
+  const words = isKnown || !mayBeDecimals(text, block) ? null : askAboutCommas(text, tokens);
+  return words && /\p{L}/u.test(text) ? new NoFitError(words) : null;
 }
-
-const findAngleUnit = (name) => readUnits(name).angles;
 
 // Make an error for an entry without a number, such as "q_6 = ?".
 /** @param {string} text @param {Question} question */
@@ -164,7 +166,7 @@ function findFirstFit(blockFinders, question) {
       for (const makeBlocks of blockFinders) {
         const blocks = makeBlocks(keepsGiven);
         const fits = listFits(blocks, want, question);
-        const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit, question.names));
+        const candidates = unlikely ? fits : fits.filter((fit) => !isUnlikely(fit, question));
         const block = chooseBlock(candidates, question);
         if (block && which === null) refuseRivals(block, blocks, question);
         if (block) return { block, want };
@@ -175,22 +177,21 @@ function findFirstFit(blockFinders, question) {
 const NO_NAME = /(?!)/;
 
 // Return whether a block is probably not the answer. It may hold the numbers 1, 2, 3, ... without
-// the answer's name, or the halves of decimal numbers outside of brackets, or its name may be that
-// of another quantity or of an old answer.
-const isUnlikely = (block, names = NO_NAME) =>
-  (block.splitsCommas && !isInBrackets(block) && hasOnlyWholeNumbers(block)) ||
-  (countsAlone(block) && !(block.sources[0].isAssigned && names.test(bareName(block.name)))) ||
+// the answer's name, the halves of decimal numbers, or a column that counts its rows. Its name may
+// be that of another quantity or of an old answer.
+const isUnlikely = (block, { text, names = NO_NAME }) =>
+  mayBeDecimals(text, block) ||
+  countsAlone(block, names) ||
+  countsRows(block) ||
   isOtherQuantity(block, names) ||
   block.sources.every(isCalledOld);
 
-const WHOLE = /^[-+]?\d+(?: deg)?$/;
-const hasOnlyWholeNumbers = ({ rows }) => textsOf(rows.flat()).every((text) => WHOLE.test(text));
-
-// Return whether each row of a block stands in brackets, where a comma separates.
-const isInBrackets = ({ sources }) => sources.every(({ depth }) => depth > 0);
-
-// Return whether a block holds three or more joint numbers in order, such as 1, 2, 4.
-const countsAlone = ({ rows }) => rows.flat().length > 2 && isJointCount(rows.flat());
+// Return whether a block holds three or more joint numbers in order, such as 1, 2, 4, without the
+// answer's name.
+const countsAlone = ({ rows, sources, name }, names = NO_NAME) =>
+  rows.flat().length > 2 &&
+  isJointCount(rows.flat()) &&
+  !(sources[0].isAssigned && names.test(bareName(name)));
 
 // The entries of a Jacobian may have names of joints, which are those of its columns.
 function isOtherQuantity({ sources }, names = NO_NAME) {
@@ -264,7 +265,7 @@ const ANSWER_WORD =
 // Ask which block is the answer if another block of as many numbers fits, too. It has the answer's
 // name, is called an answer, or has no name. Beside a named answer a block without name counts only
 // if no word stands before it.
-function refuseRivals(block, blocks, { wants, names = NO_NAME }) {
+function refuseRivals(block, blocks, { text, wants, names = NO_NAME }) {
   const isAnswer = (name) => names.test(bareName(name)) || ANSWER_WORD.test(name);
   const values = ({ rows }) => textsOf(rows.flat()).map(Number).sort().join();
   const isNamed = block.name && isAnswer(block.name);
@@ -277,7 +278,7 @@ function refuseRivals(block, blocks, { wants, names = NO_NAME }) {
     .filter((other) => countEntries(other) === countEntries(block) && mayBeAnswer(other))
     .filter((other) => values(other) !== values(block))
     .filter(({ rows }) => rows.flat().some(({ text }) => hasDecimals(text)))
-    .filter((other) => !isUnlikely(other));
+    .filter((other) => !isUnlikely(other, { text }));
   if (rivals.length) throw askWhich([block, ...rivals]);
 }
 
@@ -292,6 +293,7 @@ function fitBlock(block, want, wants, names) {
     ? [columns]
     : [
         ...dropCountHeader(block).map((each) => [each]),
+        ...(countsRows(block) ? dropLabels(block) : []).map((each) => [each]),
         [block],
         ...dropCountCells(block).map((each) => [each]),
         columns,
@@ -367,7 +369,11 @@ function makeRefusal(text, question, blockFinders) {
   refuseUnread(text, tokensOf(text, sorted[0]), what); // may have broken the block
   const found = describeSize(sorted[0].rows.length, sorted[0].rows[0].length);
   const line = quoteText(linesOf(text)[sorted[0].firstLine] ?? "");
-  const message = formatMessage("no fit", { what, found, line, wanted });
+  const typed = sorted[0].rows.flat().map(({ from, to }) => text.slice(from, to));
+  const more =
+    typed.length > MOST_NUMBERS ? [...typed.slice(0, 4), "…", ...typed.slice(-4)] : typed;
+  const numbers = quoteText(more.join(" "));
+  const message = formatMessage("no fit", { found, numbers, line, wanted });
   return isFarTooLong(sorted[0], wants) ? new ArmError(message) : new NoFitError(message);
 }
 

@@ -33,10 +33,11 @@ export const makePlainText = (pasted) =>
  * Return a function for each splitting of the text. The function finds the blocks, and its argument
  * says whether a block may include numbers of the question.
  * @param {import("./spans.js").SpannedText} plain
- * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
+ * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][],
+ *   commas?: string }} question `commas` is "decimal" or "separators", or undefined for both
  * @returns {((keepsGiven?: boolean) => Block[])[]}
  */
-export function makeBlockFinders(plain, { isEntry, names, given = [] }) {
+export function makeBlockFinders(plain, { isEntry, names, given = [], commas }) {
   const text = markHeadings(plain);
   const isEntryByCell = new Map();
   const isKnownEntry = (cell) => {
@@ -46,7 +47,10 @@ export function makeBlockFinders(plain, { isEntry, names, given = [] }) {
   const mayBeDecimal = DECIMAL_COMMA.test(text.text);
   const mayBeWrapped = /[[({]/.test(text.text);
   const splittings = SPLITTINGS.filter(
-    ({ decimal, wrapped }) => (!decimal || mayBeDecimal) && (!wrapped || mayBeWrapped),
+    ({ decimal, wrapped }) =>
+      (!decimal || mayBeDecimal) &&
+      (!wrapped || mayBeWrapped) &&
+      (!commas || decimal === (commas === "decimal")),
   );
   return splittings.map((splitting) => {
     const splitsCommas = mayBeDecimal && !splitting.decimal && !POINT_AND_COMMA.test(text.text);

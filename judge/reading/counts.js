@@ -17,6 +17,13 @@ export const isJointCount = (cells) => {
   return texts.every((text, k) => /^\d$/.test(text) && (!k || text > texts[k - 1]));
 };
 
+/**
+ * Return whether the first column of a block counts three or more rows: 1, 2, 3.
+ * @param {Block} block
+ */
+export const countsRows = ({ rows }) =>
+  rows.length > 2 && rows[0].length > 1 && rows.every(([{ text }], k) => text === `${k + 1}`);
+
 const JOINT_NAME = /^[qθ][ _{]{0,2}\d\}?$/i;
 
 /**

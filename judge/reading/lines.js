@@ -21,8 +21,8 @@ import {
  * `above` are the words on the line above. `name` is the name before "=" or ":". `line` and `last`
  * are the first and last line. `scale` is the factor of MATLAB's "1.0e+03 *", and `part` counts
  * MATLAB's headings "Columns 1 through 4". `depth` is the number of open lists, and `tail` the
- * number of words behind the entries. `isColumn` is true if semicolons separate the entries, and
- * `isAssigned` if "=" or ":" stands before the first entry.
+ * number of words behind the entries. `isColumn` is true if semicolons separate the entries, which
+ * have no decimal commas, and `isAssigned` if "=" or ":" stands before the first entry.
  * @typedef {{ cells: Cell[], words: Cell[], name: string, line: number, last: number,
  *   scale: string, part: number, above: Cell[], depth: number, list: number, tail: number,
  *   isColumn?: boolean, isAssigned: boolean }} Row
@@ -143,7 +143,7 @@ function crossBracket(state, step, at) {
 function endRow(state, character) {
   if (character === "\n") state.line++;
   const isInRow = character !== ROW_END && state.splitting.wrapped && state.depth > 0;
-  if (isInRow && character === ";" && state.row) state.row.isColumn = true;
+  if (isInRow && character === ";" && state.row) state.row.isColumn = !state.splitting.decimal;
   if (isInRow) return;
   state.row = null;
   if (character === "\n") endLine(state);

@@ -47,7 +47,7 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  * Numbers as typed, row by row. `units` has the unit of the last decimal place of each number.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean,
  *   formulas: any[], hasJoints: boolean, entries: Entry[], taken: string[],
- *   unusedLines: string[], hasRowNames?: boolean,
+ *   unusedLines: string[], hasRowNames?: boolean, splitsCommas?: boolean,
  *   statedUnits?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
  *   `taken` has messages on how it was read, and `unusedLines` its unused lines. `formulas` are the
  *   trees of all entries, and `hasJoints` is true if a joint value occurs in them. `hasRowNames`
@@ -165,7 +165,7 @@ function readText(text, { known, ...question }) {
   const evaluated = evaluateAll(read, known);
   const { entries, meanings } = evaluated;
   refuseOtherValues(text, meanings, known);
-  const { taken, unusedLines, hasRowNames, tokens } = answer;
+  const { taken, unusedLines, hasRowNames, splitsCommas, tokens } = answer;
   for (const { owner, index, to } of tokens)
     if (owner === "entry") entries[index].unitBehind = readUnitBehind(text, to);
   /** @param {import("./owners.js").Token} token */
@@ -176,6 +176,7 @@ function readText(text, { known, ...question }) {
     taken,
     unusedLines,
     hasRowNames,
+    splitsCommas,
     statedUnits: readUnits(withoutOtherComments(text, tokens), endInDegrees(tokens, isDegrees)),
     tokens,
   };

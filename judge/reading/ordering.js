@@ -10,9 +10,10 @@ import { ArmError, formatMessage } from "../sentences.js";
 /** @typedef {import("./blocks.js").Block} Block */
 /** @typedef {{ kind: string, numbers: number[] }} Labels labels of one kind */
 /**
- * The order that words state: the first half of a Jacobian, and its columns.
- * @typedef {{ angularFirst?: boolean, joints?: number[] | "reversed", transposed?: boolean }}
- *   StatedOrder
+ * The order that words state: the first half of a Jacobian, and its columns. `commas` is "decimal"
+ * or "separators" if only one reading of the commas is tried.
+ * @typedef {{ angularFirst?: boolean, joints?: number[] | "reversed", transposed?: boolean,
+ *   commas?: string }} StatedOrder
  */
 
 /**

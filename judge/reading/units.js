@@ -2,6 +2,7 @@
 // numbers, as in "q (deg)". Defines the factors of units to SI.
 
 import { foldCharacters, foldNames, withoutSpacing } from "./characters.js";
+import { ArmError, formatMessage } from "../sentences.js";
 
 /** The factors of units of lengths to m. */
 export const LENGTH_UNITS = { mm: 1e-3, cm: 1e-2, m: 1 };
@@ -174,3 +175,16 @@ const GON = /(?<!\p{L})grad(?!\p{L})/u;
  * @param {string} text @returns {string | null} the unit as it is typed
  */
 export const findOtherUnit = (text) => (UNCONVERTED_UNIT.exec(text) ?? GON.exec(text))?.[0] ?? null;
+
+/**
+ * Refuse values without a unit if one header or name states degrees and another states radians.
+ * @param {import("./block.js").Block} block @param {string} what the answer
+ */
+export function refuseTwoUnits({ rows, headers, labels, sources }, what) {
+  const names = [...headers, ...labels.flat()].map(({ text }) => text);
+  const all = [...names, ...sources.map(({ name }) => name)];
+  const units = new Set(all.map((name) => readUnits(name).angles));
+  const isBare = rows.flat().every(({ text }) => !/ deg$/.test(text));
+  if (isBare && units.has("deg") && units.has("rad"))
+    throw new ArmError(formatMessage("names in two units", { what }));
+}

@@ -46,8 +46,8 @@ export const compareTrace = makeJudge({
   sentences: { [RIGHT]: "trace right", wrong: "trace wrong" },
   otherUnit: { deg: "trace.degrees", rad: "trace.radians" },
   ask: (arm, path, options) => ({ angles: "rad", tolerance: null, ...options, arm, path }),
-  read(mine, { arm, path, angles, which }) {
-    const typed = readTrace(mine, arm, which);
+  read(mine, { arm, path, angles, which, stated }) {
+    const typed = readTrace(mine, arm, which, stated);
     const unit = typed.statedUnits?.angles ?? angles;
     const arranged = arrangeBySteps(typed, arm, path.times.length, unit);
     return { typed, unit, arranged };
@@ -70,7 +70,7 @@ export const compareTrace = makeJudge({
  * Return the joint values as typed, before any correction.
  * @throws {ArmError} if a line between the rows has no numbers yet
  */
-export function readTrace(mine, arm, which = null) {
+export function readTrace(mine, arm, which = null, stated = undefined) {
   const unfilled = typeof mine === "string" ? findUnfilledRow(mine) : null;
   if (unfilled !== null)
     throw new ArmError(formatMessage("unfilled row", { line: quoteText(unfilled.trim()) }));
@@ -80,6 +80,7 @@ export function readTrace(mine, arm, which = null) {
       .map((want) => ({ ...want, largest: true })),
     names: JOINT_NAMES,
     which,
+    stated,
   });
 }
 
