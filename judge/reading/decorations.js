@@ -4,6 +4,7 @@
 import { foldCharacters, ROW_END } from "./characters.js";
 import { withoutRepeatedUnits } from "./repetitions.js";
 import { UNIT } from "./units.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const NUMBER = String.raw`[-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?`;
 const QUANTITY = String.raw`${NUMBER}(?: ?(?:${UNIT}|π|pi))?`;
@@ -150,13 +151,21 @@ const FACTOR = new RegExp(
 /**
  * Write factors in place of their names: 90*dtr becomes 90*(pi/180).
  * @param {import("./spans.js").SpannedText} pasted
+ * @throws {ArmError} if a used name has two values
  */
-export const replaceFactorNames = (pasted) =>
-  [...pasted.text.matchAll(FACTOR)].reduce(
-    (text, [, name, value]) =>
-      text.replace(new RegExp(String.raw`(?<=\d ?\* ?)${name}(?!\w)`, "g"), `(${value})`),
-    pasted,
-  );
+export function replaceFactorNames(pasted) {
+  const factors = [...pasted.text.matchAll(FACTOR)];
+  return factors.reduce((text, [line, name, value]) => {
+    const replaced = text.replace(
+      new RegExp(String.raw`(?<=\d ?\* ?)${name}(?!\w)`, "g"),
+      `(${value})`,
+    );
+    const other = factors.find((factor) => factor[1] === name && factor[2] !== value);
+    if (replaced === text || !other) return replaced;
+    const lines = [line, other[0]].map((each) => quoteText(each.trim()));
+    throw new ArmError(formatMessage("two factors", { one: lines[0], other: lines[1] }));
+  }, pasted);
+}
 
 const LINE_NUMBER = /^[ \t]*(\d{1,3})(?:[ \t]*[|:] ?|\t| {2}|$)/gm;
 
