@@ -5,8 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from helpers.inputs import ArmError
 from tests.measure.random_answers.draws import draw_answer, draw_twin, shows_mistake
 from tests.measure.random_answers.numbers import NumberFormat, write_number
+from tests.measure.random_answers.questions import ask_judge
 
 DRAWS = range(60)
 
@@ -49,3 +51,23 @@ def test_mistake_within_typed_digits_is_right():
 def test_number_has_unit_of_last_typed_digit(value, kind, text, unit):
     typed = write_number(value, NumberFormat(kind, 3), "text")
     assert typed == (text, pytest.approx(unit))
+
+
+# Right answers that the judge once called wrong, as seed and index, and what it says now.
+ONCE_WRONG = {
+    "commas between whole torques and limits": (407521, 4106, "right"),
+    "a comma behind a unit": (407521, 5480, "refused"),
+    "arguments of a function above a table": (407521, 2328, "right"),
+    "a number in a sentence below a column": (407521, 10595, "right"),
+    "solutions called q^(1)": (407521, 12760, "right"),
+    "an unread row beside code": (915273, 2482, "refused"),
+}
+
+
+@pytest.mark.parametrize(("seed", "index", "grade"), ONCE_WRONG.values(), ids=ONCE_WRONG)
+def test_right_answer_is_not_called_wrong(seed, index, grade):
+    draw = draw_answer(seed, index)
+    try:
+        assert ask_judge(draw.question, draw.text, draw.angles).grade == grade
+    except ArmError:
+        assert grade == "refused"

@@ -21,7 +21,8 @@ const UR_JOINTS = new Map(
   ].flatMap((words, k) => words.map((word) => [word, k + 1])),
 );
 
-const ROW_OF_MATRIX = /[[({]\d{1,2}, ?:[\])}] ?=?$/; // J(1,:) is no column of a joint
+// J(1,:) is no column of a joint, and q^(1) is all of solution 1.
+const NO_JOINT = /[[({]\d{1,2}, ?:[\])}] ?=?$|^\p{L}+\^\{?\(\d{1,2}\)/u;
 
 /**
  * A label of the kind "row", "joint" or "count". Rows count from 0, joints from 1.
@@ -44,7 +45,7 @@ function parseLabel(text) {
   if (urJoint || ordinal >= 0) return { kind: "joint", number: urJoint ?? ordinal + 1 };
   const [, stem, digits] = /^(\D*|[\p{L}\d]*joint)(\d{1,5})$/u.exec(word) ?? [];
   if (digits === undefined) return null;
-  const isJoint = JOINT_STEM.test(stem) && !ROW_OF_MATRIX.test(text);
+  const isJoint = JOINT_STEM.test(stem) && !NO_JOINT.test(text);
   return { kind: isJoint ? "joint" : "count", number: Number(digits) };
 }
 

@@ -207,8 +207,11 @@ export const isDate = (word) => DATES.some((pattern) => pattern.test(word));
 const ODD_NUMBER = /^[-+]?\d+[lIOo]\d*$|^[-+]?[OoIl][.,]\d|^[-+]?\d+[!?*~†‡§]/;
 
 // Return whether a word is likely a misspelt number, such as "7l2" or "0.5x".
-const isMisspelt = (word) =>
-  (hasDecimals(word) && !isDate(word) && !/^[\p{L}·\\_]/u.test(word)) || ODD_NUMBER.test(word);
+const isMisspelt = (word) => {
+  const parts = word.includes("(") ? [word] : word.split(","); // atan2(0.3,0.5) is a single word
+  const isNumber = (part) => hasDecimals(part) && !isDate(part) && !/^[\p{L}·\\_]/u.test(part);
+  return ODD_NUMBER.test(word) || parts.some(isNumber);
+};
 
 const beginsAsNumber = (word) => /^[-+]?[.,]?\d|^[-+]?[OoIl][.,]/.test(word) && !isDate(word);
 

@@ -52,11 +52,13 @@ export const isCalledOld = ({ name, words, above }) =>
 /**
  * Return whether two single values may be entries of the same column. On the same line, both values
  * have a name or neither has. On different lines, their labels are of the same kind. Values within
- * brackets need no names.
+ * brackets need no names. A word that is no label, as in "all 3 axes", ends a column.
  * @param {Row} row @param {Row} other
  */
 export function haveSimilarLabels(row, other) {
   if (row.depth) return true;
   if (row.line === other.line) return !row.name === !other.name;
-  return findLabel(row.words)?.kind === findLabel(other.words)?.kind;
+  const [label, otherLabel] = [findLabel(row.words), findLabel(other.words)];
+  if (!label && row.words.length && !row.isAssigned && !other.words.length) return false;
+  return label?.kind === otherLabel?.kind;
 }

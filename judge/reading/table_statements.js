@@ -36,11 +36,13 @@ export function findColumnNames(line) {
 }
 
 const COMMENT = /(?:#(?!\d)|%|\/\/)(.*)/;
+const CODE = /^\s*(?:def|function)\s/; // names the arguments of a function
 const NAMES_ORDER = /\b(?:columns?|order|spalten|reihenfolge)\b/i;
 
 // List the orders that comments and lines state. A line of prose counts only if a table fits it.
 function listStatedOrders(text) {
   return text.split("\n").flatMap((line) => {
+    if (CODE.test(line)) return [];
     const [, comment] = COMMENT.exec(line) ?? [];
     const headers = findColumnNames(comment ?? line);
     const isFirm = comment !== undefined || NAMES_ORDER.test(line);
