@@ -32,7 +32,7 @@ BIBLIOGRAPHY_PAGE = "references"
 SYMPTOMS = "symptoms"  # id of the table whose rows are entries
 SYMBOLS_SECTION = "symbols"  # of the glossary; each row of its table is an entry
 SHEETS = "answers/"
-LIST_PAGES = ("api",)
+LIST_PAGES = ("api", "glossary", "where")
 BOXES = ("exercise", "slip")  # classes of the boxes that are entries
 OTHER_NAMES = re.compile(r"Also: ([^.]+)\.$")  # other names of a term in the glossary
 REFERENCE = re.compile(r"\0(.+?)\0")  # reference, resolved after all pages are read
@@ -184,13 +184,7 @@ def iterate_rows(doctree: nodes.document) -> Iterator[Entry]:
         anchor = table.parent["ids"][0]
         for body in table.findall(nodes.tbody):
             for first, *rest in (row.children for row in body.children):
-                entry = make_entry(first, anchor, rest)
-                yield {
-                    **entry,
-                    **(
-                        {"symptom": "yes"} if SYMPTOMS in table["ids"] else {"also": entry["title"]}
-                    ),
-                }
+                yield make_entry(first, anchor, rest)
 
 
 def iterate_functions(doctree: nodes.document) -> Iterator[Entry]:

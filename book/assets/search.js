@@ -62,21 +62,13 @@ function splitName(word) {
   return /^\p{L}+_\w{1,2}$/u.test(word) ? joined : [word, ...word.split("_")].filter(Boolean);
 }
 
-// Chapters explain; other pages apply or list what they explain.
-const KIND_WEIGHTS = { chapter: 1, side: 0.5, sheet: 0.03, list: 0.03 };
-const PAGE_WEIGHTS = { where: 0.3, intro: 0.4, glossary: 0.2 };
-const EXERCISE_WEIGHT = 0.4; // an exercise applies what a section explains
-const INTRODUCTION_WEIGHT = 0.6; // a page's introduction names what its sections explain
-const SYMPTOM_WEIGHT = 3; // of the table of symptoms, for a complaint
-const COVERAGE_POWER = 3; // an entry with all words comes before one with some; a rare word counts more
-const SCORE_POWER = 0.7; // how often a word stands in a text says less than where it stands
-const NAME_BOOST = 20; // for an entry whose name is the query
+const LIST_WEIGHT = 0.1; // lists name what sections explain
+const LESSER_WEIGHT = 0.5; // so does a page's introduction; an exercise or a slip applies it
+const TEXT_WEIGHT = 0.02; // for an entry whose names have no word of the query
 const SYNONYM_WEIGHT = 1 / 3;
-const DEFINITION_BOOST = 1000; // a term that is the whole query leads to its definition
+const NAMED_BOOST = 1000; // for the chapter or the term that the query names
 const GLOSSARY = "glossary";
-
-// Words of a complaint, which leads to the table of symptoms.
-const COMPLAINTS = /^(why|my|not|no|wrong|fail\w*|miss\w*|cannot|can.t|doesn.t|bug|jump\w*|tilt\w*|exceed\w*)$/;
+const BOX = /^(Exercise|Slip) /;
 
 const index = new MiniSearch({
   idField: "id",
@@ -87,7 +79,7 @@ const index = new MiniSearch({
 });
 // A word of the page's title counts once: it makes no difference among the page's sections. The index
 // is built in chunks so that the page stays responsive.
-const indexing = index.addAllAsync(ENTRIES.map((entry, id) => ({ ...entry, title: entry.title === entry.of ? entry.title : omitWords(entry.title, entry.of), of: entry.title === entry.of ? "" : entry.of, id })), { chunkSize: 25 });
+const indexing = index.addAllAsync(ENTRIES.map((entry, id) => ({ ...entry, title: omitWords(entry.title, entry.of), id })), { chunkSize: 25 });
 
 function omitWords(text, others) {
   const omitted = new Set(split(others).map(stem));
@@ -120,24 +112,17 @@ function findEntries(typed) {
       ...synonyms.get(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => SYNONYM_WEIGHT })),
     ],
   }));
-  const hits = index.search({ combineWith: "OR", queries }, { bm25: { k: 1.2, b: 0.5, d: 0.5 }, boost: { title: 6, also: 2, of: 4, about: 2 } });
-  const asked = joinStems(words);
-  const isComplaint = typed.toLowerCase().split(/[^\p{L}’']+/u).some((word) => COMPLAINTS.test(word));
-  const getWeight = ({ title, of, page, kind, symptom }) => {
-    if (symptom && isComplaint) return SYMPTOM_WEIGHT;
-    return KIND_WEIGHTS[kind] * (PAGE_WEIGHTS[page] ?? 1) * (/^Exercise /.test(title) ? EXERCISE_WEIGHT : 1) * (title === of ? INTRODUCTION_WEIGHT : 1);
-  };
-  const isCovered = (word, terms) => [word, ...synonyms.get(word)].some((term) => terms.includes(term));
-  const rarities = new Map(words.map((word) => [word, Math.log(1 + ENTRIES.length / (1 + hits.filter(({ queryTerms }) => isCovered(word, queryTerms)).length))]));
-  const sumRarities = (some) => some.reduce((sum, word) => sum + rarities.get(word), 0);
+  const hits = index.search({ combineWith: "OR", queries });
+  const isNamed = findNamed(joinStems(words));
+  const isCovered = (word, found) => [word, ...synonyms.get(word)].some((other) => found.includes(other));
   const rate = ({ id, score, queryTerms, terms }) => {
-    const entry = ENTRIES[id], { title, of, page, kind } = entry;
+    const entry = ENTRIES[id], { title, of, kind } = entry;
     if (kind === "list" && words.some((word) => word.includes("_"))) return score; // a function by its name
-    const names = [title, ...(entry.also?.split(", ") ?? [])];
-    if (page === GLOSSARY && !isChapterName(asked) && names.some((name) => joinStems(stemsOf(name)) === asked)) return DEFINITION_BOOST * score;
+    if (isNamed(entry)) return NAMED_BOOST * score;
     const covered = sumRarities(words.filter((word) => isCovered(word, queryTerms))) / sumRarities(words);
-    const likeness = Math.max(...[...names, `${of} ${title}`].map((name) => compareName(name, words.length, terms)));
-    return score ** SCORE_POWER * covered ** COVERAGE_POWER * (1 + NAME_BOOST * likeness ** 2) * getWeight(entry);
+    const likeness = Math.max(...listNames(entry).map((name) => compareName(name, words, terms)));
+    const weight = ["list", "sheet"].includes(kind) ? LIST_WEIGHT : title === of || BOX.test(title) ? LESSER_WEIGHT : 1;
+    return score * covered ** 2 * (TEXT_WEIGHT + likeness) * weight;
   };
   return hits
     .map((hit) => ({ ...ENTRIES[hit.id], terms: hit.terms, score: rate(hit) }))
@@ -146,16 +131,29 @@ function findEntries(typed) {
 
 // Return how much of the query is in a name and of the name in the query, 1 if they are the same.
 // `terms` are the words of the entry that the query found, synonyms and misspelt ones too.
-function compareName(name, queryLength, terms) {
-  const stems = [...new Set(split(name).map(stem))];
-  const shared = stems.filter((word) => terms.includes(word)).length;
-  return Math.min(1, shared / Math.sqrt(queryLength * stems.length));
+function compareName(name, words, terms) {
+  const shared = sumRarities(name.filter((word) => terms.includes(word)));
+  return shared && Math.sqrt(Math.min(1, shared / sumRarities(words)) * (shared / sumRarities(name)));
 }
 
-// Return whether a chapter's title begins with the words; the chapter then comes before a definition.
-const isChapterName = (phrase) => ENTRIES.some(({ title, of, kind }) => kind === "chapter" && title === of && joinStems(stemsOf(title)).startsWith(phrase));
+// A rare word of the book tells more than a common one.
+const rarities = new Map();
+function getRarity(word) {
+  if (!rarities.has(word)) rarities.set(word, Math.log(1 + ENTRIES.length / (1 + index.search(word).length)));
+  return rarities.get(word);
+}
+const sumRarities = (words) => words.reduce((sum, word) => sum + getRarity(word), 0);
+
 const joinStems = (stems) => ` ${stems.join(" ")} `;
 const stemsOf = (text) => split(text).filter((word) => !STOP_WORDS.has(word)).map(stem);
+const listNames = ({ title, also }) => [title, ...(also?.split(", ") ?? [])].map(stemsOf);
+
+// Return what tells the entry that the words name: a chapter whose title begins with them, else a term.
+function findNamed(phrase) {
+  const isChapter = ({ title, of, kind }) => kind === "chapter" && title === of && joinStems(stemsOf(title)).startsWith(phrase);
+  const isTerm = (entry) => entry.page === GLOSSARY && listNames(entry).some((name) => joinStems(name) === phrase);
+  return ENTRIES.some(isChapter) ? isChapter : isTerm;
+}
 
 // Find the pages that have the words, best first, each with its entries. All answer sheets are one
 // page with a link to each. The name of a robot that the book does not have puts the page about an
