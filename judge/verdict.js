@@ -3,6 +3,7 @@
 import { adviseOnCauses } from "./advice.js";
 import { RIGHT, RIGHT_BY_MAP, ROUNDED, SO_FAR, WRONG } from "./digits.js";
 import { tryOtherCommas } from "./reading/commas.js";
+import { listUnused } from "./reading/unused_lines.js";
 import { applyWords } from "./reading/words.js";
 import { formatMessage, tryOrNull } from "./sentences.js";
 
@@ -58,7 +59,6 @@ export const GRADE_MARKS = {
  * @property {import("./reading/owners.js").Token[]} [tokens] the numbers of the pasted text, each
  *   with its place and what it was taken for
  * @property {import("./reading/numbers.js").Typed} [typed] the numbers that were read
- * @property {string[]} [unusedLines] lines of the text that were not used
  * @property {boolean[]} [wrong] whether each of the numbers is wrong
  * @property {string[]} [rowNames] names of the Jacobian's rows that were read
  * @property {ReadTable} [table]
@@ -112,8 +112,9 @@ export const completeVerdicts =
     const first = typeof mine === "string" ? applyText(mine) : plain;
     const verdict = findRightArm(first, judge, mine, rest) ?? first;
     const advice = [...(verdict.advice ?? []), ...adviseOnCauses(verdict.causes, options)];
-    const unused = first.unusedLines ?? first.typed?.unusedLines ?? mine?.unusedLines ?? [];
-    return noteUnusedLines({ ...verdict, advice, tokens: findTokens(first, mine) }, unused);
+    const tokens = findTokens(first, mine);
+    const unused = typeof mine === "string" && tokens ? listUnused(mine, tokens) : [];
+    return noteUnused({ ...verdict, advice, tokens }, unused);
   };
 
 /** @param {Verdict} verdict @param {any} mine */
@@ -142,7 +143,7 @@ function findRightArm({ topic, grade, typed }, judge, mine, args) {
   });
 }
 
-function noteUnusedLines(verdict, unused) {
+function noteUnused(verdict, unused) {
   if (!unused.length) return verdict;
   const texts = unused.map((line) => `\`${line}\``).join(", ");
   return { ...verdict, notes: [...verdict.notes, formatMessage("set aside", { texts })] };

@@ -39,7 +39,6 @@ import { SpannedText } from "./spans.js";
 import { findComputation } from "./surroundings.js";
 import { refuseTwoUnits } from "./units.js";
 import { findUnfilledLabel, findUnfilledLine } from "./unfilled.js";
-import { listUnusedLines } from "./unused_lines.js";
 import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
 /** Reports that the text has no numbers in the wanted shape, and may be an unfinished answer. */
@@ -66,9 +65,9 @@ const LONGEST = 2_000_000; // characters, enough for a trajectory of 20 000 step
 /** @typedef {import("./lines.js").Cell} Cell */
 /** @typedef {import("./blocks.js").Block} Block */
 /**
- * The block that is the answer. `taken` has messages on the order of its rows. `unusedLines` has
- * the lines and numbers that were not used, and `tokens` all numbers of the text with their owners.
- * @typedef {Block & { unusedLines: string[], taken: string[], hasRowNames?: boolean,
+ * The block that is the answer. `taken` has messages on the order of its rows, and `tokens` all
+ * numbers of the text with their owners.
+ * @typedef {Block & { taken: string[], hasRowNames?: boolean,
  *   tokens: import("./owners.js").Token[] }} Answer
  */
 
@@ -121,12 +120,7 @@ function findIn(pasted, text, question) {
   if (refusal) throw refusal;
   if (countsAlone(block, names) && /\p{L}/u.test(text))
     throw makeRefusal(text, question, blockFinders);
-  const unusedLines = listUnusedLines(
-    text,
-    { ...block, ...findLinesOfEntries(block, tokens) },
-    pasted,
-  );
-  return { ...ordered, unusedLines, tokens };
+  return { ...ordered, tokens };
 }
 
 // Return an error for a block that is probably not the answer. A text without words can only be the
@@ -147,13 +141,6 @@ function findDoubt(text, { what, names, stated }, block, tokens) {
 function makeUnfilledError(text, { what, wants, wanted = describeWant(wants[0]) }) {
   const fields = { what, line: quoteText(text.trim()), wanted };
   return new NoFitError(formatMessage("unfilled", fields));
-}
-
-// Return the first and the last line of a block. A drawn fraction adds the lines above and below.
-function findLinesOfEntries({ firstLine, lastLine }, tokens) {
-  const entries = tokens.filter(({ owner }) => owner === "entry");
-  const [first, last] = [entries[0]?.line ?? firstLine, entries.at(-1)?.line ?? lastLine];
-  return { firstLine: Math.min(firstLine, first), lastLine: Math.max(lastLine, last) };
 }
 
 // Find the block that fits by the first shape wanted and the first splitting of the text. A block

@@ -47,12 +47,12 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  * Numbers as typed, row by row. `units` has the unit of the last decimal place of each number.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean,
  *   formulas: any[], hasJoints: boolean, entries: Entry[], taken: string[],
- *   unusedLines: string[], hasRowNames?: boolean, splitsCommas?: boolean,
+ *   hasRowNames?: boolean, splitsCommas?: boolean,
  *   statedUnits?: ReturnType<typeof readUnits>, tokens?: import("./owners.js").Token[] }} Typed
- *   `taken` has messages on how it was read, and `unusedLines` its unused lines. `formulas` are the
- *   trees of all entries, and `hasJoints` is true if a joint value occurs in them. `hasRowNames`
- *   is true if its rows were ordered by the names vx to wz. `statedUnits` are the units for several
- *   numbers, and `tokens` all numbers with their owners.
+ *   `taken` has messages on how it was read. `formulas` are the trees of all entries, and
+ *   `hasJoints` is true if a joint value occurs in them. `hasRowNames` is true if its rows were
+ *   ordered by the names vx to wz. `statedUnits` are the units for several numbers, and `tokens`
+ *   all numbers with their owners.
  */
 
 /**
@@ -95,7 +95,7 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
     throw new ArmError(formatMessage("ragged list", { what }));
   }
   const read = leaves.map((leaf) => readLeaf(leaf, what, wanted ?? "numbers"));
-  return { ...evaluateAll(read, known), shape, taken: [], unusedLines: [] };
+  return { ...evaluateAll(read, known), shape, taken: [] };
 }
 
 /**
@@ -165,7 +165,7 @@ function readText(text, { known, ...question }) {
   const evaluated = evaluateAll(read, known);
   const { entries, meanings } = evaluated;
   refuseOtherValues(text, meanings, known);
-  const { taken, unusedLines, hasRowNames, splitsCommas, tokens } = answer;
+  const { taken, hasRowNames, splitsCommas, tokens } = answer;
   for (const { owner, index, to } of tokens)
     if (owner === "entry") entries[index].unitBehind = readUnitBehind(text, to);
   /** @param {import("./owners.js").Token} token */
@@ -174,7 +174,6 @@ function readText(text, { known, ...question }) {
     ...evaluated,
     shape: [answer.rows.length, answer.rows[0].length],
     taken,
-    unusedLines,
     hasRowNames,
     splitsCommas,
     statedUnits: readUnits(withoutOtherComments(text, tokens), endInDegrees(tokens, isDegrees)),

@@ -21,6 +21,8 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
  *   column?: number, index?: number, matrix?: number[], reason?: string }} Token
  */
 /** @typedef {import("./blocks.js").Block} Block */
+/** The reason of a number in words. */
+export const BESIDE_WORDS = "a name or a sentence";
 /** The reason of a number in a list that is not the answer. */
 export const OTHER_LIST = "another list";
 
@@ -263,7 +265,7 @@ function claimWords(tokens, block, beside) {
     const isNear = (line >= firstLine && line <= lastLine) || beside.has(line);
     const unread =
       (isNear && isMisspelt(word.text)) || (isBrokenRow(line) && beginsAsNumber(word.text));
-    tokens.claim(word, unread ? "unread" : "context", { reason: "a name or a sentence" });
+    tokens.claim(word, unread ? "unread" : "context", { reason: BESIDE_WORDS });
   }
 }
 

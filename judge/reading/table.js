@@ -4,7 +4,7 @@
 
 import { replaceFactorNames, withoutComments, withoutStruckText } from "./decorations.js";
 import { linesOf } from "./characters.js";
-import { hasDecimals, simple, symbolsIn } from "./formula.js";
+import { simple, symbolsIn } from "./formula.js";
 import { refuseUnreadValues } from "./other_values.js";
 import { refuseUnread, refuseUnreadCell, tokensOf } from "./owners.js";
 import { SpannedText } from "./spans.js";
@@ -14,7 +14,6 @@ import { dropIndexColumn, EXCHANGED, listOrders } from "./table_columns.js";
 import { convertTable, describeReading } from "./table_conversion.js";
 import {
   claimDefinitions,
-  dropDefinitions,
   listDefinedLengths,
   listDefinitions,
   listUsedDefinitions,
@@ -61,7 +60,6 @@ import { ArmError, formatMessage, joinList, quoteText, tryOrNull } from "../sent
  * @property {boolean} [isOrderGuessed] whether the order of the columns is a guess
  * @property {string[]} [order] the entry in each column; missing for link matrices
  * @property {string[]} [typedCells] all cells of the rows, without notes and footnote marks
- * @property {string[]} [unusedLines] the lines and numbers of the text that were not used
  * @property {import("./owners.js").Token[]} [tokens]
  * @property {string} [otherUnit] a unit of lengths other than mm that the text shows
  */
@@ -104,7 +102,7 @@ export function readTables(pastedText, options = {}, values = []) {
  * @param {TypedTable} table @param {import("./table_definitions.js").Definition[]} definitions
  */
 function useDefinitions(table, definitions, text) {
-  const { unusedLines, tokens, typedCells } = table;
+  const { tokens, typedCells } = table;
   refuseTwoTables(table, text);
   refuseMixedUnits(table, text);
   const used = listUsedDefinitions(definitions, typedCells, tokens);
@@ -113,7 +111,6 @@ function useDefinitions(table, definitions, text) {
   return {
     ...table,
     otherUnit: findOtherLengthUnit(tokens, text),
-    unusedLines: dropDefinitions(unusedLines, used),
     tokens: claimDefinitions(used, tokens),
   };
 }
@@ -235,13 +232,12 @@ function refuseTwoTables({ rows, tokens }, text) {
 
 /**
  * Read cells below their headers in each possible order of columns.
- * @param {{ cells: string[][], headers: string[], assumptions: string[], unusedLines: string[],
- *   context: string, convention?: string }} block
+ * @param {{ cells: string[][], headers: string[], assumptions: string[], context: string,
+ *   convention?: string }} block
  * @param {Request} request @returns {TypedTable[]}
  */
 function readCells(block, { options, known }) {
   const trimmed = block.cells.map((row) => row.map(trimEntry));
-  const { unusedLines } = block;
   const typedCells = trimmed.flat();
   const matrices = splitMatrices(trimmed);
   if (matrices) {
@@ -250,20 +246,16 @@ function readCells(block, { options, known }) {
     );
     const context = hasLengths ? "" : block.context; // a symbol has its value in m
     const table = readMatrices(matrices, known, options, context);
-    return [{ ...table, unusedLines, typedCells }];
+    return [{ ...table, typedCells }];
   }
   const { cells, headers } = dropIndexColumn({ cells: trimmed, headers: block.headers });
   refuseManyRows(cells.length);
   const orders = listOrders(cells, headers, options.columns);
   const statements = chooseStatements({ ...block, headers }, options);
-  const usedCells = orders.rows.flat().join(" & ");
-  const isUnused = (cell) => hasDecimals(cell) && !usedCells.includes(cell);
-  const unused = orders.others ?? typedCells.filter(isUnused);
   return readOrders(orders, known).map((table) => ({
     ...statements,
     ...table,
     order: orders.typedOrder ?? table.order,
-    unusedLines: [...unusedLines, ...unused],
     typedCells,
     assumptions: [...block.assumptions, ...table.assumptions],
   }));

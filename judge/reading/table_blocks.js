@@ -2,8 +2,7 @@
 // be those of link matrices, A_1 above A_2.
 
 import { makeBlockFinders, makePlainText } from "./blocks.js";
-import { listUnusedLines } from "./unused_lines.js";
-import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
+import { isNumber, plain, simple, symbolsIn } from "./formula.js";
 import { foldCharacters, linesOf, ROW_END } from "./characters.js";
 import { flattenFormulas } from "./drawn_formulas.js";
 import { withoutMargins } from "./decorations.js";
@@ -16,7 +15,7 @@ import { formatMessage } from "../sentences.js";
 
 /**
  * The typed cells of a table, their headers and the rest of the text.
- * @typedef {{ cells: string[][], headers: string[], context: string, unusedLines: string[],
+ * @typedef {{ cells: string[][], headers: string[], context: string,
  *   block: import("./blocks.js").Block, isTurned?: boolean, plainLines: string[] }} TableBlock
  *   `context` is the whole text; `isTurned` is true if each typed row is a column of the table;
  *   `plainLines` are the lines without decorations
@@ -31,17 +30,11 @@ import { formatMessage } from "../sentences.js";
  * @returns {TableBlock[]}
  */
 export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
-  const isDrawn = DRAWN_MATRIX.test(text);
   const flat = flattenFormulas(pasted, formatMessage("your table"));
   const plain = makePlainText(withoutMargins(flat)).replace(DEFINITIONS, "");
   const marked = markColumnHeaders(nameToolRow(dropStars(plain)));
   const blockFinders = makeBlockFinders(marked.plain, { isEntry: makeEntryTest(known) });
   const lines = linesOf(marked.plain.text);
-  const typedLines = linesOf(text);
-  const isEmpty = (line = "") => !/[\p{L}\d]/u.test(line);
-  const usedLines = typedLines // headers, and numerators above the first row
-    .filter((_, k) => lines[k]?.includes(HEADER_MARK) || (isDrawn && isEmpty(lines[k])))
-    .map((line) => line.trim());
   const rank = ({ headers, cells }) => (headers.length ? 100 : 0) + cells.length;
   return blockFinders
     .flatMap((findBlocks) => findBlocks().reverse())
@@ -52,14 +45,9 @@ export function listTableBlocks(text, known, pasted = new SpannedText(text)) {
     .map((table) => ({
       ...table,
       context: foldCharacters(text),
-      unusedLines: listUnusedLines(text, table.block).filter(
-        (line) => !usedLines.includes(line) || hasDecimals(line),
-      ),
       plainLines: lines,
     }));
 }
-
-const DRAWN_MATRIX = /[⎡⎢⎣]|^\[.*\][ \t]*\n\[.*\]/m; // of SymPy, with a bracket on each line
 
 // A line that defines lengths, "d_1 = 0.5, a_2 = 0.4", is no row.
 const LENGTH = String.raw`(?!al|th|q)[a-z]\w{0,6}[ \t]*=[ \t]*-?[\d.]{1,12}(?:[ \t]*m{1,2})?`;

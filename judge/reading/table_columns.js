@@ -1,7 +1,7 @@
 // Finds whether a column of a table holds a, alpha, d or theta. The header decides; without headers
 // the content of the columns does.
 
-import { hasDecimals, isNumber, number, plain } from "./formula.js";
+import { hasDecimals, number, plain } from "./formula.js";
 import { findLabel } from "./labels.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
 import { LENGTH_UNIT } from "./units.js";
@@ -161,10 +161,8 @@ function orderByHeaders(cells, headers) {
     const isZero = ["", "-"].includes(offset.trim()) || number(offset) === 0;
     return isZero ? kept : addOffset(k + 1, kept, offset);
   });
-  const isOther = (name, i) => name === undefined && cells.some((row) => isNumber(row[i]));
-  const others = headers.filter((_, i) => isOther(names[i], i));
   const typedOrder = names.filter((name) => ENTRIES.includes(name));
-  return { orders: [ENTRIES], isStated: true, rows, typedOrder, others };
+  return { orders: [ENTRIES], isStated: true, rows, typedOrder };
 }
 
 // List the orders in which each cell may be an entry of its column, the likeliest first. A known

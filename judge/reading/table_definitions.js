@@ -247,17 +247,3 @@ const claimValues = (definitions, tokens, claim) =>
     const owner = from < definition.valueFrom ? { owner: "label", reason: IN_NAME } : claim;
     return { text, from, to, line, ...owner };
   });
-
-/**
- * Remove definitions from the unused lines.
- * @param {string[]} lines @param {Definition[]} definitions
- */
-export const dropDefinitions = (lines, definitions) =>
-  lines.flatMap((line) => {
-    const rest = definitions.reduce(
-      (kept, { text }) => kept.replace(text, ""),
-      foldCharacters(line),
-    );
-    if (rest === foldCharacters(line)) return [line];
-    return /\d/.test(rest) ? [rest.replace(/^[\s,;]+/, "")] : [];
-  });

@@ -8,7 +8,6 @@ import { readLinks } from "./table_links.js";
 import { listBrackets, listEntries, makeUntyped } from "./table_named_entries.js";
 import { ENTRIES, isVariable } from "./table_rows.js";
 import { refuseLongText } from "./odd_texts.js";
-import { hasNumberOrUnit } from "./unused_lines.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const MOST_ROWS = 32;
@@ -22,8 +21,7 @@ const MOST_ROWS = 32;
  * its rows or lists, `context` is the text around them, and
  * `unread` is text between the rows with a number that no row used.
  * @typedef {{ cells: string[][], headers: string[], assumptions: string[], convention?: string,
- *   sources: Source[], parts: Span[], context: string, unusedLines: string[], unread: Span | null
- *   }} NamedTable
+ *   sources: Source[], parts: Span[], context: string, unread: Span | null }} NamedTable
  */
 /** @typedef {Span & { row: number, column: number }} Source `column` in the order of ENTRIES */
 
@@ -49,8 +47,8 @@ export function readNamedTable(typedText) {
   );
   const cells = rows.map((entries) => entries.map((entry) => entry.text));
   const unread = table.unread ?? findUnreadGap(text, parts);
-  const named = { cells, headers, assumptions, sources, parts, unread };
-  return { ...named, convention, ...listUnused(text, parts, sources) };
+  const context = findContext(text, parts);
+  return { cells, headers, assumptions, sources, parts, unread, convention, context };
 }
 
 // Names with their indices, labels such as "joint 2" and comments, whose numbers are no entries.
@@ -89,25 +87,14 @@ function findUnreadGap(text, parts) {
   return { from, to: from + words.length };
 }
 
-/**
- * List the unused lines outside the table, and the unused decimals on its lines.
- * @param {string} text @param {Span[]} parts @param {Span[]} sources
- */
-function listUnused(text, parts, sources) {
+// Return the lines outside the table.
+/** @param {string} text @param {Span[]} parts */
+function findContext(text, parts) {
   const isInside = (/** @type {Span} */ { from, to }) =>
     parts.some((part) => part.from < to && part.to > from);
-  const [ownLines, otherLines] = [[], []];
-  for (const line of listLines(text)) (isInside(line) ? ownLines : otherLines).push(line);
-  const isUsed = (from) => sources.some((source) => source.from <= from && from < source.to);
-  const decimals = ownLines.flatMap(({ text: line, from }) =>
-    [...line.matchAll(DECIMAL)].filter(({ index }) => !isUsed(from + index)).map(([x]) => x),
-  );
-  const trimmed = otherLines.map((line) => line.text.trim());
-  const unusedLines = [...trimmed.filter(hasNumberOrUnit), ...decimals];
-  return { context: trimmed.join("\n"), unusedLines };
+  const others = listLines(text).filter((line) => !isInside(line));
+  return others.map((line) => line.text.trim()).join("\n");
 }
-
-const DECIMAL = /(?<!\d)\d*\.\d+/g;
 
 const LIST = /([\p{L}_][\p{L}\p{N}_]*)['"]?\s*[=:]\s*(?:(?:np\.array|Matrix)?\s*\(\s*)?$/u;
 

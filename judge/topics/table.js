@@ -105,9 +105,9 @@ function judgeText(text, reference, options) {
   const [typed, table] = [typedTables[index], tables[index]];
   const misnamed = isSame ? findMisnamedRow(typed.rows) : null;
   const judged = misnamed ? reportWrong(table, reference, [misnamed]) : verdict;
-  const { unusedLines, tokens, rows } = typed;
+  const { tokens, rows } = typed;
   const cells = formatReadTable(typed, table, judged.findings);
-  return { ...judged, unusedLines, tokens, table: { rows: table.rows, typed: rows, ...cells } };
+  return { ...judged, tokens, table: { rows: table.rows, typed: rows, ...cells } };
 }
 
 // Choose the best verdict over all readings. A verdict on the same arm comes first, then a verdict
@@ -147,7 +147,6 @@ function readTextOrNoLink(text, options, known) {
     if (!tables) throw error;
     return tables.map((table) => ({
       ...table,
-      unusedLines: [...table.unusedLines, ...split.others.map(({ header }) => header)],
       tokens: addOtherNumbers(table.tokens, split, text),
     }));
   }
