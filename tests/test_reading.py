@@ -336,7 +336,7 @@ def test_numbers_of_stored_tables_have_owners():
 # as long takes two to six times as long, and sixteen times if the number of steps is quadratic.
 REPEATED = ["-", "[", "(", "{", ",", " ", "\t", "1", ".", "+", "a=", "a - ", "a_1 = ", "dict(",
             "Link(", "a(", "\\begin{", "Columns 1", "q1 = 1\n", "<a,", "(/ ", "0·0 ",
-            "\\underbrace{"]  # fmt: skip
+            "\\underbrace{", " = J_w = J_w"]  # fmt: skip
 
 
 @pytest.mark.parametrize("kind", ["table", "numbers"])

@@ -138,7 +138,7 @@ function spreadUnits(definitions) {
   });
 }
 
-const DEEPEST = 5; // definitions that refer to each other in a chain
+const MOST_USED = 50; // definitions that a formula uses, directly or through other definitions
 
 /**
  * Evaluate a typed formula in m. Formulas joined by "=" must be equal. Return null if that fails.
@@ -146,13 +146,17 @@ const DEEPEST = 5; // definitions that refer to each other in a chain
  * @param {TypedDefinition[]} definitions @param {Map<string, number>} known
  * @returns {number | null}
  */
-function evaluateLength(formula, unit = "m", definitions, known, depth = 0) {
+function evaluateLength(formula, unit = "m", definitions, known, lengths = new Map()) {
   const lookUp = (name) => {
-    const definition = definitions.find((candidate) => simple(candidate.name) === simple(name));
-    if (!definition) return known.get(simple(name));
-    if (depth === DEEPEST) return undefined;
-    const { value: innerFormula, unit: innerUnit } = definition;
-    return evaluateLength(innerFormula, innerUnit, definitions, known, depth + 1) ?? undefined;
+    const symbol = simple(name);
+    const definition = definitions.find((candidate) => simple(candidate.name) === symbol);
+    if (!definition) return known.get(symbol);
+    if (lengths.size === MOST_USED || lengths.has(symbol)) return lengths.get(symbol);
+    lengths.set(symbol, undefined); // the definition may refer to itself
+    const { value: inner, unit: innerUnit } = definition;
+    const length = evaluateLength(inner, innerUnit, definitions, known, lengths);
+    lengths.set(symbol, length ?? undefined);
+    return length ?? undefined;
   };
   const numbers = formula.split("=").map((part) => {
     const tree = tryOrNull(() => parse(part.replace(/(\d),(\d)/g, "$1.$2")));
