@@ -61,6 +61,7 @@ ONCE_WRONG = {
     "a number in a sentence below a column": (407521, 10595, "right"),
     "solutions called q^(1)": (407521, 12760, "right"),
     "an unread row beside code": (915273, 2482, "refused"),
+    "two answers beside code": (407521, 16535, "refused"),
 }
 
 

@@ -72,7 +72,7 @@ const LONGEST = 2_000_000; // characters, enough for a trajectory of 20 000 step
  */
 
 /**
- * Find the answer in a text. Comments are read only if nothing fits without them.
+ * Find the answer in a text. Comments and code are read only if nothing fits without them.
  * @param {string} text @param {Question} question @returns {Answer}
  */
 export function findAnswer(text, question) {
@@ -92,7 +92,7 @@ export function findAnswer(text, question) {
     try {
       return findIn(version, text, question);
     } catch (error) {
-      if (!(error instanceof ArmError) || error.tokens) throw error;
+      if (!(error instanceof ArmError) || error.tokens || error.answers) throw error;
       refusal ??= error;
     }
   }
