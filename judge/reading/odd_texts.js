@@ -9,7 +9,7 @@ const ODD = [
   ["no solution", /\bno (?:real )?solution|\bunreachable\b/i],
   ["not finite", /(?<!\p{L})(?:nan|inf(?:inity)?)(?!\p{L})/iu],
   ["doubtful sign", /(?<!~)~\s*[\d.]/],
-  ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d]| (?!rad|deg|N|m\b)\p{L})/u], // not "-40 i get"
+  ["complex", /\d\s?\*?\s?[ij](?! ?[\p{L}\d])/u], // not "-40 i get"
   ["two signs", /±|\\pm/],
   ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])/],
   ["no text", /[\0-\x08\ufffd]/],

@@ -185,7 +185,8 @@ function listHeaders(typed) {
   const [, comment] = COMMENT.exec(typed) ?? [];
   const [, behind = ""] = COMMENT_BEHIND.exec(typed) ?? [];
   const namesAll = (headers) => ENTRIES.every((entry) => headers?.map(findEntry).includes(entry));
-  const whole = [splitHeaders(behind), splitHeaders(typed)].find(namesAll) ?? splitHeaders(typed);
+  const all = splitHeaders(typed);
+  const whole = [splitHeaders(behind), all].find(namesAll) ?? all;
   if (namesAll(whole) || !comment) return whole;
   const names = findColumnNames(comment) ?? [];
   return names.length === ENTRIES.length ? names : whole;
