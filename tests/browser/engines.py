@@ -107,7 +107,7 @@ def firefox():
         told = Path(profile, "WebDriverBiDiServer.json")
         at = _until(lambda: json.loads(told.read_text(encoding="utf-8")))
         address = f"ws://{at['ws_host']}:{at['ws_port']}/session"
-        yield Firefox(websocket.create_connection(address, suppress_origin=True, timeout=60))
+        yield Firefox(websocket.create_connection(address, suppress_origin=True, timeout=300))
 
 
 @contextmanager
