@@ -9,6 +9,7 @@ import {
   makeTypedArm,
 } from "../../judge/geometry/arm.js";
 import { movingRows } from "../../judge/geometry/kinematics.js";
+import { blendTables, haveSameKinds } from "./blend.js";
 import { copyToClipboard } from "./dom.js";
 import { formatNumbers, formatRows } from "./fragment.js";
 import { parseRun, formatRun } from "./homework_run.js";
@@ -23,10 +24,11 @@ const parseNumbers = (text) =>
 
 /** @param {import("./state.js").State} state */
 export function formatFragment(state) {
-  const { arm, base, q, wrench, unit, view, frames, mark, answer } = state;
+  const { arm, base, q, wrench, unit, view, frames, mark, answer, blended } = state;
   const fields = { arm: base.name, q: formatNumbers(q), view, unit, frames };
   if (wrench.some(Boolean)) fields.wrench = formatNumbers(wrench);
-  if (arm !== base) fields.rows = formatRows(arm.rows);
+  if (blended || arm !== base) fields.rows = formatRows((blended ?? arm).rows);
+  if (blended) fields.blend = formatNumbers([blended.share]);
   if (mark) fields.mark = formatNumbers(mark);
   if (answer) fields.answer = formatNumbers(answer);
   if (view === "homework") Object.assign(fields, formatHomework(state));
@@ -66,6 +68,7 @@ export function parseFragment(fragment, arms, views) {
     { patch: { arm, base, reference: base }, fault },
     parseJoints(fields, arm, Boolean(fault)),
     parseWrench(fields),
+    parseBlend(fields, arm, base),
     parseMark(fields),
     parseAnswer(fields, arm),
     parseRuns(fields),
@@ -94,6 +97,14 @@ function parseWrench(fields) {
   const wrench = parseNumbers(fields.get("wrench"));
   const isValid = wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MAX_FORCE);
   return isValid ? { patch: { wrench } } : { fault: "its wrench is not six numbers in N and N m" };
+}
+
+function parseBlend(fields, typed, base) {
+  if (!fields.has("blend")) return { patch: { blended: null } };
+  const [share] = parseNumbers(fields.get("blend"));
+  const isValid = haveSameKinds(typed, base) && share >= 0 && share <= 1;
+  if (isValid) return { patch: blendTables({ base, reference: base }, typed.rows, share) };
+  return { patch: { blended: null }, fault: "its tables have no arm between them at its blend" };
 }
 
 function parseMark(fields) {

@@ -51,6 +51,7 @@ export function buildPanel(host, store, { views, arms, makeLink }) {
   card.append(head.root, notice.root, bench, tabs.root, region);
   root.replaceChildren(h("style", {}, common, css), card);
   keepUpdated(store, { card, head, stage, sliders, tabs }, { announce, signal });
+  if (link && isComparison(store.state)) tabs.root.scrollIntoView({ block: "nearest" });
   return () => {
     abort.abort();
     stage.dispose();
@@ -58,6 +59,10 @@ export function buildPanel(host, store, { views, arms, makeLink }) {
     root.replaceChildren();
   };
 }
+
+// Return whether a link brought something to compare, which stands below the picture.
+const isComparison = ({ answer, arm, base, runs }) =>
+  Boolean(answer || runs.length) || arm !== base;
 
 // Make the notice above the picture.
 function makeNotice() {

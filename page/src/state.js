@@ -21,6 +21,7 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { determinant, simplifyBasis, decomposeSingular } from "../../judge/geometry/linear.js";
 import { pick, taskRows } from "../../judge/geometry/task_rows.js";
+import { blendTables } from "./blend.js";
 import { countRank } from "./statements.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
@@ -85,6 +86,8 @@ import { countRank } from "./statements.js";
  * @property {number[] | null} answer numbers of a link to compare with those of the open tab, at
  *   these joint values: a Jacobian row by row, or torques
  * @property {number[] | null} mark point of a link to compare the tip with
+ * @property {{ rows: Arm["rows"], share: number } | null} blended table towards which the arm is a
+ *   share of the way from the reference
  * @property {boolean} keepOrientation whether a dragged tip keeps its orientation
  * @property {object[]} past undo steps
  * @property {object[]} future redo steps
@@ -102,6 +105,7 @@ export const EMPTY = {
   tipHold: null,
   mark: null,
   answer: null,
+  blended: null,
   runs: [],
   chosenRun: 0,
   runStart: null,
@@ -125,9 +129,10 @@ const MAX_UNDO_STEPS = 200;
 // The change that each kind of event makes to the state. A handler returns null for an event that
 // the state does not allow.
 const EVENT_HANDLERS = {
-  selectArm: (state, { arm, q, reference = arm }) => selectArm(state, arm, q, reference),
-  editTable: (state, { rows, q, rowBefore }) => editTable(state, rows, q, rowBefore),
+  selectArm: (_, { arm, q }) => selectArm(arm, q),
+  editTable: (state, { rows, rowBefore }) => editTable(state, rows, rowBefore),
   replaceTable: (state, { rows }) => replaceTable(state, rows),
+  blendTables: (state, { rows, share }) => blendTables(state, rows, share),
   moveJoints: (state, { q, tipHold = null }) =>
     isJointVector(state.arm, q) ? { q, tipHold, playing: false } : null,
   glide: (state, { q }) => (isJointVector(state.arm, q) ? { q } : null),
@@ -197,43 +202,42 @@ function recordUndoStep(state, next, { type, gesture = null }) {
     next.future = [];
     return next;
   }
-  const step = { gesture, ...Object.fromEntries(UNDO_FIELDS.map((key) => [key, state[key]])) };
-  return { ...next, past: [...state.past, step].slice(-MAX_UNDO_STEPS), future: [] };
+  const past = [...state.past, makeUndoStep(state, gesture)].slice(-MAX_UNDO_STEPS);
+  return { ...next, past, future: [] };
 }
+
+const makeUndoStep = (state, gesture) => ({
+  gesture,
+  ...Object.fromEntries(UNDO_FIELDS.map((key) => [key, state[key]])),
+});
 
 function stepThroughHistory(state, from, to) {
   const step = state[from].at(-1);
   if (!step) return null;
   const { gesture: _, ...kept } = step;
-  const current = {
-    gesture: null,
-    ...Object.fromEntries(UNDO_FIELDS.map((key) => [key, state[key]])),
-  };
   return {
     ...kept,
     playing: false,
     [from]: state[from].slice(0, -1),
-    [to]: [...state[to], current],
+    [to]: [...state[to], makeUndoStep(state, null)],
   };
 }
 
 // Select another arm of the list, at its home configuration unless q is given.
-function selectArm(state, arm, q, reference) {
-  return { arm, base: arm, reference, q: isJointVector(arm, q) ? q : homeConfiguration(arm) };
+function selectArm(arm, q) {
+  const joints = isJointVector(arm, q) ? q : homeConfiguration(arm);
+  return { arm, base: arm, reference: arm, q: joints };
 }
 
 // Replace the rows of the arm. `rowBefore` maps each new row to its old index, so that joints keep
 // their values.
-function editTable(state, rows, q, rowBefore = (row) => row) {
+function editTable(state, rows, rowBefore = (row) => row) {
   if (findRowsFault(rows)) return null;
   const { rows: before } = state.arm;
   if (rows.length === before.length && rows.every((row, i) => isSameRow(row, before[i])))
     return null;
   const arm = makeTypedArm(rows, state.base);
-  return {
-    arm,
-    q: isJointVector(arm, q) ? q : carryOverJoints(state.arm, state.q, arm, rowBefore),
-  };
+  return { arm, q: carryOverJoints(state.arm, state.q, arm, rowBefore) };
 }
 
 // Show the arm of a whole new table, with every joint at 0.

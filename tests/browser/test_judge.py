@@ -857,6 +857,12 @@ def test_wrong_table_is_shown_beside_the_right_one(page):
     expect(slider).to_be_visible()
     slider.fill("0.5")
     expect(sentence).to_contain_text("its tip is 50.0 mm")
+    expect(slider).to_be_in_viewport()
+    expect(explorer.locator(".stage.drawn")).to_be_in_viewport(ratio=0.75)
+    expect(page).to_have_url(re.compile("blend=0.5"))
+    page.reload()
+    expect(sentence).to_contain_text("its tip is 50.0 mm")
+    expect(slider).to_have_value("0.5")
     assert list_serious_findings(page, ".arm-explorer") == []
     slider.press("End")
     expect(length).to_have_value("0.2")

@@ -25,6 +25,28 @@ test("a link restores the explorer's state", () => {
   assert.deepEqual(shown(patch.arm), shown(store.state.arm));
 });
 
+test("a link keeps a table while the slider shows an arm before it", () => {
+  const rows = PANDA.rows.map((row, i) => (i ? row : { ...row, d: 0.5, alpha: row.alpha + 3 }));
+  const store = new Store(makeInitialState({ arm: PANDA, q: PANDA.home, view: "table" }));
+  store.dispatch({ type: "editTable", rows });
+  const typed = formatFragment(store.state);
+  for (const share of [0, 0.25]) {
+    store.dispatch({ type: "blendTables", rows, share });
+    const { patch, message } = read(formatFragment(store.state));
+    assert.deepEqual([message, patch.blended.share, patch.blended.rows[0].d], ["", share, 0.5]);
+    const { d, alpha } = patch.arm.rows[0];
+    assert.ok(Math.abs(d - (0.333 + share * 0.167)) < 1e-6 && Math.abs(alpha - PANDA.rows[0].alpha - 3 * share) < 1e-5);
+  }
+  store.dispatch({ type: "blendTables", rows, share: 1 });
+  assert.equal(formatFragment(store.state), typed);
+});
+
+test("a link to an arm between tables of other joints shows the typed one", () => {
+  const { patch, message } = read("#arm=Panda&rows=R,0,0,1,0&blend=0.5");
+  assert.match(message, /no arm between them/);
+  assert.deepEqual([patch.arm.rows.length, patch.blended], [1, null]);
+});
+
 const table = (...rows) => `#arm=Panda&rows=${rows.join(";")}`;
 const cases = {
   "an object's own name": table("constructor,0,0,0,0"),
@@ -41,6 +63,7 @@ const cases = {
   "an empty joint value": "#arm=Elbow+arm&q=1,,2",
   "a mark that is no place": "#arm=Panda&mark=1,2",
   "a mark too far away": "#arm=Panda&mark=0,0,1e9",
+  "an arm beyond both tables": "#arm=Panda&blend=1.5",
 };
 for (const [name, fragment] of Object.entries(cases)) {
   test(`refused with a message: ${name}`, () => {

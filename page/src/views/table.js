@@ -1,6 +1,7 @@
 // The Denavit-Hartenberg table to type in. A bad entry is explained, and the last valid arm stays.
 
 import { MAX_ROWS } from "../../../judge/geometry/arm.js";
+import { haveSameKinds } from "../blend.js";
 import {
   copyToClipboard,
   h,
@@ -9,6 +10,7 @@ import {
   makeScrollRegion,
   makeSelect,
   setText,
+  updateAttribute,
 } from "../dom.js";
 import { readField, makeTextField } from "../entry.js";
 import { makePoseRows, readPose } from "../mounting.js";
@@ -98,41 +100,21 @@ function makeMountField(label, description, place, mount) {
 
 // Make the slider that goes from the ghost's table to the typed one, if their joints are alike.
 function makeBlendSlider(store) {
-  let typedRows = []; // at the slider's right end
-  let shownArm = null;
-  let isBlending = false;
-  const slider = makeRangeInput("From the ghost's table to this one", [0, 1], {
-    oninput: () => blend(Number(slider.value)),
-  });
+  const slider = makeRangeInput("From the ghost's table to this one", [0, 1], { oninput: blend });
   const root = h("label.blend", { hidden: true }, "the ghost", slider, "this table");
 
-  function blend(share) {
-    const { reference } = store.state;
-    const rows = typedRows.map((row, i) => blendRows(reference.rows[i], row, share));
-    isBlending = true;
-    store.dispatch({ type: "editTable", rows, gesture: "blend" });
-    isBlending = false;
-    slider.setAttribute("aria-valuetext", `${Math.round(100 * share)} % of the way`);
+  function blend() {
+    const rows = store.state.blended?.rows ?? store.state.arm.rows;
+    store.dispatch({ type: "blendTables", rows, share: Number(slider.value), gesture: "blend" });
   }
 
-  function update({ arm, reference }) {
-    if (arm === shownArm) return;
-    shownArm = arm;
-    if (isBlending) return;
-    typedRows = arm.rows;
-    const kinds = [arm, reference].map(({ rows }) => rows.map(({ kind }) => kind).join());
-    root.hidden = arm === reference || kinds[0] !== kinds[1];
-    slider.value = "1";
+  function update({ arm, reference, blended }) {
+    root.hidden = (arm === reference && !blended) || !haveSameKinds(arm, reference);
+    const share = blended?.share ?? 1;
+    slider.value = String(share);
+    updateAttribute(slider, "aria-valuetext", `${Math.round(100 * share)} % of the way`);
   }
   return { root, update };
-}
-
-// Return the row that is a share of the way from one row to another; an angle goes the short way.
-function blendRows(from, to, share) {
-  if (share === 1) return to;
-  const mix = (key, turns = 0) => from[key] + share * (to[key] - from[key] - 2 * Math.PI * turns);
-  const mixAngles = (key) => mix(key, Math.round((to[key] - from[key]) / (2 * Math.PI)));
-  return { ...to, a: mix("a"), alpha: mixAngles("alpha"), d: mix("d"), theta: mixAngles("theta") };
 }
 
 // Make the line that says how a pasted table was read; it goes when another arm is shown.
