@@ -233,6 +233,9 @@ function findStraightJoint(arm, q, frames) {
   return words;
 }
 
+// Return the rows of a motion (v, ω) that a pinned tip holds: of its orientation too if `turns`.
+export const listHeldRows = (turns) => (turns ? [0, 1, 2, 3, 4, 5] : [0, 1, 2]);
+
 /**
  * Move a grabbed link towards the pointer while the tip stays at a pose.
  * @param {Arm} arm
@@ -245,15 +248,15 @@ export function swingElbow(arm, q, grab, pinnedPose, { turns = true } = {}) {
   const limits = getJointRanges(arm);
   const within = (v, k) =>
     v >= Math.min(limits[k][0], q[k]) - 1e-9 && v <= Math.max(limits[k][1], q[k]) + 1e-9;
+  const rows = listHeldRows(turns);
   let next = q;
   let free = 0;
   for (let round = 0; round < 4; round++) {
     const frames = linkFrames(arm, next);
-    const still = nullSpace(jacobianColumns(arm, frames).map((c) => c.slice(0, turns ? 6 : 3)));
+    const still = nullSpace(jacobianColumns(arm, frames).map((column) => pick(column, rows)));
     free = still.length;
     if (!free) break;
     const moved = add(next, findElbowStep(arm, frames, still, grab));
-    const rows = turns ? [0, 1, 2, 3, 4, 5] : [0, 1, 2];
     const { q: solution, error } = solvePose(arm, moved, pinnedPose, { rows });
     if (!solution.every(within) || error > 1e-4) break;
     next = solution;

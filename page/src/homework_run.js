@@ -4,6 +4,8 @@
 
 import { makeChain, flatJacobian, joinHalves } from "../../judge/geometry/chains.js";
 import {
+  computeHoldingTorques,
+  computeWrenchTorques,
   cross,
   dot,
   jacobianColumns,
@@ -12,7 +14,6 @@ import {
   minus,
   norm,
 } from "../../judge/geometry/kinematics.js";
-import { computeHoldingTorques, computeWrenchTorques } from "../../judge/geometry/kinematics.js";
 import { decomposeSingular } from "../../judge/geometry/linear.js";
 import { dotProduct, getCirclePoint, getPoseError, solvePoseFromSingular } from "./motion.js";
 import { pick, taskRows } from "../../judge/geometry/task_rows.js";

@@ -91,10 +91,9 @@ function makePatchFromModel(model, state) {
 // Return the arm with rows typed in Python. If these are the rows of the shown arm, its limits and
 // masses are kept.
 const getTypedArm = (rows, shown) =>
-  isEqualRows(rows, shown.rows) ? shown : { name: TYPED_ARM_NAME, home: [], rows };
+  isEqualJson(rows, shown.rows) ? shown : { name: TYPED_ARM_NAME, home: [], rows };
 
 const isEqualJson = (a, b) => JSON.stringify(a) === JSON.stringify(b);
-const isEqualRows = (a, b) => a === b || isEqualJson(a, b);
 
 // Make a widget whose views, in whichever cells, share one store.
 export function widget() {
@@ -109,25 +108,25 @@ export function widget() {
     return kept(model, store);
   }
 
-  function render({ model, el }) {
-    const host = appendHost(el);
-    const showStill = hideStill(el);
-    const dispose = buildPanel(host, store, model.get("_spec"));
-    return () => {
-      showStill();
-      dispose();
-      host.remove();
-    };
-  }
+  const render = ({ model, el }) =>
+    renderOutput(el, (host) => buildPanel(host, store, model.get("_spec")));
   return { initialize, render };
 }
 
-function appendHost(el) {
+// Build into the output of a notebook's cell, and return a function that removes what was built.
+// `build` returns such a function too.
+function renderOutput(el, build) {
   const host = document.createElement("div");
   // Keys typed here must not trigger JupyterLab's commands.
   host.dataset.lmSuppressShortcuts = "true";
   el.append(host);
-  return host;
+  const showStill = hideStill(el);
+  const dispose = build(host);
+  return () => {
+    showStill();
+    dispose();
+    host.remove();
+  };
 }
 
 // Hide the still picture that JupyterLab shows in the output before a live figure; returns a
@@ -190,14 +189,7 @@ function kept(model, store) {
 // stub there would stay still.
 export const figureWidget = () => ({
   render({ model, el }) {
-    const host = appendHost(el);
     const spec = model.get("_spec");
-    const showStill = hideStill(el);
-    const dispose = FIGURES[spec.figure](host, spec);
-    return () => {
-      showStill();
-      dispose();
-      host.remove();
-    };
+    return renderOutput(el, (host) => FIGURES[spec.figure](host, spec));
   },
 });

@@ -34,6 +34,10 @@ export const PALETTES = {
     bad: "#ff8a6b",
   },
 };
+export const AXIS_COLOURS = {
+  light: { x: "#D55E00", y: "#009E73", z: "#0072B2" },
+  dark: { x: "#F58A3C", y: "#3CC79B", z: "#5AB4EC" },
+};
 const BRANCH_COLOURS = [
   "#0072B2",
   "#D55E00",

@@ -114,6 +114,7 @@ export function drawRandomConfiguration(arm, roll = Math.random) {
 }
 
 const MAX_BRANCHES = 16;
+const TRIES = 300; // random starts
 
 /**
  * Find joint values with the tip at the same pose: by the arm's closed form, which names the
@@ -124,7 +125,7 @@ const MAX_BRANCHES = 16;
  * @param {number[]} q
  * @returns {import("./state.js").BranchSet}
  */
-export function findBranches(arm, q, tries = 300) {
+export function findBranches(arm, q) {
   const target = linkFrames(arm, q).at(-1);
   const hasOrientation = hasTaskOrientation(arm);
   if (!isJointVector(arm, q) || !q.length)
@@ -143,7 +144,7 @@ export function findBranches(arm, q, tries = 300) {
   const closedForm = solveClosedForm(arm, target, hasOrientation);
   for (const { q: branch, name } of closedForm) addBranch(wrapAngles(arm, branch), name);
   addBranch(wrapAngles(arm, q));
-  for (let n = 0; !closedForm.length && n < tries && solutions.length < MAX_BRANCHES; n++) {
+  for (let n = 0; !closedForm.length && n < TRIES && solutions.length < MAX_BRANCHES; n++) {
     const start = drawRandomConfiguration(arm, roll).map((v, i) => (i === lockedJoint ? q[i] : v));
     const { q: branch, error } = solvePose(arm, start, target, { lockedJoint });
     if (error < 1e-9) addBranch(wrapAngles(arm, branch));
@@ -166,7 +167,7 @@ const NULL_SPACE_STEP = 0.1;
 
 // Find the joints that can move while the tip stays. They have a null direction that leads to
 // another solution.
-function findFreeJoints(arm, q, target, lockedJoint = -1) {
+function findFreeJoints(arm, q, target, lockedJoint) {
   const rows = taskRows(arm);
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
     pick(c, rows).map((v) => (i === lockedJoint ? 0 : v)),

@@ -55,7 +55,6 @@ export function buildPanel(host, store, { views, arms, makeLink }) {
   return () => {
     abort.abort();
     stage.dispose();
-    tabs.dispose();
     root.replaceChildren();
   };
 }
@@ -130,7 +129,10 @@ function makeGlider(store, signal) {
     const { q: from, arm } = store.state;
     const gesture = `glide ${performance.now()}`;
     const go = (to) => store.dispatch({ type: "glide", q: to, gesture }, "glide");
-    if (prefersReducedMotion() || q.length !== from.length) return go(q);
+    if (prefersReducedMotion() || q.length !== from.length) {
+      go(q);
+      return;
+    }
     const start = performance.now();
     const step = (now) => {
       moving = null;
@@ -141,6 +143,5 @@ function makeGlider(store, signal) {
       if (t < 1) moving = requestAnimationFrame(step);
     };
     moving = requestAnimationFrame(step);
-    return true;
   };
 }

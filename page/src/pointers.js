@@ -236,11 +236,8 @@ class Grabber {
     const { store } = this;
     this.figure.canvas.style.cursor = part ? "pointer" : "grab";
     const highlightedRow = part?.kind === "link" ? part.highlightedRow : null;
-    if (store.state.highlightedRow !== highlightedRow)
-      store.dispatch({ type: "setFields", highlightedRow });
     const highlightedBranch = part?.kind === "branch" ? part.branch : null;
-    if (store.state.highlightedBranch !== highlightedBranch)
-      store.dispatch({ type: "setFields", highlightedBranch });
+    store.dispatch({ type: "setFields", highlightedRow, highlightedBranch });
   }
 
   // End a drag, or show the branch that was clicked.
@@ -283,7 +280,7 @@ function followTip(store, { arm, q, keepOrientation }, target, { rest, gesture }
   const why = done ? findStopReasons(arm, next, target.o) : { stops: [], short: 0 };
   const columns = jacobianColumns(arm, linkFrames(arm, next));
   const fading = findFadingDirections(columns, keepOrientation, movableLinearRows(arm));
-  const tipHold = { kind: "tip", target: target.o, moving: !done, fading, ...why };
+  const tipHold = { target: target.o, moving: !done, fading, ...why };
   store.dispatch({ type: "moveJoints", q: next, tipHold, gesture });
   return done;
 }

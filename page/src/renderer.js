@@ -127,7 +127,7 @@ export const INITIAL_VIEW = [0.687, -0.639, 0.344];
  * `onUnavailable()` if WebGL turns out to be missing. It throws if that is known at once.
  */
 export class Figure {
-  constructor(host, { onDraw, onResize, onContextChange = (_) => {}, onUnavailable = () => {} }) {
+  constructor(host, { onDraw, onResize, onContextChange, onUnavailable }) {
     if (typeof WebGL2RenderingContext === "undefined") throw new Error("no WebGL");
     this.host = host;
     this.size = 1; // of the objects, in m
@@ -175,19 +175,18 @@ export class Figure {
   }
 
   addLights() {
-    this.sky = new HemisphereLight("#ffffff", "#8d95a1", 2);
+    this.sky = new HemisphereLight("#ffffff", "#8d95a1");
     this.sky.position.set(0, 0, 1);
-    this.sun = new DirectionalLight("#ffffff", 2);
+    this.sun = new DirectionalLight("#ffffff");
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.radius = 5;
     this.sun.shadow.bias = -0.002;
     this.scene.add(this.sky, this.sun, this.sun.target);
-    this.resetLights();
   }
 
   // Set lights and shadows for objects of a size (m).
-  resetLights({ size = this.size, sky = 2.1, sun = 1.5 } = {}) {
+  setLights(size, { sky, sun }) {
     this.size = size;
     this.sky.intensity = sky;
     this.sun.intensity = sun;

@@ -39,7 +39,7 @@ const HALF_LENGTH_FORCE = 10; // N; a force of this size is drawn at half the la
 const MAX_ARROW_SHARE = 0.36; // largest length of the force arrow as a share of the arm's reach
 
 export class ArmPicture {
-  constructor(host, labels, options = {}) {
+  constructor(host, labels, options) {
     const onDraw = () => this.placeOverlays();
     this.figure = new Figure(host, { ...options, onDraw, onResize: () => this.placeGrip() });
     this.labels = new AxisLabels(labels);
@@ -50,7 +50,6 @@ export class ArmPicture {
     this.frames = null;
     /** @type {boolean[]} */
     this.hasDrawnAxes = []; // for each frame
-    this.firstFrame = options.firstFrame ?? 0;
     this.lastDrawn = /** @type {any} */ ({}); // the state that the parts were last drawn from
     this.pathLabels = []; // of the axes of a drawn circle
   }
@@ -88,7 +87,7 @@ export class ArmPicture {
       this.referenceGroup,
     );
     this.figure.scene.add(this.world);
-    this.figure.resetLights({ size: this.size, sky: look.sky, sun: look.sun });
+    this.figure.setLights(this.size, look);
   }
 
   // Make the objects that show forces, directions and points.
@@ -177,7 +176,7 @@ export class ArmPicture {
       for (const axis of ["x", "z"]) {
         const end = plus(frame.o, scaled(1.22 * length, frame[axis]));
         const key = axis + end.map((v) => Math.round((v / this.size) * 500)).join();
-        const indices = [...(labels.get(key)?.indices ?? []), i + this.firstFrame];
+        const indices = [...(labels.get(key)?.indices ?? []), i + this.options.firstFrame];
         labels.set(key, { end, letter: axis, index: indices.join(",") });
       }
     });
@@ -265,7 +264,7 @@ export class ArmPicture {
       disposeChildren(this.referenceGroup);
       this.lastDrawn.reference = shown;
       if (shown) {
-        const material = makeGhostMaterial(this.look.ghost, 0.26);
+        const material = makeGhostMaterial(this.look.ghost);
         this.referenceGroup.add(
           new ArmShape(shown, { link: material, joint: material, ghost: true }),
         );
@@ -347,12 +346,12 @@ export class ArmPicture {
     this.labels.host.hidden = false;
     this.labels.placeLabels(toPixel, this.figure, links, radius);
     this.placeGrip();
-    this.options.onDrawn?.();
+    this.options.onDrawn();
   }
 
   // Place the tip's handle, before the first drawing too.
   placeGrip() {
-    if (this.frames) this.options.onPlace?.(this.figure.projectToPixel(this.frames.at(-1).o));
+    if (this.frames) this.options.onPlace(this.figure.projectToPixel(this.frames.at(-1).o));
   }
 
   // Return the segments that can be grabbed with their rows: links and drawn x axes.

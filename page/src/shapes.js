@@ -27,6 +27,7 @@ import {
 } from "three";
 import { estimateReach } from "../../judge/geometry/arm.js";
 import { cross, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
+import { AXIS_COLOURS } from "./look.js";
 
 const UP = new Vector3(0, 1, 0); // the axis of three.js cylinders
 const ROD = new CylinderGeometry(1, 1, 1, 28, 1, true);
@@ -252,14 +253,13 @@ export class Arrow extends Group {
   }
 }
 
-const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
-const AXES_DARK = { x: "#F58A3C", y: "#3CC79B", z: "#5AB4EC" };
-
 // The three axes of several frames.
 export class Triads extends Group {
   constructor(dark, count) {
     super();
-    const colours = Object.values(dark ? AXES_DARK : AXES).map((colour) => new Color(colour));
+    const colours = Object.values(AXIS_COLOURS[dark ? "dark" : "light"]).map(
+      (colour) => new Color(colour),
+    );
     this.shafts = new InstancedSolids(BARREL, new MeshBasicMaterial(), 3 * count);
     this.heads = new InstancedSolids(CONE, new MeshBasicMaterial(), 3 * count);
     for (const solids of [this.shafts, this.heads]) solids.setColours((i) => colours[i % 3]);
@@ -381,11 +381,11 @@ export function makeFloor(size, colour, strength) {
   return makeSquare(2 * size, material);
 }
 
-export function makeGhostMaterial(colour, opacity) {
+export function makeGhostMaterial(colour) {
   return new MeshStandardMaterial({
     color: colour,
     transparent: true,
-    opacity,
+    opacity: 0.45, // less cannot be told from a dark ground
     depthWrite: false,
     roughness: 0.7,
   });

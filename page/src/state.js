@@ -48,7 +48,6 @@ import { countRank } from "./statements.js";
  */
 /**
  * @typedef {object} TipHold how the reader holds the tip: dragged towards a target, or pinned
- * @property {"tip"} [kind] set while the tip is dragged
  * @property {number[]} [target] point that a dragged tip follows
  * @property {boolean} [moving] whether a dragged tip is still on its way
  * @property {string[]} [stops] why a dragged tip cannot reach the target

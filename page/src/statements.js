@@ -78,10 +78,7 @@ const listJoints = (arm, moving) => joinList(moving.map((k) => `joint ${movingRo
  * @param {{ list: object[], families: { moving: number[] }[], lockedJoint: number,
  *   hasOrientation: boolean }} branchSet
  */
-export function describeBranches(
-  arm,
-  { list, families = [], lockedJoint = -1, hasOrientation = true },
-) {
+export function describeBranches(arm, { list, families, lockedJoint, hasOrientation }) {
   const pose = hasOrientation ? "pose" : "position, whatever the tool’s direction";
   const isolatedCount = list.length - families.length;
   const fixedJoint =

@@ -4,6 +4,8 @@
 import { estimateReach } from "../../judge/geometry/arm.js";
 import { dot, linkFrames, plus, scaled } from "../../judge/geometry/kinematics.js";
 import { svg } from "./dom.js";
+import { fitPoints } from "./fit.js";
+import { AXIS_COLOURS } from "./look.js";
 import { getBarrelSegments, getLinkSegments } from "./picking.js";
 
 const [WIDTH, HEIGHT] = [480, 320];
@@ -11,7 +13,6 @@ const FILLED_SHARE = 0.81; // share of the picture, as in the live one
 // Axes of the live picture's initial camera.
 const RIGHT = [0.6816, 0.7317, 0];
 const UP = [-0.2514, 0.2342, 0.9391];
-const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
 
 /**
  * Make the still picture.
@@ -23,7 +24,7 @@ export function makeStillPicture({ arm, trace, frames: which }, { frames }, desc
   const size = estimateReach(arm);
   const drawn = frames.filter((_, i) => which === "all" || i === 0 || i === frames.length - 1);
   const axes = drawn.flatMap((frame) =>
-    Object.entries(AXES).map(([axis, colour]) => {
+    Object.entries(AXIS_COLOURS.light).map(([axis, colour]) => {
       const tip = plus(frame.o, scaled(0.1 * size, frame[axis]));
       return { points: [frame.o, tip], width: 2.5, colour };
     }),
@@ -31,7 +32,10 @@ export function makeStillPicture({ arm, trace, frames: which }, { frames }, desc
   const links = getLinkSegments(arm, frames).map(({ from, to }) => [from, to]);
   const barrels = getBarrelSegments(arm, frames, size).map(({ from, to }) => [from, to]);
   const path = trace?.map((q) => linkFrames(arm, q).at(-1).o) ?? [];
-  const place = makeProjection([...links.flat(), ...axes.flatMap(({ points }) => points), ...path]);
+  const project = (p) => [dot(RIGHT, p), dot(UP, p)];
+  const seen = [...links.flat(), ...axes.flatMap(({ points }) => points), ...path].map(project);
+  const fit = fitPoints(seen, [WIDTH, HEIGHT], FILLED_SHARE);
+  const place = (p) => fit(project(p));
   const lines = (list, width, colour = "currentColor", ends = "round") =>
     list.map((points) => makePolyline(points.map(place), { width, colour, ends }));
   const group = (opacity, parts) => svg("g", { opacity }, ...parts);
@@ -46,25 +50,9 @@ export function makeStillPicture({ arm, trace, frames: which }, { frames }, desc
     },
     group(0.35, lines(links, 10)),
     group(0.75, lines(barrels, 12, "currentColor", "butt")),
-    ...lines(path.length ? [path] : [], 2.5, AXES.x),
+    ...lines(path.length ? [path] : [], 2.5, AXIS_COLOURS.light.x),
     ...axes.flatMap(({ points, width, colour }) => lines([points], width, colour)),
   );
-}
-
-// Return a function that projects points from metres to the picture, so that all of them fit.
-function makeProjection(points) {
-  const flat = (p) => [dot(RIGHT, p), -dot(UP, p)];
-  const seen = points.map(flat);
-  const ends = [0, 1].map((i) => {
-    const values = seen.map((p) => p[i]);
-    return [Math.min(...values), Math.max(...values)];
-  });
-  const room = [WIDTH, HEIGHT];
-  const scales = ends.map(
-    ([low, high], i) => (FILLED_SHARE * room[i]) / Math.max(high - low, 1e-9),
-  );
-  const scale = Math.min(...scales);
-  return (p) => flat(p).map((v, i) => room[i] / 2 + scale * (v - (ends[i][0] + ends[i][1]) / 2));
 }
 
 function makePolyline(points, { width, colour, ends }) {

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { readTextFile } from "../../page/src/check/file.js";
+import { readTextFile } from "../../page/src/check/files.js";
 
 const file = (bytes, name = "q.csv") => new File([bytes], name);
 test("text files of common encodings are read", async () => {

@@ -18,9 +18,9 @@ function playing() {
   const store = start();
   const { arm, circle } = store.state;
   store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: [[0, 0, 0]] });
-  store.dispatch({ type: "setBranches", arm, branches: findBranches(PANDA, PANDA.home, 20) });
+  store.dispatch({ type: "setBranches", arm, branches: findBranches(PANDA, PANDA.home) });
   store.dispatch({ type: "setPlaying", on: true });
-  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], answer: [1, 2, 3, 4, 5, 6, 7], blended: { rows: PANDA.rows, share: 0.5 }, progress: 0.5, tipHold: { kind: "tip" }, runs: [DEFAULT_RUN, DEFAULT_RUN], chosenRun: 1, runStart: PANDA.home });
+  store.dispatch({ type: "setFields", highlightedRow: 6, highlightedBranch: 0, tipPaths: [], mark: [0, 0, 1], answer: [1, 2, 3, 4, 5, 6, 7], blended: { rows: PANDA.rows, share: 0.5 }, progress: 0.5, tipHold: { moving: true }, runs: [DEFAULT_RUN, DEFAULT_RUN], chosenRun: 1, runStart: PANDA.home });
   for (const [key, none] of Object.entries(EMPTY)) assert.notDeepEqual(store.state[key], none, key);
   return store;
 }

@@ -113,8 +113,8 @@ function makeTorqueLink(arm, { wrench }, { values }, q) {
   });
 }
 
-// Show the right run and one with the verdict's mistake, their errors magnified.
 /**
+ * Show the right run and one with the verdict's mistake, their errors magnified.
  * @param {ListedArm} arm
  * @param {Question} question
  * @param {import("../../../judge/topics/frame.js").Verdict} verdict

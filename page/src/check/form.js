@@ -272,7 +272,7 @@ export function listNumberNames(key, { ask, arm: armKey }, arms) {
 
 // Describe the folded fields in one line.
 function describeFolded(keys, fields) {
-  const getText = (key) => fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
+  const getText = (key) => getFieldText(fields[key]);
   const isGuessed = (key) => FIELDS[key].name && getText(key) !== STATED_LENGTHS;
   const filled = keys.filter((key) => fields[key].value);
   const guessed = keys.filter((key) => !fields[key].value && isGuessed(key));
@@ -281,6 +281,10 @@ function describeFolded(keys, fields) {
     parts.push(`${joinList(guessed.map((key) => FIELDS[key].name))} as they look`);
   return `Taken: ${parts.join("; ")}`;
 }
+
+/** Return a field's text as the reader sees it. @param {import("./page.js").Control} field */
+export const getFieldText = (field) =>
+  "selectedOptions" in field ? field.selectedOptions[0].textContent : field.value;
 
 const getFrameName = (k) => (k ? `frame ${k}` : "the base");
 

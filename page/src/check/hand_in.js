@@ -4,6 +4,7 @@
 import { RIGHT, RIGHT_BY_MAP } from "../../../judge/digits.js";
 import { formatVerdict } from "../../../judge/verdict.js";
 import { copyToClipboard, h, setText } from "../dom.js";
+import { getFieldText } from "./form.js";
 
 const COPIED_NOTE = "Copied: the text below.";
 const NOT_COPIED_NOTE = "The clipboard is closed to this page: copy it from here.";
@@ -42,8 +43,7 @@ function writeReport({ form, reading, question, outcome, given }) {
     (key) => fields[key].value && !boxes[key].hidden && !hidden.includes(key),
   );
   const settings = asked.map((key) => {
-    const value = fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
-    return `${boxes[key].querySelector("label").textContent}: ${value}`;
+    return `${boxes[key].querySelector("label").textContent}: ${getFieldText(fields[key])}`;
   });
   const lines = [...reading.root.querySelectorAll(".by-column caption, tr")];
   const getText = (cell) => (cell.querySelector(".value") ?? cell).textContent; // of a formula

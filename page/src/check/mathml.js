@@ -1,7 +1,7 @@
 // Typesets a formula, given as a tree of judge/reading/formula.js, as MathML.
 
 const NAMESPACE = "http://www.w3.org/1998/Math/MathML";
-const GREEK = {
+export const GREEK = {
   alpha: "α",
   beta: "β",
   gamma: "γ",

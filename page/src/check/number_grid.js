@@ -1,6 +1,6 @@
 // A small field for each number of a list, to type in on a phone beside the field for the list.
 
-import { h, setText } from "../dom.js";
+import { h, makeIndexedSymbol } from "../dom.js";
 
 const SEPARATORS = /[\s,;]+/;
 const BRACKETS = /^[[({]|[\])}]$/g;
@@ -85,7 +85,6 @@ function makeNumberField(name, onChange) {
     input.focus();
   };
   const sign = h("button", { onclick: negate, "aria-label": `Sign of ${letter} ${index}` }, "±");
-  const symbol = h("span", { "aria-hidden": "true" }, h("i", {}, letter), h("sub"));
-  setText(symbol.children[1], index);
+  const symbol = h("span", { "aria-hidden": "true" }, makeIndexedSymbol(letter, index));
   return { input, root: h("span.cell", {}, symbol, input, sign) };
 }

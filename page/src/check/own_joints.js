@@ -4,7 +4,7 @@
 import { findOwnArm, parseRows } from "../../../judge/geometry/own_joints.js";
 import { ArmError, formatMessage } from "../../../judge/sentences.js";
 import { h, makeScrollRegion } from "../dom.js";
-import { typeset } from "./shown.js";
+import { makeRow, typeset } from "./shown.js";
 
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /** @typedef {import("./question.js").Question} Question */
@@ -58,7 +58,7 @@ function makeMapTable({ headers, rows }) {
   const head = headers.map((name) => h("th", { scope: "col" }, name));
   const body = rows.map(([joint, ...cells]) => {
     const values = cells.map((cell) => h("td", {}, typeset(cell.replaceAll("-", "−"))));
-    return h("tr", {}, h("th", { scope: "row" }, typeset(joint)), values);
+    return makeRow(typeset(joint), values);
   });
   const caption = h("caption", {}, CAPTION);
   return h("table", {}, caption, h("thead", {}, h("tr", {}, head)), h("tbody", {}, body));

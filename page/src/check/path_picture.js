@@ -1,10 +1,11 @@
 // Draws the path of a checked trajectory over the wanted path, seen at right angles to its wall.
 
 import { h, svg } from "../dom.js";
+import { fitPoints } from "../fit.js";
 import { linkFrames, minus, norm, plus, scaled } from "../../../judge/geometry/kinematics.js";
 
 const SIZE = 260; // width and height of the picture
-const MARGIN = 0.12; // share of the picture
+const FILLED_SHARE = 0.76; // of the picture
 const ARROW = 16; // length of an arrowhead
 const SHOWN_ERROR = 0.25; // the largest error as a share of the path's width, once magnified
 const AXES = ["x", "y", "z"];
@@ -85,18 +86,6 @@ function makeArrowhead(pixels, name) {
 // Project paths to one picture, seen at right angles to the wall.
 function projectPaths(paths, across) {
   const flat = paths.map((path) => path.map((p) => [p[across], p[2]]));
-  const project = fitPoints(flat.flat());
+  const project = fitPoints(flat.flat(), [SIZE, SIZE], FILLED_SHARE);
   return flat.map((path) => path.map(project));
-}
-
-// Return a function that fits points into the picture, at one scale for both axes.
-function fitPoints(points) {
-  const ranges = [0, 1].map((i) => {
-    const values = points.map((p) => p[i]);
-    return [Math.min(...values), Math.max(...values)];
-  });
-  const span = Math.max(...ranges.map(([low, high]) => high - low), 1e-9);
-  const scale = (SIZE * (1 - 2 * MARGIN)) / span;
-  const [x, y] = ranges.map(([low, high]) => (low + high) / 2);
-  return ([u, v]) => [SIZE / 2 + scale * (u - x), SIZE / 2 - scale * (v - y)];
 }

@@ -1,7 +1,7 @@
 // Shows how an answer was read, cell by cell, and the verdict on it.
 
 import { h } from "../dom.js";
-import { typesetFormula } from "./mathml.js";
+import { GREEK, typesetFormula } from "./mathml.js";
 import { makeBlockFinders, makePlainText } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { lookup } from "../../../judge/reading/numbers.js";
@@ -93,7 +93,7 @@ function makeColumnTables({ columns, rows, cell, unread = 0 }) {
   return [h("p.caption", {}, CAPTION, describeUnread(unread)), ...tables];
 }
 
-const makeRow = (name, cells) => h("tr", {}, h("th", { scope: "row" }, name), cells);
+export const makeRow = (name, cells) => h("tr", {}, h("th", { scope: "row" }, name), cells);
 const describeUnread = (count) =>
   count ? `; ${count === 1 ? "1 entry" : `${count} entries`} could not be` : "";
 
@@ -261,7 +261,6 @@ export function showShortVerdict(line, { verdict, error = "" }, isExample) {
 }
 
 const SYMBOL_PATTERN = /(?<!\w)([A-Za-z]|theta|alpha)_(?:\{([^}]+)\}|(\w+))(?![\w=])/g;
-const GREEK = { theta: "θ", alpha: "α" };
 
 // Parts that must not break across lines: a number with its sign, power of ten and unit.
 const UNIT_PATTERN = String.raw`(?:N m|N|mm|m\/s²|m|degrees|deg|rad)(?![\w/^])`;

@@ -15,9 +15,10 @@ import { getBranchColour } from "../look.js";
 import { Arrow, makeTube } from "../shapes.js";
 import { formatFixed } from "../text.js";
 import { joinList } from "../../../judge/sentences.js";
-import { describeRank, describeBranches } from "../statements.js";
+import { describeRank, describeBranches, listJointsWhere } from "../statements.js";
 import { makeHeatTable } from "../views/jacobian.js";
 import { makeMatrix } from "../views/pose.js";
+import { setBar } from "../views/torque.js";
 import { buildEllipsesFigure } from "./ellipses.js";
 import { formatWholeDegrees, makeLever, makeLive } from "./live.js";
 import { buildSwingFigure } from "./swing.js";
@@ -171,9 +172,7 @@ function makeTorqueBar(index) {
   const [fill, value] = [h("span.fill"), h("span")];
   const name = h("span", {}, makeIndexedSymbol("τ", index + 1));
   const show = (torque, most) => {
-    const share = Math.max(-1, Math.min(1, torque / most));
-    const [left, width] = [50 + 50 * Math.min(0, share), 50 * Math.abs(share)];
-    Object.assign(fill.style, { left: `${left}%`, width: `${width}%` });
+    setBar(fill, torque / most);
     setText(value, `${formatFixed(torque, 1)} N m`);
   };
   return { root: h("div.bar", {}, name, h("span.track", {}, fill), value), show };
@@ -221,9 +220,7 @@ function describeWinding(arm, { failedStep, windings }, radius) {
   const size = `Radius ${formatFixed(100 * radius, 1)} cm`;
   if (failedStep !== null)
     return `${size}: no run gets round; the arm would have to pass a singular configuration.`;
-  const round = movingRows(arm).flatMap((index, k) =>
-    Math.abs(windings[k]) > 0.9 ? [`joint ${index + 1}`] : [],
-  );
+  const round = listJointsWhere(arm, (_, k) => Math.abs(windings[k]) > 0.9);
   const swing = "the joints swing and come back";
   return `${size}: ${round.length ? `${joinList(round)} wind once round` : swing}.`;
 }

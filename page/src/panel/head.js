@@ -56,15 +56,11 @@ function makeArmName() {
 
 // Make the list of arms; a typed arm is its last entry.
 function makeArmChoice(store, arms, stage) {
-  const choose = (arm) => {
-    if (!arm) return;
-    store.dispatch({ type: "selectArm", arm });
+  const onchange = () => {
+    store.dispatch({ type: "selectArm", arm: arms[root.selectedIndex] });
     stage.fit();
   };
-  const root = h("select.name", {
-    "aria-label": "Arm",
-    onchange: () => choose(arms[root.selectedIndex]),
-  });
+  const root = h("select.name", { "aria-label": "Arm", onchange });
   let listedName = null;
   function list({ arm, base }) {
     const typedName = arm === base ? null : arm.name;

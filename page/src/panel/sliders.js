@@ -23,13 +23,13 @@ const KEY_STEPS = {
   PageDown: -10,
 };
 
-export function makeSliders(store, { announce, signal }) {
+export function makeSliders(store, { announce, point, signal }) {
   const root = h("div.sliders", { role: "group", "aria-label": "Joints" });
   const error = h("p.error");
   let lines = [];
   let rendered = /** @type {any} */ ({});
 
-  const actions = makeJointActions(store, error, announce);
+  const actions = { ...makeJointActions(store, error, announce), point };
 
   function rebuild({ arm, unit }) {
     rendered.abort?.abort();
@@ -71,19 +71,12 @@ function makeJointActions(store, error, announce) {
       event.preventDefault();
       actions.setValue(i, value, `keys ${i}`);
     },
-    highlight: (highlightedRow) =>
-      store.state.highlightedRow !== highlightedRow &&
-      store.dispatch({ type: "setFields", highlightedRow }),
   };
   return actions;
 }
 
 // Make the line of one joint; `index` is its row and `i` its index in q.
-function makeJointLine(
-  row,
-  { index, i, unit, signal },
-  { setValue, readTyped, handleKey, highlight },
-) {
+function makeJointLine(row, { index, i, unit, signal }, { setValue, readTyped, handleKey, point }) {
   const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
   const thumb = makeRangeInput(label, jointRange(row), {
     "data-joint": index + 1,
@@ -100,7 +93,7 @@ function makeJointLine(
     signal,
     makeLimitLabels(row, past, unit),
   );
-  const [on, off] = [() => highlight(index), () => highlight(null)];
+  const [on, off] = [() => point(index), () => point(null)];
   const lights = { onpointerenter: on, onpointerleave: off, onfocusin: on, onfocusout: off };
   const name = h("span.label", {}, makeIndexedSymbol("q", index + 1));
   return { root: h("div.joint", lights, name, rail, field), thumb, field, past, row, index };

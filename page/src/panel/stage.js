@@ -2,6 +2,7 @@
 // on paper.
 
 import { updateAttribute, h, setText } from "../dom.js";
+import { listHeldRows } from "../dragging.js";
 import { enableGrabbing, moveTipByKey } from "../pointers.js";
 import { describeDragLimit } from "../statements.js";
 import { movableRows, pick } from "../../../judge/geometry/task_rows.js";
@@ -214,9 +215,8 @@ const describePin = ({ free, turns }) => {
   return free ? `Tip pinned (${what}): drag the elbow` : `Tip pinned (${what}): nothing is free`;
 };
 
-const listPinnedRows = (turns) => (turns ? [0, 1, 2, 3, 4, 5] : [0, 1, 2]);
 const getPinnedColumns = ({ derived }, turns) =>
-  derived.columns.map((column) => pick(column, listPinnedRows(turns)));
+  derived.columns.map((column) => pick(column, listHeldRows(turns)));
 const countFreedom = (store, turns) => nullSpace(getPinnedColumns(store, turns)).length;
 
 // Move one step through the null space, as dragging the elbow does.
@@ -228,6 +228,6 @@ function swingElbowBy(store, sense) {
   const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
   const sign = sense * Math.sign(lead);
   const moved = q.map((v, k) => v + sign * SWING_STEP * direction[k]);
-  const solution = solvePose(arm, moved, tipHold.pinned, { rows: listPinnedRows(tipHold.turns) });
+  const solution = solvePose(arm, moved, tipHold.pinned, { rows: listHeldRows(tipHold.turns) });
   store.dispatch({ type: "moveJoints", q: solution.q, tipHold, gesture: "swing" });
 }

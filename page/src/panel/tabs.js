@@ -39,8 +39,7 @@ export function makeTabs(store, views, tools) {
     view.update(state, derived);
   }
   const summary = (state, derived) => builtViews.get(state.view)?.summary?.(state, derived) ?? "";
-  const dispose = () => builtViews.forEach((view) => view.dispose?.());
-  return { root: h("div.views", {}, strip, panel), update, summary, dispose };
+  return { root: h("div.views", {}, strip, panel), update, summary };
 }
 
 const makeTab = (name, id) =>

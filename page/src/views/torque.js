@@ -122,7 +122,7 @@ function showLimitShare({ fill, part, limit, line }, { effort, kind }, torque, l
 }
 
 // Set a bar from the middle to a share from -1 to 1.
-function setBar(fill, share) {
+export function setBar(fill, share) {
   fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, share))}%`);
   fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(share))}%`);
 }
