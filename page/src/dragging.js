@@ -12,9 +12,11 @@ import {
   minus,
   norm,
   plus,
+  pointInBase,
   scaled,
 } from "../../judge/geometry/kinematics.js";
 import { nullSpace, decomposeSingular } from "../../judge/geometry/linear.js";
+import { clamp } from "../../judge/geometry/planar.js";
 import { pick } from "../../judge/geometry/task_rows.js";
 import {
   solveDamped,
@@ -29,12 +31,6 @@ import {
 /** @typedef {(point: number[]) => number[]} Pixel projects a point of the world to CSS pixels */
 
 const getJointRanges = (arm) => movingRows(arm).map((i) => jointRange(arm.rows[i]));
-const clamp = (value, [lower, upper]) => Math.min(upper, Math.max(lower, value));
-
-// Convert a point from a link's frame to the world.
-const toWorld = ({ x, y, z, o }, local) =>
-  plus(o, plus(plus(scaled(local[0], x), scaled(local[1], y)), scaled(local[2], z)));
-export const toFrame = ({ x, y, z, o }, p) => [x, y, z].map((axis) => dot(axis, minus(p, o)));
 
 const PIXEL_DAMPING = 30; // px per rad; damping for a link seen end-on, which would otherwise jump
 const PIXEL_STEP = 1e-4; // rad or m, for the finite difference of a projected motion
@@ -61,7 +57,7 @@ export function dragLink(arm, q, { row, local, to, joint, pixel }) {
   const next = [...q];
   for (let round = 0; round < 4; round++) {
     const frames = linkFrames(arm, next);
-    const p = toWorld(frames[row + 1], local);
+    const p = pointInBase(frames[row + 1], local);
     const { z, o } = frames[index];
     const { at, rate } = projectMotion(pixel, p, turns ? cross(z, minus(p, o)) : z);
     const [step] = solveDamped(
@@ -69,9 +65,9 @@ export function dragLink(arm, q, { row, local, to, joint, pixel }) {
       [dotProduct(rate, [to[0] - at[0], to[1] - at[1]])],
       PIXEL_DAMPING ** 2,
     );
-    next[joint] += clamp(step, [-0.2, 0.2]);
+    next[joint] += clamp(step, -0.2, 0.2);
   }
-  next[joint] = clamp(next[joint], [Math.min(limits[0], q[joint]), Math.max(limits[1], q[joint])]);
+  next[joint] = clamp(next[joint], Math.min(limits[0], q[joint]), Math.max(limits[1], q[joint]));
   return next;
 }
 
@@ -113,7 +109,7 @@ function minimizeError({ arm, target, rest, turns, limits }, start) {
   const errorOf = (frames) => selectTaskRows(getPoseError(frames.at(-1), target), turns);
   const cost = (frames, q) =>
     norm(errorOf(frames)) ** 2 + REST_WEIGHT * q.reduce((s, v, k) => s + (v - rest[k]) ** 2, 0);
-  let [q, lambda] = [start.map((v, k) => clamp(v, limits[k])), 1e-3];
+  let [q, lambda] = [start.map((v, k) => clamp(v, ...limits[k])), 1e-3];
   let frames = linkFrames(arm, q);
   let least = cost(frames, q);
   for (let round = 0; round < 12; round++) {
@@ -126,7 +122,7 @@ function minimizeError({ arm, target, rest, turns, limits }, start) {
     const [columns, pulls] = [J, pull].map((of) => free.map((k) => of[k]));
     const step = solveDamped(columns, pulls, REST_WEIGHT + lambda);
     const next = [...q];
-    free.forEach((k, i) => (next[k] = clamp(q[k] + step[i], limits[k])));
+    free.forEach((k, i) => (next[k] = clamp(q[k] + step[i], ...limits[k])));
     const nextFrames = linkFrames(arm, next);
     const nextCost = cost(nextFrames, next);
     if (nextCost >= least) {
@@ -268,7 +264,7 @@ const add = (p, q) => p.map((v, k) => v + q[k]);
 
 // Return the short step within the null space that moves the grabbed point closest to the pointer.
 function findElbowStep(arm, frames, still, { row, local, to, pixel }) {
-  const p = toWorld(frames[row + 1], local);
+  const p = pointInBase(frames[row + 1], local);
   const moving = movingRows(arm);
   const before = jacobianColumns(arm, frames, p).filter((_, k) => moving[k] <= row);
   const rates = still.map((direction) => {

@@ -15,6 +15,7 @@ import {
 import { findClosedForm, needsPose, solveInverse } from "../../judge/geometry/inverse.js";
 import { nullSpace, decomposeSingular, solveLinear } from "../../judge/geometry/linear.js";
 import { circlePath } from "../../judge/geometry/path.js";
+import { wrapAngle } from "../../judge/geometry/planar.js";
 import { hasTaskOrientation, pick, taskRows } from "../../judge/geometry/task_rows.js";
 import { replaceAt } from "./text.js";
 
@@ -197,7 +198,7 @@ function wrapAngles(arm, q) {
   return movingRows(arm).map((row, i) => {
     if (arm.rows[row].kind !== "revolute") return q[i];
     const [lower, upper] = jointRange(arm.rows[row]);
-    const near = Math.atan2(Math.sin(q[i]), Math.cos(q[i]));
+    const near = wrapAngle(q[i]);
     return (
       [near, near + 2 * Math.PI, near - 2 * Math.PI].find((v) => v >= lower && v <= upper) ?? near
     );

@@ -9,6 +9,7 @@ import {
   linkFrames,
   minus,
   norm,
+  pointInFrame,
 } from "../../judge/geometry/kinematics.js";
 import { movableLinearRows } from "../../judge/geometry/task_rows.js";
 import { runBeforeDrawing, cancelStep } from "./renderer.js";
@@ -16,7 +17,6 @@ import {
   dragLink,
   dragTip,
   findFadingDirections,
-  toFrame,
   swingElbow,
   findStopReasons,
 } from "./dragging.js";
@@ -126,7 +126,7 @@ class Grabber {
     const hit = picture.findLinkAt(pixel, radius, picture.listGrabbableSegments());
     if (!hit) return null;
     const { frames } = derived;
-    const grabbed = { row: hit.row, local: toFrame(frames[hit.row + 1], hit.point) };
+    const grabbed = { row: hit.row, local: pointInFrame(frames[hit.row + 1], hit.point) };
     if (state.tipHold?.pinned) return { kind: "elbow", ...grabbed };
     const row = findTurningRow(state.arm, frames, hit, 0.02 * picture.size);
     return row === null ? null : { kind: "link", highlightedRow: row, ...grabbed };

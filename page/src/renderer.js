@@ -13,6 +13,7 @@ import {
 } from "three";
 import { Box3, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { clamp } from "../../judge/geometry/planar.js";
 import { isSharedGeometry } from "./shapes.js";
 
 let sharedRenderer = null;
@@ -114,7 +115,6 @@ const scratchVector = new Vector3();
 const raycaster = new Raycaster();
 
 const VIEW_EDGE = 0.82; // share of half the picture within which the view keeps the tip
-const clamp = (value, lower, upper) => Math.min(upper, Math.max(lower, value));
 
 /** Direction from an arm to the camera, in the still picture too. */
 export const INITIAL_VIEW = [0.687, -0.639, 0.344];

@@ -3,7 +3,13 @@
 
 import { hasLimits, isOutsideLimits } from "../../judge/geometry/arm.js";
 import { isSameMachine } from "../../judge/geometry/axes.js";
-import { dot, movingRows, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
+import {
+  movingRows,
+  linkFrames,
+  minus,
+  norm,
+  rotationBetween,
+} from "../../judge/geometry/kinematics.js";
 import {
   hasTaskOrientation,
   isPlanar,
@@ -155,9 +161,7 @@ function compareWithReference({ arm, reference, q }, frames) {
   if (counts[0] !== counts[1])
     return `Yours has ${counts[0]} joints, the ${reference.name} ${counts[1]}.`;
   const [tip, ghostTip] = [frames.at(-1), linkFrames(reference, q).at(-1)];
-  const trace = dot(tip.x, ghostTip.x) + dot(tip.y, ghostTip.y) + dot(tip.z, ghostTip.z);
-  const cosine = (trace - 1) / 2; // of the angle between the two frames
-  const turn = (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI;
+  const turn = (rotationBetween(tip, ghostTip) * 180) / Math.PI;
   const distance = 1000 * norm(minus(tip.o, ghostTip.o)); // mm
   const apart = `${formatFixed(distance, 1)} mm and ${formatFixed(turn, 1)}°`;
   const here = `at these joint values its tip is ${apart} away from the ghost’s`;

@@ -1,7 +1,7 @@
 // Makes the fields of a question, with labels, hints and controls. Fields with a good default are
 // folded into a line that states their values.
 
-import { movingRows } from "../../../judge/geometry/kinematics.js";
+import { jointNames, movingRows } from "../../../judge/geometry/kinematics.js";
 import { h, setText } from "../dom.js";
 import { canBeAsked, CHOICES, OWN_ARM, QUESTIONS } from "./question.js";
 import { getDisplayName } from "../text.js";
@@ -289,9 +289,8 @@ export const getFieldText = (field) =>
 const getFrameName = (k) => (k ? `frame ${k}` : "the base");
 
 const listJointNames = (arm) => {
-  const names = movingRows(arm).map((i) => `q_${i + 1}`);
   const slides = arm.rows.some(({ kind }) => kind === "prismatic");
-  return `${names.join(", ")}${slides ? "; m where a joint slides" : ""}`;
+  return `${jointNames(arm).join(", ")}${slides ? "; m where a joint slides" : ""}`;
 };
 
 /**

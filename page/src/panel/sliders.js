@@ -4,6 +4,7 @@ import { isOutsideLimits, jointRange } from "../../../judge/geometry/arm.js";
 import { updateAttribute, h, makeIndexedSymbol, makeRangeInput, setText } from "../dom.js";
 import { readField, refillField, makeTextField } from "../entry.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
+import { clamp } from "../../../judge/geometry/planar.js";
 import { makeRail } from "../rail.js";
 import {
   isAngle,
@@ -115,7 +116,7 @@ function getValueAfterKey({ key, shiftKey }, row, value) {
   if (key === "End") return upper;
   if (!KEY_STEPS[key]) return null;
   const step = (isAngle(row) ? Math.PI / 180 : 0.005) * (shiftKey ? 0.1 : 1);
-  return Math.min(upper, Math.max(lower, value + KEY_STEPS[key] * step));
+  return clamp(value + KEY_STEPS[key] * step, lower, upper);
 }
 
 function showJoint({ root, thumb, field, past, row, index }, value, { highlightedRow, unit }) {
@@ -123,9 +124,7 @@ function showJoint({ root, thumb, field, past, row, index }, value, { highlighte
   root.classList.toggle("lit", highlightedRow === index);
   thumb.value = String(value);
   updateAttribute(thumb, "aria-valuetext", formatSpokenValue(row, value, unit));
-  const [at, zero] = [value, 0].map(
-    (v) => 100 * Math.min(1, Math.max(0, (v - lower) / (upper - lower || 1))),
-  );
+  const [at, zero] = [value, 0].map((v) => 100 * clamp((v - lower) / (upper - lower || 1), 0, 1));
   thumb.style.setProperty("--low", `${Math.min(at, zero).toFixed(2)}%`);
   thumb.style.setProperty("--high", `${Math.max(at, zero).toFixed(2)}%`);
   refillField(field, formatJointValue(row, value, unit));

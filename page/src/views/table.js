@@ -1,6 +1,7 @@
 // The Denavit-Hartenberg table to type in. A bad entry is explained, and the last valid arm stays.
 
-import { MAX_ROWS } from "../../../judge/geometry/arm.js";
+import { MAX_ROWS, NO_LIMITS } from "../../../judge/geometry/arm.js";
+import { jointColumn } from "../../../judge/geometry/rows.js";
 import { haveSameKinds } from "../blend.js";
 import {
   copyToClipboard,
@@ -27,7 +28,6 @@ const COLUMNS = [
   ["theta", "θ", true],
 ];
 const KINDS = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
-const VARIABLE_COLUMN = { revolute: "theta", prismatic: "d" };
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
 
 export function build(store, { announce, fit }) {
@@ -214,7 +214,7 @@ const makeColumnHeaders = (unit) => [
 
 function makeTableRow(i, arm, unit, { change, typed }) {
   const row = arm.rows[i];
-  const chosen = (name) => change(replaceAt(arm.rows, i, setJointKind(row, name)));
+  const chosen = (name) => change(replaceAt(arm.rows, i, { ...row, kind: name, ...NO_LIMITS }));
   const kind = makeSelect(`Row ${i + 1}, kind of joint`, KINDS, chosen);
   kind.value = row.kind;
   const others = () => arm.rows.filter((_, k) => k !== i);
@@ -244,18 +244,9 @@ function makeEntryCell(i, column, row, { unit, typed }) {
     value: formatEntry(row[key], angle, unit),
     "data-cell": `${i + 1}-${key}`,
   });
-  if (key !== VARIABLE_COLUMN[row.kind]) return h("td", {}, input);
+  if (key !== jointColumn(row.kind)) return h("td", {}, input);
   return h("td.moves", {}, input, h("span", {}, "+ ", makeIndexedSymbol("q", i + 1)));
 }
-
-const setJointKind = (row, kind) => ({
-  ...row,
-  kind,
-  lower: null,
-  upper: null,
-  speed: null,
-  effort: null,
-});
 
 function download(text, name) {
   const address = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
