@@ -59,9 +59,8 @@ export function buildPanel(host, store, { views, arms, makeLink }) {
   };
 }
 
-// Return whether a link brought something to compare, which stands below the picture.
-const isComparison = ({ answer, arm, base, runs }) =>
-  Boolean(answer || runs.length) || arm !== base;
+// Return whether a link brought numbers to compare, which stand below the picture. Runs are in it.
+const isComparison = ({ answer, arm, base }) => Boolean(answer) || arm !== base;
 
 // Make the notice above the picture.
 function makeNotice() {
