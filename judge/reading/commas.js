@@ -32,6 +32,12 @@ export function askAboutCommas(text, tokens) {
   return formatMessage("commas", { pair, decimal: `${first}.${second}`, first, second });
 }
 
+// Return whether a reading sets entries of another reading aside.
+const dropsEntries = (tokens, others) => {
+  const unused = new Set(tokens.flatMap(({ owner, from }) => (owner === "context" ? [from] : [])));
+  return others.some(({ owner, from }) => owner === "entry" && unused.has(from));
+};
+
 const isMisshapen = ({ findings }) => findings.some(({ what }) => what === "shape");
 
 /**
@@ -53,8 +59,9 @@ export function tryOtherCommas(text, verdict, judgeWith) {
     if (!(error instanceof ArmError)) throw error;
     if (error.answers) throw new ArmError(words); // several answers fit
   }
-  if (!other || isMisshapen(other) || String(other.typed.values) === String(typed.values))
+  if (!other || isMisshapen(other) || dropsEntries(other.typed.tokens, typed.tokens))
     return verdict;
+  if (String(other.typed.values) === String(typed.values)) return verdict;
   if (other.grade === WRONG && !isMisshapen(verdict)) throw new ArmError(words);
   return { ...other, taken: [...other.taken, formatMessage(`taken: ${commas}`)] };
 }
