@@ -270,8 +270,10 @@ export class ArmPicture {
         );
       }
     }
-    if (shown)
-      /** @type {any} */ (this.referenceGroup.children[0]).placeAtFrames(linkFrames(shown, q));
+    if (!shown) return;
+    const shape = /** @type {any} */ (this.referenceGroup.children[0]);
+    // Its width is that of the arm, which would not hide a ghost of longer reach.
+    shape.placeAtFrames(linkFrames(shown, q), (0.97 * this.size) / shape.size);
   }
 
   // Draw arrows both ways along each direction that a dragged tip is losing; they grow as it is
