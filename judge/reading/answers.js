@@ -4,7 +4,7 @@
 import { makeBlockFinders, makePlainText } from "./blocks.js";
 import { foldCharacters, linesOf } from "./characters.js";
 import { askAboutCommas, mayBeDecimals } from "./commas.js";
-import { bareName, chooseColumn, chooseJointColumns, isSquareTable } from "./columns.js";
+import { bareName, chooseColumn, chooseJointColumns } from "./columns.js";
 import {
   beginsWithCount,
   countsRows,
@@ -274,19 +274,16 @@ function refuseRivals(block, blocks, { text, wants, names = NO_NAME }) {
 function fitBlock(block, want, wants, names) {
   const isWholeRow =
     block.rows.length === 1 && wants.some(({ columns }) => columns === block.rows[0].length);
-  const columns = chooseColumn(block, names);
   // Each list has the blocks after a single change. Only headers can give several blocks.
-  const alternatives = isSquareTable(block, want, columns)
-    ? [columns]
-    : [
-        ...dropCountHeader(block).map((each) => [each]),
-        ...(countsRows(block) ? dropLabels(block) : []).map((each) => [each]),
-        [block],
-        ...dropCountCells(block).map((each) => [each]),
-        columns,
-        chooseJointColumns(block, want, names),
-        ...(isWholeRow ? [] : dropLabels(block)).map((each) => [each]),
-      ];
+  const alternatives = [
+    ...dropCountHeader(block).map((each) => [each]),
+    ...(countsRows(block) ? dropLabels(block) : []).map((each) => [each]),
+    [block],
+    ...dropCountCells(block).map((each) => [each]),
+    chooseColumn(block, names),
+    chooseJointColumns(block, want, names),
+    ...(isWholeRow ? [] : dropLabels(block)).map((each) => [each]),
+  ];
   const candidates = alternatives.flat();
   const transposedBlocks = want.by
     ? candidates.filter((candidate) => isTransposed(candidate, want)).map(transpose)

@@ -36,18 +36,6 @@ export function chooseColumn(block, names) {
 }
 
 /**
- * Return whether a table is as wide as the answer only by chance. Its first column counts the rows,
- * and a single column has the answer's name.
- * @param {Block} block @param {{ columns: number | null }} want @param {Block[]} chosen columns
- */
-export function isSquareTable({ rows }, want, chosen) {
-  if (want.columns !== rows[0].length || chosen.length !== 1) return false;
-  const { text } = chosen[0].headers[0];
-  const isNamed = EXACT_NAME.test(bareName(text)) || ANGLE.test(text);
-  return isNamed && isSeries(rows.map(([cell]) => cell.text));
-}
-
-/**
  * Return a block for each set of columns whose headers name all joints. Headers with the answer's
  * name are preferred.
  * @param {Block} block @param {{ by?: string, columns: number | null }} want
