@@ -72,8 +72,6 @@ import { ArmError, formatMessage, joinList, quoteText, tryOrNull } from "../sent
  *   symbols
  */
 
-const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 and 0T2
-
 /**
  * List the possible readings of a table, the likeliest first. There is more than one reading only
  * if the order of the columns is a guess.
@@ -181,8 +179,7 @@ function readFirstBlock(text, blocks, request) {
 const hasEmptyCells = ({ block: { sources } }) =>
   sources.some(({ cells }) => cells.some(({ from, to }) => from === to));
 
-// Return the numbers of a block with their owners. Refuse unread cells, and poses of frames in the
-// base such as T_02, which are no link matrices.
+// Return the numbers of a block with their owners. Refuse unread cells.
 /**
  * @param {import("./table_blocks.js").TableBlock} table
  * @param {string} text @param {Request} request
@@ -194,7 +191,6 @@ function requireReadable(table, text, { known }) {
   if (unread?.cell) refuseUnreadCell(text, tokens, unread.cell, what);
   if (unread) throw makeTornError(table, findOddLine(table, unread.line), tokens, text);
   refuseUnread(text, tokens, what);
-  if (splitMatrices(table.cells) && FRAMES.test(text)) throw new NoLink("table.frames");
   return tokens;
 }
 
