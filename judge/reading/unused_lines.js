@@ -20,7 +20,8 @@ export function listUnused(text, tokens) {
     if (COLUMN.test(reason)) return [reason.replace(COLUMN, "")];
     const start = startOf(token);
     if (!linesOfEntries.has(start)) return [text.slice(start).split("\n", 1)[0].trim()];
-    return reason === BESIDE_WORDS ? [] : [token.text];
+    const sign = "-−–".includes(text[from - 1]) ? text[from - 1] : "";
+    return reason === BESIDE_WORDS ? [] : [sign + token.text];
   });
   return [...new Set(unused)];
 }
