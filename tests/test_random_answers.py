@@ -62,6 +62,7 @@ ONCE_WRONG = {
     "solutions called q^(1)": (407521, 12760, "right"),
     "an unread row beside code": (915273, 2482, "refused"),
     "two answers beside code": (407521, 16535, "refused"),
+    "an arrow that opens a bracket": (982033, 3571, "refused"),
 }
 
 

@@ -6,7 +6,7 @@ import { bareName } from "./columns.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
 import { makeBlock } from "./block.js";
-import { haveDifferentUnits } from "./labels.js";
+import { findLabel, haveDifferentUnits } from "./labels.js";
 import { markHeadings, readRows } from "./lines.js";
 import { haveSimilarLabels, isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { joinCellLines, joinIndexedValues, joinNamedValues } from "./single_values.js";
@@ -80,7 +80,8 @@ function callOnce(compute) {
 /** @returns {import("./block.js").Lines} */
 function markGivenRows({ rows: all, words }, given) {
   const vectors = given.filter((values) => values.length > 1 && values.some(Boolean));
-  const isOfQuestion = ({ cells }) => {
+  const isOfQuestion = ({ cells, words }) => {
+    if (findLabel(words)?.kind === "row") return false; // vy of a Jacobian
     const readCells = callOnce(() => cells.map(readWithHalfPlace));
     return vectors.some(
       (values) => values.length === cells.length && areGivenValues(readCells(), values),

@@ -204,7 +204,7 @@ const COMMENTS = [
   /^[ \t]*(?:def \w+\(|return ).*$/gm, // code
   // A comment with a number; #1 is the number of a line, and # q1 q2 q3 may be the column headers.
   /^[ \t]*(?:#(?!\d)|%|\/\/).*\d[.,]\d.*$/gm,
-  /(?<=(?:[\d\])},;:°m*π]|rad|deg)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t°])).*$/gm,
+  /(?<=(?:[\d\])},;:°m*π]|rad|deg)[ \t]+)(?:#(?!\d)|%|\/\/|<-(?!-*[ ]*[,;|&\t°]|\.?\d)).*$/gm,
 ];
 
 const blank = (comment) => comment.replace(/[^\n]/g, " ");
