@@ -6,7 +6,7 @@ import { bareName } from "./columns.js";
 import { withoutDecorations } from "./decorations.js";
 import { number } from "./formula.js";
 import { makeBlock } from "./block.js";
-import { findLabel, haveDifferentUnits } from "./labels.js";
+import { findLabel } from "./labels.js";
 import { markHeadings, readRows } from "./lines.js";
 import { haveSimilarLabels, isCalledOld, namesOtherQuantity } from "./row_names.js";
 import { joinCellLines, joinIndexedValues, joinNamedValues } from "./single_values.js";
@@ -146,7 +146,6 @@ function groupFollowingRows(rows, names) {
 // Return whether a row may follow the row `before` in a block. The rows between them must stand on
 // the lines of these two rows.
 const continues = (row, before, between) =>
-  !haveDifferentUnits(row.above, before.above) &&
   before.part === row.part &&
   before.depth === row.depth &&
   between.every(({ line }) => line === before.line || line === row.line) &&

@@ -2,7 +2,6 @@
 // answer is ordered by its labels.
 
 import { hasDecimals, plain } from "./formula.js";
-import { readUnits } from "./units.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
@@ -93,15 +92,4 @@ export function readRowLabels(rows) {
     rows[0].above.some(({ text }) => /^(?:rows?|order)$/i.test(text));
   if (isListOfRows) return { labels: names.map((name) => [name]), headers: [] };
   return { labels: rows.map(({ words }) => words), headers: rows[0].above };
-}
-
-/**
- * Return whether two lines of words, such as "Solutions (deg)", state different units of angles.
- * @param {import("./lines.js").Cell[]} words @param {import("./lines.js").Cell[]} others
- */
-export function haveDifferentUnits(words, others) {
-  if (words === others) return false;
-  const textOf = (cells) => cells.map(({ text }) => text).join(" ");
-  const [unit, other] = [words, others].map((cells) => readUnits(textOf(cells)).angles);
-  return unit !== null && other !== null && unit !== other;
 }
