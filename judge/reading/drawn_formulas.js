@@ -1,5 +1,5 @@
-// Writes fractions that SymPy drew over several lines on a single line. All other drawn formulas
-// are refused.
+// Writes fractions and roots that SymPy drew over several lines on a single line. All other drawn
+// formulas are refused.
 
 import { listLines } from "./spans.js";
 import { ArmError, formatMessage, quoteText } from "../sentences.js";
@@ -12,6 +12,7 @@ import { ArmError, formatMessage, quoteText } from "../sentences.js";
  */
 
 const ROOT = /\\\/|╲╱/g;
+const OVERLINE = /^_{3,}/;
 const DRAWN_BRACKET = /[⎛-⎭]/g;
 // A bar between blanks, brackets and commas. It may also be a minus.
 const BAR = /(?<![^\s[(⎛-⎭])(?:─+|-+)(?![^\s\]),⎛-⎭])/g;
@@ -19,17 +20,17 @@ const TERM = /^(?=.*[\dπp])(?:[-+*·\d. √π()]|pi)+$/;
 const FRAME = /[\s⎛-⎭[\](),]/g; // characters that are no part of an entry
 const OPENING = /[⎛-⎭[]/;
 const UNREAD_SIGN = /\\\/|╲╱|[⎛-⎭].*─/; // a root or a bar
-const FLATTENED = /\)\/\(/;
+const FLATTENED = /√\(|\)\/\(/;
 
 /**
- * Write each drawn fraction on a single line.
+ * Write each drawn fraction and root on a single line.
  * @param {SpannedText} pasted
  * @param {string} what the name of the answer, for the error
  * @returns {SpannedText} a text with the same number of lines
  * @throws {ArmError} if a part of a drawn formula cannot be read, such as a power
  */
 export function flattenFormulas(pasted, what) {
-  const flat = rewrite(pasted, listFractionEdits);
+  const flat = rewrite(rewrite(pasted, listRootEdits), listFractionEdits);
   const isDrawn = [DRAWN_BRACKET, ROOT].some((pattern) => pasted.text.search(pattern) >= 0);
   if (flat === pasted && !isDrawn) return pasted;
   const [typedLines, flatLines] = [pasted, flat].map(({ text }) => text.split("\n"));
@@ -53,6 +54,23 @@ function rewrite(text, listEdits) {
 }
 
 const blank = ({ from, to }) => ({ from, to, parts: [" ".repeat(to - from)] });
+
+// Write √( over a root sign, and ) over the blank behind the root. All columns stay in place.
+function listRootEdits(lines, k) {
+  const { text, from } = lines[k];
+  const above = lines[k - 1] ?? { text: "", from: 0 };
+  return [...text.matchAll(ROOT)].flatMap(({ index }) => {
+    const start = index + 2;
+    const width = OVERLINE.exec(above.text.slice(start))?.[0].length ?? 0;
+    const end = Math.min(start + width - 1, text.length);
+    if (!TERM.test(text.slice(start, end)) || text[end]?.trim()) return [];
+    return [
+      blank({ from: above.from + start, to: above.from + start + width }),
+      { from: from + index, to: from + start, parts: ["√("] },
+      { from: from + end, to: from + Math.min(end + 1, text.length), parts: [")"] },
+    ];
+  });
+}
 
 // Write a fraction in place of its bar, and blanks in place of numerator and denominator.
 function listFractionEdits(lines, k) {
