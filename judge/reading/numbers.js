@@ -30,6 +30,7 @@ import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "
 /** @typedef {import("../geometry/arm.js").Arm} Arm */
 
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
+const JOINT_SYMBOL = /^(?:q|th|theta)(\d{1,2})$/;
 const MOST_SHOWN = 3; // values of a locked joint in a message
 const SHORT = /^([cs])(?:theta|th|q)?((?:[+-]?\d)+)$/; // c12, s_theta1
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
@@ -342,9 +343,16 @@ function lookUpNames(names, arm, q, constants) {
     names.map((name) => {
       const x = values.get(simple(name)) ?? evaluateJoints(simple(name), joints);
       if (Number.isFinite(x)) return [name, x];
+      const [, joint] = JOINT_SYMBOL.exec(simple(name)) ?? [];
+      if (joint === "0")
+        throw new ArmError(
+          formatMessage("joint zero", { arm: arm.name, name, first: name.replace("0", "1") }),
+        );
       const known = [...jointNames(arm), ...(arm.values ?? []).map(([symbol]) => symbol)].join(
         ", ",
       );
+      if (arm.rows[0].kind === "fixed" && joint)
+        throw new ArmError(formatMessage("unknown joint", { arm: arm.name, name, known }));
       throw new ArmError(formatMessage("unknown symbol", { arm: arm.name, name, known }), [
         { field: "values", value: name },
       ]);
