@@ -3,7 +3,13 @@
 import { BESIDE_WORDS } from "./owners.js";
 
 const COLUMN = /^column /; // the reason of a number in a column that does not belong to a table
+const FACTOR = /^1\.0e[+-]\d+ ?\*$/; // that MATLAB prints above a matrix, and that is applied
 const NAME_BEFORE = /[\p{L}_][{[(]?$/u; // q_1
+
+// Return whether a number is unused where no entry stands on its line. Words above the answer are
+// its labels, as a date is; a label with a reason, as the length that a table uses, is used.
+/** @param {import("./owners.js").Token} token */
+const isUnusedAlone = ({ owner, reason }) => owner === "given" || (owner === "label" && !reason);
 
 /**
  * List the lines without entries that have an unused number, and the unused numbers on the lines of
@@ -16,10 +22,13 @@ export function listUnused(text, tokens) {
   const linesOfEntries = new Set(entries.map(startOf));
   const unused = tokens.flatMap((token) => {
     const { owner, reason = "", from } = token;
-    if (owner !== "context" || NAME_BEFORE.test(text.slice(Math.max(0, from - 2), from))) return [];
-    if (COLUMN.test(reason)) return [reason.replace(COLUMN, "")];
+    if (NAME_BEFORE.test(text.slice(Math.max(0, from - 2), from))) return [];
     const start = startOf(token);
-    if (!linesOfEntries.has(start)) return [text.slice(start).split("\n", 1)[0].trim()];
+    const isAlone = !linesOfEntries.has(start);
+    if (owner !== "context" && !(isAlone && isUnusedAlone(token))) return [];
+    if (COLUMN.test(reason)) return [reason.replace(COLUMN, "")];
+    const line = text.slice(start).split("\n", 1)[0].trim();
+    if (isAlone) return FACTOR.test(line) ? [] : [line];
     const sign = "-−–".includes(text[from - 1]) ? text[from - 1] : "";
     return reason === BESIDE_WORDS ? [] : [sign + token.text];
   });
