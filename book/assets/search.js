@@ -148,7 +148,7 @@ const joinStems = (stems) => ` ${stems.join(" ")} `;
 const stemsOf = (text) => split(text).filter((word) => !STOP_WORDS.has(word)).map(stem);
 const listNames = ({ title, also }) => [title, ...(also?.split(", ") ?? [])].map(stemsOf);
 
-// Return what tells the entry that the words name: a chapter whose title begins with them, else a term.
+// Return a test for entries that the words name: chapters whose titles begin with them, else terms.
 function findNamed(phrase) {
   const isChapter = ({ title, of, kind }) => kind === "chapter" && title === of && joinStems(stemsOf(title)).startsWith(phrase);
   const isTerm = (entry) => entry.page === GLOSSARY && listNames(entry).some((name) => joinStems(name) === phrase);

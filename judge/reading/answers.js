@@ -118,13 +118,13 @@ function findIn(pasted, text, question) {
   if (computation) throw new ArmError(formatMessage("computed", { what, text: computation }));
   const refusal = findDoubt(text, question, block, tokens);
   if (refusal) throw refusal;
+  // A text without words can only be the answer, even if its numbers count 1, 2, 3.
   if (countsAlone(block, names) && /\p{L}/u.test(text))
     throw makeRefusal(text, question, blockFinders);
   return { ...ordered, tokens };
 }
 
-// Return an error for a block that is probably not the answer. A text without words can only be the
-// answer, even if its numbers count 1, 2, 3.
+// Return an error for a block that is probably not the answer, or null.
 /** @param {string} text @param {Question} question @param {Block} block @param {any[]} tokens */
 function findDoubt(text, { what, names, stated }, block, tokens) {
   const { firstLine, sources } = block;
