@@ -18,6 +18,7 @@ from tests.browser.reader import (
     find_box,
     keep_first_typeface,
     load_with_storage,
+    read_storage,
 )
 from tests.cases import questions_about, typed_fields
 from tests.test_book import HTML
@@ -46,35 +47,27 @@ LINES = """(box, words) => {
 }"""
 
 
-LOOKS = [("light", 1280), ("dark", 390)]
+LOOKS = [("light", 1280, 800), ("dark", 390, 844)]
 wide, phone, both = (
-    pytest.mark.parametrize("window", looks, indirect=True, ids=str)
+    pytest.mark.parametrize("page", looks, indirect=True, ids=str)
     for looks in (LOOKS[:1], LOOKS[1:], LOOKS)
 )
 
 
-@pytest.fixture(scope="module")
-def window(request, browser):
-    """Share a window for all tests of one width and theme; no picture is drawn in it."""
-    scheme, width = request.param
+@pytest.fixture
+def page(request, browser):
+    """Open the form with an empty storage; no picture is drawn in it."""
+    scheme, width, height = request.param
     context = browser.new_context(
-        viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
+        viewport={"width": width, "height": height}, color_scheme=scheme, offline=True
     )
     context.add_init_script(SKIP_DRAWING)
     page = context.new_page()
-    page.problems, page.size = [], page.viewport_size
-    page.on("pageerror", lambda error: page.problems.append(str(error)))
+    problems = []
+    page.on("pageerror", lambda error: problems.append(str(error)))
+    enter(page)
     yield page
     context.close()
-
-
-@pytest.fixture
-def page(window):
-    window.set_viewport_size(window.size)
-    enter(window)
-    yield window
-    window.evaluate("localStorage.clear()")
-    problems, window.problems = window.problems, []
     assert problems == []
 
 
@@ -384,9 +377,6 @@ def test_trajectory_file_is_judged(page, tmp_path):
 
 @both
 def test_answer_field_is_on_first_screen(page):
-    page.set_viewport_size(
-        {"width": page.size["width"], "height": 844 if page.size["width"] < 800 else 800}
-    )
     page.add_init_script(ADD_UP_LAYOUT_SHIFTS)
     keep_first_typeface(page)
     enter(page)
@@ -489,7 +479,7 @@ WRONG = ELBOW.replace("0.2866", "0.3866")
 def test_typed_answer_survives_a_reload(page):
     ask(page, WRONG)
     verdict(page, "check vz")
-    load_with_storage(page, "judge:", lambda: enter(page))
+    load_with_storage(page, read_storage(page, "judge:"), lambda: enter(page))
     verdict(page, "check vz")
     expect(page.get_by_label("Your answer", exact=True)).to_have_value(WRONG)
     expect(page.get_by_label("Configuration q")).to_have_value("0.5, 0.7, -0.4")
@@ -563,7 +553,7 @@ def test_cleared_answer_comes_back_by_undo(page):
 def test_forgetting_everything_asks_and_reaches_other_tabs(page):
     ask(page, WRONG)
     other = page.context.new_page()
-    load_with_storage(other, "judge:", lambda: enter(other))
+    load_with_storage(other, read_storage(page, "judge:"), lambda: enter(other))
     verdict(other, "check vz")
     forget = page.get_by_role("button", name="Forget everything")
     questions = []
@@ -583,11 +573,10 @@ def test_forgetting_everything_asks_and_reaches_other_tabs(page):
     assert questions == ["Forget all answers that you typed anywhere in this book?"] * 2
     for tab in (page, other):
         verdict(tab, "An example, with a mistake in it.")
-    assert page.evaluate("Object.keys(localStorage).filter(k => /^judge:/.test(k))") == [
-        "judge:cleared"
-    ]
+    stored = read_storage(page, "judge:")
+    assert list(stored) == ["judge:cleared"]
     other.close()
-    enter(page)
+    load_with_storage(page, stored, lambda: enter(page))
     verdict(page, "An example, with a mistake in it.")
 
 
@@ -638,8 +627,9 @@ def test_two_tabs_keep_answers_to_two_questions(page):
     enter(other, "#ask=pose&arm=ELBOW")
     other.get_by_label("Your answer", exact=True).fill("0.1 0.2 0.3")
     page.get_by_label("Configuration q").fill("0.5, 0.7, -0.3")
+    stored = read_storage(other, "judge:") | read_storage(page, "judge:")
     other.close()
-    load_with_storage(page, "judge:", lambda: enter(page))
+    load_with_storage(page, stored, lambda: enter(page))
     expect(page.get_by_label("Your answer", exact=True)).to_have_value(WRONG)
     page.get_by_label("Question", exact=True).select_option("pose")
     expect(page.get_by_label("Your answer", exact=True)).to_have_value("0.1 0.2 0.3")
@@ -668,7 +658,8 @@ def test_chapter_form_keeps_its_answer(chapter):
     place = scroll_to(page.locator(".arm-judge").nth(0))
     answer = place.get_by_label("Your answer", exact=True)
     answer.fill(SIX_COLUMNS)
-    load_with_storage(page, "judge:", lambda: chapter("02_jacobian"))
+    stored = read_storage(page, "judge:")
+    load_with_storage(page, stored, lambda: chapter("02_jacobian"))
     scroll_to(place)
     expect(answer).to_have_value(SIX_COLUMNS)
     place.locator(".verdict", has_text="The Jacobian of Stanford arm is right").wait_for()
@@ -812,6 +803,7 @@ def test_shown_mistake_needs_no_webgl_and_no_motion(browser):
     explorer.get_by_text("the typed column says (−0.078, −0.043, 0.387)").wait_for()
     page.go_back()
     page.get_by_label("Question", exact=True).select_option("table")
+    page.get_by_label("Arm", exact=True).select_option("ELBOW")
     page.get_by_label("Your answer", exact=True).fill(SHORT_TABLE)
     page.get_by_role("link", name="Show it").press("Enter")
     explorer.get_by_role("slider", name="From the ghost's table").fill("0.5")

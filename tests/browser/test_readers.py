@@ -18,6 +18,7 @@ from tests.browser.reader import (
     find_box,
     keep_first_typeface,
     load_with_storage,
+    read_storage,
 )
 from tests.searches import SEARCHES, STUDENT_SEARCHES, TERM_SEARCHES
 from tests.test_book import HTML
@@ -86,7 +87,7 @@ def test_linked_equation_is_shown_beside_its_link(browser):
     expect(page.locator(".cell_input").locator("visible=true")).to_have_count(0)
     other = reader.context.new_page()  # Chromium may lose what a page stores just before it is left
     address = (HTML / "01_dh_tables.html").as_uri()
-    load_with_storage(other, "code", lambda: other.goto(address))
+    load_with_storage(other, read_storage(page, "code"), lambda: other.goto(address))
     other.get_by_role("button", name="Show all code").click()
     other.locator(".cell_input").locator("visible=true").first.wait_for()
     assert reader.problems == []
@@ -312,7 +313,8 @@ def test_theme_follows_system_until_chosen(browser):
     assert page.evaluate(BACKGROUND) == dark, "chosen, whatever the system prefers"
     other = context.new_page()  # Chromium may lose what a page stores just before it is left
     other.emulate_media(color_scheme="light")
-    load_with_storage(other, "mode", lambda: other.goto((HTML / "glossary.html").as_uri()))
+    address = (HTML / "glossary.html").as_uri()
+    load_with_storage(other, read_storage(page, "mode"), lambda: other.goto(address))
     assert other.evaluate(BACKGROUND) == dark, "remembered on the next page"
     other.locator("button.colours").click()
     assert other.evaluate(BACKGROUND) == light, "as the system again"
