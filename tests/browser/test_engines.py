@@ -62,10 +62,11 @@ class EngineReader:
         raise AssertionError(f"it did not become true: {holds}")
 
     def at(self, part):
-        """Scroll a part into view and return its middle once it stands still."""
+        """Scroll a part into view and return its middle once it stands still for six frames."""
         before = None
         while (place := self._scroll_to(part)) != before:
             before = place
+            time.sleep(0.1)  # two questions are often answered within one frame
         return place
 
     def _scroll_to(self, part):
