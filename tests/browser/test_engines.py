@@ -62,7 +62,7 @@ class EngineReader:
         raise AssertionError(f"it did not become true: {holds}")
 
     def at(self, part):
-        """Scroll a part into view and return its middle once it stands still for six frames."""
+        """Scroll a part into view and return its middle once it stands still for 0.1 s."""
         before = None
         while (place := self._scroll_to(part)) != before:
             before = place
