@@ -808,6 +808,32 @@ def test_memory_does_not_grow(visit):
     here.problems[:] = [one for one in here.problems if not any(words in one for words in lost)]
 
 
+# Says what has the keyboard's focus below the picture, and whether the picture covers its top edge.
+FOCUSED_PART = """() => {
+    const root = document.querySelector(".arm-explorer").shadowRoot;
+    const focused = root.activeElement;
+    if (!focused?.closest(".sliders, .views")) return null;
+    const bottom = root.querySelector(".stage").getBoundingClientRect().bottom;
+    return { name: focused.outerHTML.slice(0, 80), covered: focused.getBoundingClientRect().top < bottom };
+}"""
+
+
+@pytest.mark.parametrize("view", ["table", "branches", "trace"])
+def test_shift_tab_stops_below_the_picture(visit, view):
+    """On a phone, the picture that stays covers no control with the focus (WCAG 2.2, 2.4.11)."""
+    page = visit(f"#arm=Panda&view={view}", size="phone", script=PREPARE_SHARED_PAGE).page
+    page.evaluate(
+        """() => [...document.querySelector(".arm-explorer").shadowRoot.querySelectorAll(".views :is(button, input, select)")]
+            .findLast((part) => part.checkVisibility() && !part.disabled && part.tabIndex >= 0).focus()"""
+    )
+    visited = []
+    while part := page.evaluate(FOCUSED_PART):
+        visited.append(part)
+        page.keyboard.press("Shift+Tab")
+    assert len(visited) > 8
+    assert [part["name"] for part in visited if part["covered"]] == []
+
+
 def test_vertical_swipe_ignores_sliders(visit):
     """On a phone: large targets, a picture that stays, sliders that a vertical swipe leaves alone."""
     here = visit(
