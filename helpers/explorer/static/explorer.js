@@ -4784,14 +4784,21 @@ button.main:hover:not(:disabled) {
   color: var(--bad);
   border-bottom: 1px solid var(--line);
 }
+.explorer {
+  --stage-height: clamp(210px, 38vh, 420px);
+}
 .bench {
   display: contents;
+}
+/* What the keyboard reaches is scrolled out from under the picture that stays. */
+:is(.sliders, .views) * {
+  scroll-margin-top: calc(64px + var(--stage-height));
 }
 .stage {
   position: sticky;
   top: 56px;
   z-index: 2;
-  height: clamp(210px, 38vh, 420px);
+  height: var(--stage-height);
   overflow: hidden;
   background: radial-gradient(120% 90% at 50% 35%, var(--ground) 30%, var(--raised));
 }
@@ -5267,6 +5274,9 @@ input.small {
   .bench {
     display: grid;
     grid-template-columns: minmax(0, 1fr) minmax(250px, 40%);
+  }
+  :is(.sliders, .views) * {
+    scroll-margin-top: 0;
   }
   .stage {
     position: relative;
