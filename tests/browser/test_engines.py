@@ -63,18 +63,19 @@ class EngineReader:
 
     def at(self, part):
         """Scroll a part into view and return its middle once it stands still for 0.1 s."""
-        before = None
-        while (place := self._scroll_to(part)) != before:
-            before = place
-            time.sleep(0.1)  # two questions are often answered within one frame
-        return place
-
-    def _scroll_to(self, part):
-        return self.ask(
+        return self.settled(
             f"((part) => {{ part.scrollIntoView({{ block: 'center', behavior: 'instant' }});"
             " const { left, top, width, height } = part.getBoundingClientRect();"
             f" return [left + width / 2, top + height / 2]; }})({part})"
         )
+
+    def settled(self, question):
+        """Return an answer once it is the same 0.1 s later."""
+        before = None
+        while (answer := self.ask(question)) != before:
+            before = answer
+            time.sleep(0.1)  # two questions are often answered within one frame
+        return answer
 
     def click(self, part):
         self.until(part)
@@ -113,13 +114,14 @@ def test_links_and_tip_can_be_dragged(reader):
     for frame, moved in ((4, [3]), (-1, range(7))):
         canvas = f"{ROOT}.querySelector('.stage canvas')"
         reader.at(canvas)
-        x, y = reader.ask(
+        x, y = reader.settled(
             f"((c, box) => c.figure.projectToPixel({INSTRUMENT}.explorer.store.derived.frames.at({frame}).o)"
             f".map((v, k) => v + [box.left, box.top][k]))({canvas}, {canvas}.getBoundingClientRect())"
         )
         reader.drag((x, y), (x + 30, y + 15))
         has_turned = f"{STATE}.q.some((angle, k) => Math.abs(angle - {start}[k]) > 1e-6)"
-        reader.until(f"!{STATE}.dragging && {has_turned}")
+        reader.until(has_turned)
+        reader.until(f"!{STATE}.dragging")
         now = reader.ask(f"{STATE}.q")
         turned = [k for k in range(7) if abs(now[k] - start[k]) > 1e-6]
         assert set(turned) <= set(moved)
