@@ -1,5 +1,6 @@
 """Open pages of the built book with a window size and a theme, and record what goes wrong."""
 
+import json
 from pathlib import Path
 
 SIZES = {
@@ -117,15 +118,10 @@ def read_storage(page, prefix):
 
 
 def load_with_storage(page, stored, load):
-    """Load a page until its first script sees all that `read_storage` returned from another load.
+    """Load a page that finds in its storage what `read_storage` returned from another page.
 
-    On a busy machine Chromium gives one load in thirty (4 of 120) an empty storage from its first
-    script to its last, though other tabs and the next load see all of it.
+    The test carries it over, since on a busy machine Chromium gives about one page in forty (14 of
+    574) a storage of its own: what it writes reaches no other page.
     """
-    page.add_init_script("window.storageAtStart = { ...localStorage }")
-    for _ in range(5):
-        load()
-        seen = page.evaluate("storageAtStart")
-        if stored.items() <= seen.items():
-            return
-    raise AssertionError(f"five loads of the page did not see {stored}, the last saw {seen}")
+    page.add_init_script(f"Object.assign(localStorage, {json.dumps(stored)})")
+    load()

@@ -1,5 +1,6 @@
 """Test what readers do in the book: scroll, search, choose a theme, load pages slowly or by HTTP."""
 
+import json
 import re
 import threading
 import time
@@ -85,11 +86,10 @@ def test_linked_equation_is_shown_beside_its_link(browser):
         expect(preview).to_be_hidden()
     page.get_by_role("button", name="Hide all code").click()
     expect(page.locator(".cell_input").locator("visible=true")).to_have_count(0)
-    other = reader.context.new_page()  # Chromium may lose what a page stores just before it is left
     address = (HTML / "01_dh_tables.html").as_uri()
-    load_with_storage(other, read_storage(page, "code"), lambda: other.goto(address))
-    other.get_by_role("button", name="Show all code").click()
-    other.locator(".cell_input").locator("visible=true").first.wait_for()
+    load_with_storage(page, read_storage(page, "code"), lambda: page.goto(address))
+    page.get_by_role("button", name="Show all code").click()
+    page.locator(".cell_input").locator("visible=true").first.wait_for()
     assert reader.problems == []
     reader.context.close()
 
@@ -274,10 +274,8 @@ def test_contents_mark_the_current_and_the_read_pages(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "intro.html").as_uri())
     expect(page.locator(".turn .after")).to_have_attribute("href", "primer.html")
-    page.add_init_script(  # Chromium may lose what a page stores just before it is left
-        "localStorage.read = JSON.stringify({'01_dh_tables': true, judging: ['nothing']})"
-    )
-    page.goto((HTML / "judging.html").as_uri())
+    read = {"read": json.dumps({"01_dh_tables": True, "judging": ["nothing"]})}
+    load_with_storage(page, read, lambda: page.goto((HTML / "judging.html").as_uri()))
     expect(page.locator("#contents a.current[href='#']")).to_be_in_viewport(ratio=1)
     expect(page.locator("#contents .sections")).to_have_count(1)
     marks = page.locator("#contents a.read")
@@ -311,13 +309,11 @@ def test_theme_follows_system_until_chosen(browser):
         button.click()
         expect(button).to_have_attribute("aria-label", f"Colours: {name}")
     assert page.evaluate(BACKGROUND) == dark, "chosen, whatever the system prefers"
-    other = context.new_page()  # Chromium may lose what a page stores just before it is left
-    other.emulate_media(color_scheme="light")
     address = (HTML / "glossary.html").as_uri()
-    load_with_storage(other, read_storage(page, "mode"), lambda: other.goto(address))
-    assert other.evaluate(BACKGROUND) == dark, "remembered on the next page"
-    other.locator("button.colours").click()
-    assert other.evaluate(BACKGROUND) == light, "as the system again"
+    load_with_storage(page, read_storage(page, "mode"), lambda: page.goto(address))
+    assert page.evaluate(BACKGROUND) == dark, "remembered on the next page"
+    page.locator("button.colours").click()
+    assert page.evaluate(BACKGROUND) == light, "as the system again"
     context.close()
 
 
