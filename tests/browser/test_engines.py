@@ -63,14 +63,14 @@ class EngineReader:
 
     def at(self, part):
         """Scroll a part into view and return its middle once it stands still for 0.1 s."""
-        return self.settled(
+        return self.ask_until_still(
             f"((part) => {{ part.scrollIntoView({{ block: 'center', behavior: 'instant' }});"
             " const { left, top, width, height } = part.getBoundingClientRect();"
             f" return [left + width / 2, top + height / 2]; }})({part})"
         )
 
-    def settled(self, question):
-        """Return an answer once it is the same 0.1 s later."""
+    def ask_until_still(self, question):
+        """Ask until the answer is the same 0.1 s later, and return it."""
         before = None
         while (answer := self.ask(question)) != before:
             before = answer
@@ -114,7 +114,7 @@ def test_links_and_tip_can_be_dragged(reader):
     for frame, moved in ((4, [3]), (-1, range(7))):
         canvas = f"{ROOT}.querySelector('.stage canvas')"
         reader.at(canvas)
-        x, y = reader.settled(
+        x, y = reader.ask_until_still(
             f"((c, box) => c.figure.projectToPixel({INSTRUMENT}.explorer.store.derived.frames.at({frame}).o)"
             f".map((v, k) => v + [box.left, box.top][k]))({canvas}, {canvas}.getBoundingClientRect())"
         )

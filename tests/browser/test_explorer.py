@@ -808,7 +808,7 @@ def test_memory_does_not_grow(visit):
     here.problems[:] = [one for one in here.problems if not any(words in one for words in lost)]
 
 
-# Says what has the keyboard's focus below the picture, and whether the picture covers its top edge.
+# Describes the control with the focus: its name, and whether the picture covers its top edge. Null above the sliders.
 FOCUSED_PART = """() => {
     const root = document.querySelector(".arm-explorer").shadowRoot;
     const focused = root.activeElement;
