@@ -4790,7 +4790,7 @@ button.main:hover:not(:disabled) {
 .bench {
   display: contents;
 }
-/* What the keyboard reaches is scrolled out from under the picture that stays. */
+/* A control with the focus is scrolled out from under the picture that stays. */
 :is(.sliders, .views) * {
   scroll-margin-top: calc(64px + var(--stage-height));
 }
