@@ -81,7 +81,7 @@ window.addEventListener("resize", () => {
 if (!CSS.supports("overflow-anchor", "auto")) document.addEventListener("DOMContentLoaded", () => {
   const REST_TIME = 200; // ms after the last scroll event; a correction would stop a smooth scroll
   const article = document.querySelector("article");
-  let keptPart, keptTop, timer;
+  let keptPart, keptTop, keptScroll, timer;
   // Remember the first thing below the bar that is no section, and where it stands.
   const remember = () => {
     const { left, width } = article.getBoundingClientRect();
@@ -90,11 +90,16 @@ if (!CSS.supports("overflow-anchor", "auto")) document.addEventListener("DOMCont
       if (keptPart && article.contains(keptPart) && !keptPart.matches("article, section")) break;
     }
     keptTop = keptPart?.getBoundingClientRect().top;
+    keptScroll = scrollY;
   };
+  // A scroll whose event is still to come, as on a busy machine, is the reader's and stands.
   const correct = () => {
     timer = null;
-    const moved = keptPart?.isConnected ? keptPart.getBoundingClientRect().top - keptTop : 0;
-    if (Math.abs(moved) >= 1) scrollBy({ top: moved, behavior: "instant" });
+    if (scrollY !== keptScroll || !keptPart?.isConnected) return;
+    const moved = keptPart.getBoundingClientRect().top - keptTop;
+    if (Math.abs(moved) < 1) return;
+    scrollBy({ top: moved, behavior: "instant" });
+    remember();
   };
   addEventListener("scroll", () => {
     remember();

@@ -216,6 +216,19 @@ def test_end_key_scrolls_to_the_end(reader):
     reader.until("scrollY + innerHeight > document.body.scrollHeight - 2")
 
 
+def test_scroll_with_late_event_stands(reader):
+    """On a busy machine the event of a scroll comes late. The page does not undo the scroll meanwhile."""
+    reader.open("glossary")
+    keep_event = "addEventListener('scroll', (event) => event.stopImmediatePropagation(), true)"
+    reader.ask(
+        "addEventListener('scroll', () => {"
+        f" {keep_event}; scrollTo(0, 600); setTimeout(() => (window.place = scrollY), 500);"
+        "}, { once: true }), scrollTo(0, 300)"
+    )
+    reader.until("window.place !== undefined")
+    assert reader.ask("place") == 600
+
+
 @pytest.mark.parametrize("name", ["intro", "04_static_torque", "explorer", "check_your_homework"])
 def test_page_passes_axe(reader, name):
     """Chromium passes axe on all pages in both themes in test_pages.py."""
