@@ -14,6 +14,7 @@ import time
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from urllib.error import HTTPError
 from urllib.request import Request, urlopen
 
 from tools.browser import NoBrowser
@@ -84,8 +85,11 @@ class WebKit(_WebDriverBrowser):
         self.send("/window/rect", **WINDOW)
 
     def send(self, path, **params):
-        with urlopen(Request(self.address + path, json.dumps(params).encode())) as answer:
-            return json.load(answer)["value"]
+        try:
+            with urlopen(Request(self.address + path, json.dumps(params).encode())) as answer:
+                return json.load(answer)["value"]
+        except HTTPError as error:
+            raise OSError(f"{path} {params}: {error.read().decode()}") from error
 
     def open(self, url):
         self.send("/url", url=url)

@@ -46,6 +46,8 @@ class EngineReader:
     def open(self, name, fragment=""):
         self.visits += 1  # a fragment alone would open no new page
         self.engine.open(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
+        # WebKit goes on too early when the page before changes its address meanwhile.
+        self.until(f"location.search === '?{self.visits}'")
         # Nobody touches a blank page. Firefox reports no paint of a page whose list of pages was
         # scrolled before it.
         self.until(
