@@ -92,7 +92,8 @@ if (!CSS.supports("overflow-anchor", "auto")) document.addEventListener("DOMCont
     keptTop = keptPart?.getBoundingClientRect().top;
     keptScroll = scrollY;
   };
-  // A scroll whose event is still to come, as on a busy machine, is the reader's and stands.
+  // Scroll by the height that changed above. On a busy machine the event of a scroll comes late: such a
+  // scroll is the reader's and stays.
   const correct = () => {
     timer = null;
     if (scrollY !== keptScroll || !keptPart?.isConnected) return;

@@ -221,10 +221,10 @@ def test_end_key_scrolls_to_the_end(reader):
 def test_scroll_with_late_event_stands(reader):
     """On a busy machine the event of a scroll comes late. The page does not undo the scroll meanwhile."""
     reader.open("glossary")
-    keep_event = "addEventListener('scroll', (event) => event.stopImmediatePropagation(), true)"
+    stop_events = "addEventListener('scroll', (event) => event.stopImmediatePropagation(), true)"
     reader.ask(
         "addEventListener('scroll', () => {"
-        f" {keep_event}; scrollTo(0, 600); setTimeout(() => (window.place = scrollY), 500);"
+        f" {stop_events}; scrollTo(0, 600); setTimeout(() => (window.place = scrollY), 500);"
         "}, { once: true }), scrollTo(0, 300)"
     )
     reader.until("window.place !== undefined")
